@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,65 +10,139 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
-#include <nipref/ref/elastic_nip/internal/solved_contact.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
-#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/nip/internal/solved_nip.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/golden_section.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
 
 namespace nipref::ref {
 namespace {
 
 using data::BadInput;
 
-constexpr int least_digits = 16;
-constexpr int most_digits = 100;
-/// In sheet thicknesses.
-constexpr double shortest = 1e-8, longest = 80;
-/// Of a displacement, in half-thicknesses: ref's kernels end somewhat farther away.
-constexpr double farthest = 900;
+constexpr int fewest_elastic_digits = 16, most_elastic_digits = 100;
+/// In sheet thicknesses; and the longest whose stresses inside are computed, whose waves are summed over all of it.
+constexpr double shortest_elastic = 1e-8, longest_elastic = 1000, longest_elastic_inside = 80;
+/// Of a displacement from the contact, in half-thicknesses.
+constexpr double farthest_elastic = 900;
 
-constexpr auto allowed_lengths =
-    "must be at most the roller's radius and from 1e-8 to 80 sheet thicknesses for the reference expansion";
+constexpr auto allowed_elastic_lengths =
+    "must be at most the roller's radius and from 1e-8 to 1000 sheet thicknesses for the reference";
 
-void check_digits_here(int digits) {
-  if (digits < least_digits || digits > most_digits)
-    throw BadInput("digits", std::to_string(digits), "must be from 16 to 100");
+bool elastic_length_is_allowed(const data::ElasticNip& nip, double length) {
+  return length >= shortest_elastic * nip.sheet_thickness &&
+         length <= longest_elastic * nip.sheet_thickness && length <= nip.roller_radius;
 }
 
-bool length_is_allowed(const data::ElasticNip& nip, double length) {
-  return length >= shortest * nip.sheet_thickness && length <= longest * nip.sheet_thickness &&
-         length <= nip.roller_radius;
+void check_elastic_digits(int digits) {
+  if (digits < fewest_elastic_digits || digits > most_elastic_digits)
+    throw BadInput("digits", std::to_string(digits), "must be from 16 to 100 for a nip by panels");
 }
 
-Interval operator*(const mpq_class& unit, const Interval& x) {
-  return Interval(Exact(unit), x.precision()) * x;
+/// The elastic nip for SolvedNip.
+class ElasticModel {
+ public:
+  using Solution = ElasticSolution;
+
+  ElasticModel(const NipUnits& units, data::Friction friction)
+      : sheet_(friction == data::Friction::full, to_float(Exact(units.beta))) {}
+
+  [[nodiscard]] bool grips() const { return sheet_.grips; }
+  [[nodiscard]] double decay() const { return sheet_.decay; }
+  [[nodiscard]] int unknowns(const std::vector<TractionPanel>& panels) const {
+    int terms = 0;
+    for (const TractionPanel& panel : panels) terms += panel.terms;
+    return grips() ? 2 * terms + 2 : terms + 1;
+  }
+  [[nodiscard]] std::unique_ptr<Solution> solved(const Float& half_length, std::vector<TractionPanel> panels,
+                                                 double nats, SheetKernels& kernels) const {
+    return std::make_unique<Solution>(
+        sheet_, Tractions(half_length, std::move(panels), sheet_.epsilon(), grips(), nats), kernels);
+  }
+
+ private:
+  ElasticSheet sheet_;
+};
+
+using SolvedElasticNip = SolvedNip<ElasticModel>;
+
+/// Distances from the end between which and the next the largest |part| of the tractions lies.
+struct Between {
+  Float low, high;
+};
+
+/// Places on all panels, from the end.
+std::vector<Float> samples_of(const ElasticSolution& contact) {
+  constexpr int per_panel = 40;
+  std::vector<Float> samples;
+  for (const TractionPanel& panel : contact.panels()) {
+    for (int i = 0; i < per_panel; ++i) samples.push_back(panel.left + i * panel.width / per_panel);
+  }
+  samples.push_back(contact.half_length());
+  return samples;
 }
 
-/// 2A sum_m c_m sin((2m + 1) theta) by Clenshaw's sum; e = 1 - cos theta from either end, in half lengths.
-Float pressure_of(const std::vector<Float>& coefficients, const Float& half_length, const Float& e) {
-  const Float square = e * (2 - e), twofold = 2 - 4 * square;  // sin^2 theta, 2 cos 2 theta
-  Float now, last;
-  for (std::size_t m = coefficients.size(); m-- > 0;)
-    last = std::exchange(now, coefficients[m] + twofold * now - last);
-  return 2 * half_length * sqrt(square) * (now + last);
+Between largest_between(const ElasticSolution& contact, Float PressureAndShear::*part) {
+  const std::vector<Float> samples = samples_of(contact);
+  std::size_t best = 0;
+  Float largest = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Float here = abs(contact.tractions(samples[i]).*part);
+    if (here > largest) largest = here, best = i;
+  }
+  return {samples[best == 0 ? 0 : best - 1], samples[std::min(best + 1, samples.size() - 1)]};
 }
 
-FieldSource field_source(const ProvenExpansion& expansion, const Float& half_length) {
-  const auto tractions = [&expansion, half_length](const Float& left, const Float& right) -> FaceTraction {
-    return {pressure_of(expansion.coefficients, half_length, std::min(left, right) / half_length), 0};
+/// By golden section, which places it to half the digits.
+Float largest_traction(const ElasticSolution& contact, Float PressureAndShear::*part) {
+  const auto size = [&](const Float& e) -> Float { return abs(contact.tractions(e).*part); };
+  const auto [low, high] = largest_between(contact, part);
+  const Float enough = sqrt(std::numeric_limits<Float>::epsilon()) * (high - low);
+  return std::max({size(place_of_largest(size, low, high, enough)), size(low), size(high)});
+}
+
+/// Y > 0 of the largest shear, half-thicknesses, to all digits: the zero of its slope.
+Float place_of_largest_shear(const ElasticSolution& contact) {
+  const auto shear = [&](const Float& e) { return contact.tractions(e).shear; };
+  const auto [low, high] = largest_between(contact, &PressureAndShear::shear);
+  // The first sample is at the end itself, where the largest shear is not.
+  const Float nearer = std::max(low, Float(high / 64));
+  const int sign = shear(high) > 0 ? 1 : -1;
+  const auto slope = [&](const Float& place) -> Float { return sign * local_slope(shear, place, place / 4); };
+  const Float enough = nearer * std::numeric_limits<Float>::epsilon() * 1e4;
+  const auto place = bracketed_root<Float>(slope, nearer, high, enough);
+  if (!place) throw std::logic_error("a largest shear that is not found");
+  return contact.half_length() - *place;
+}
+
+/// Places before the end, over the half length and falling, between which and the next the shear of both solutions changes
+/// its sign.
+std::vector<std::pair<Float, Float>> shear_changes(const ElasticSolution& fine,
+                                                   const ElasticSolution& coarse) {
+  constexpr int steps = 400;
+  std::vector<std::pair<Float, Float>> changes;
+  std::optional<Float> last;
+  bool was_positive = false;
+  for (int i = 1; i <= steps; ++i) {
+    const Float place = exp(log(Float(1e-6)) * i / steps);
+    const Float here = fine.tractions(place * fine.half_length()).shear,
+                other = coarse.tractions(place * coarse.half_length()).shear;
+    if (!(abs(here) > 2 * abs(here - other))) continue;
+    if (last && was_positive != (here > 0)) changes.emplace_back(*last, place);
+    last = place;
+    was_positive = here > 0;
+  }
+  return changes;
+}
+
+FieldSource field_source(const ElasticSolution& contact) {
+  const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
+    const PressureAndShear here = contact.tractions(std::min(left, right));
+    return {here.pressure, left < right ? Float(-here.shear) : here.shear};
   };
-  return {0, half_length, tractions};
-}
-
-/// Both ends of what the half length may be. Where pressures miss up to a radius r, a half-plane's stresses miss r at
-/// most and the sheet's, with both of them and what the faces reflect, not four times that.
-ContactField field_of(const ContactFunctionals& contact, int digits) {
-  const ProvenExpansion& expansion = contact.expansion();
-  const Interval& A = contact.half_length();
-  const Float lower = -upper_end(-A), upper = upper_end(A);
-  const Float missed = 4 * 2 * upper * upper_end(expansion.radius);
-  return {field_source(expansion, lower), field_source(expansion, upper),
-          pressure_of(expansion.coefficients, upper, 1), missed, digits};
+  return {0, contact.half_length(), tractions};
 }
 
 }  // namespace
@@ -75,28 +150,71 @@ ContactField field_of(const ContactFunctionals& contact, int digits) {
 struct ConvergedElasticNip::Implementation {
   NipUnits units;
   std::optional<double> length;  ///< where it is given
-  SolvedContact contact;
+  SolvedElasticNip solved;
 
-  template <class Result>
-  [[nodiscard]] Enclosure enclosed(const mpq_class& unit, const Result& result) const {
-    const WorkingDigits working(contact.working_digits());
-    return enclosure_of(unit * result(*contact), contact.digits());
+  [[nodiscard]] const ElasticSolution& fine() const { return solved.fine(); }
+  [[nodiscard]] Float size() const { return fine().half_length(); }
+  [[nodiscard]] Float square() const { return size() * size(); }
+  [[nodiscard]] Float middle_pressure() const { return fine().tractions(size()).pressure; }
+  [[nodiscard]] int working_digits() const { return SolvedElasticNip::working_digits(solved.digits()); }
+
+  /// Measured by its value or by `least`.
+  [[nodiscard]] Estimate number(const mpq_class& unit, const SolvedElasticNip::Functional& functional,
+                                const std::function<Float()>& least) const {
+    const WorkingDigits working(working_digits());
+    const data::WithError<Float> estimate = solved.estimate(functional, least());
+    const Float factor = to_float(Exact(unit));
+    return {factor * estimate.value, factor * estimate.error, solved.digits()};
   }
-  /// Of |y|.
-  [[nodiscard]] SurfacePoint place(double y) const {
-    const mpq_class distance = abs(exactly(y));
-    if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), working_bits())};
-    return {1 - Interval(Exact(distance / units.length), working_bits()) / contact->half_length()};
+  [[nodiscard]] Estimate number(const mpq_class& unit, const SolvedElasticNip::Functional& functional) const {
+    return number(unit, functional, [] { return Float(0); });
   }
-  void prove_largest_in_the_middle() const {
-    const WorkingDigits working(contact.working_digits());
-    if (!contact->falls_outwards())
-      throw std::logic_error("a pressure that is not proven largest in the middle");
+  void check_has_shear() const {
+    if (!solved.model().grips())
+      throw BadInput("friction.model", "none", "must be full for places of the shear");
   }
-  void check_distance(double y) const {
-    if (!std::isfinite(y) || abs(exactly(y)) > farthest * units.length) {
-      throw BadInput("y", y, "must be within 450 sheet thicknesses of the middle on the reference path");
+  /// e of |y|.
+  [[nodiscard]] Float before_end(double y, const ElasticSolution& contact) const {
+    const mpq_class distance = abs(exactly(y)) / units.length;
+    if (length) return to_float(Exact(exactly(*length) / (2 * units.length) - distance));
+    return contact.half_length() - to_float(Exact(distance));
+  }
+  [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part, bool odd) const {
+    if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+    const WorkingDigits working(working_digits());
+    if (!(before_end(y, fine()) > 0) || (odd && (y == 0 || !solved.model().grips())))
+      return exact_zero(solved.digits());
+    const int sign = odd && y < 0 ? -1 : 1;
+    return number(
+        units.pressure,
+        [&](const ElasticSolution& contact) -> Float {
+          return sign * contact.tractions(before_end(y, contact)).*part;
+        },
+        [&] { return middle_pressure(); });
+  }
+  using Displacement = Float (ElasticSolution::*)(const Float&, SheetKernels&) const;
+  [[nodiscard]] Estimate displacement(double y, const mpq_class& unit, Displacement function, bool odd,
+                                      const std::function<Float()>& least) const {
+    const WorkingDigits working(working_digits());
+    if (!std::isfinite(y) || before_end(y, fine()) < -farthest_elastic)
+      throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
+    if (odd && y == 0) return exact_zero(solved.digits());
+    const int sign = odd && y < 0 ? -1 : 1;
+    return number(
+        unit,
+        [&](const ElasticSolution& contact) -> Float {
+          return sign * (contact.*function)(before_end(y, contact), solved.kernels());
+        },
+        least);
+  }
+  [[nodiscard]] ContactField field() const {
+    if (size() > longest_elastic_inside) {
+      throw BadInput("contact_length", static_cast<double>(2 * size() * to_float(Exact(units.length))),
+                     "must be at most 80 sheet thicknesses for stresses inside on the reference path");
     }
+    const Float scale = middle_pressure();
+    return {field_source(solved.coarse()), field_source(fine()), scale, scale * solved.difference(),
+            solved.digits()};
   }
 };
 
@@ -105,77 +223,107 @@ ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> impleme
 ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = default;
 ConvergedElasticNip::~ConvergedElasticNip() = default;
 
-Enclosure ConvergedElasticNip::contact_length() const {
-  return implementation_->enclosed(2 * implementation_->units.length,
-                                   std::mem_fn(&ContactFunctionals::half_length));
+Estimate ConvergedElasticNip::contact_length() const {
+  return implementation_->number(2 * implementation_->units.length,
+                                 std::mem_fn(&ElasticSolution::half_length));
 }
 
-Enclosure ConvergedElasticNip::load() const {
+Estimate ConvergedElasticNip::load() const {
   const NipUnits& units = implementation_->units;
-  return implementation_->enclosed(units.pressure * units.length, std::mem_fn(&ContactFunctionals::load));
+  return implementation_->number(units.pressure * units.length, std::mem_fn(&ElasticSolution::load));
 }
 
-Enclosure ConvergedElasticNip::indentation() const {
-  return implementation_->enclosed(implementation_->units.displacement,
-                                   std::mem_fn(&ContactFunctionals::indentation));
+Estimate ConvergedElasticNip::indentation() const {
+  return implementation_->number(implementation_->units.displacement,
+                                 std::mem_fn(&ElasticSolution::indentation),
+                                 [this] { return implementation_->square(); });
 }
 
-Enclosure ConvergedElasticNip::edge_displacement() const {
-  return implementation_->enclosed(implementation_->units.displacement,
-                                   [](const ContactFunctionals& contact) {
-                                     return contact.indentation() - square(contact.half_length());
-                                   });
+Estimate ConvergedElasticNip::edge_displacement() const {
+  return implementation_->number(implementation_->units.displacement,
+                                 std::mem_fn(&ElasticSolution::edge_displacement),
+                                 [this] { return implementation_->square(); });
 }
 
-Enclosure ConvergedElasticNip::creep_ratio() const {
-  const NipUnits& units = implementation_->units;
-  return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
-    const SurfacePoint end{Interval(working_bits())};
-    const Interval beta(Exact(units.beta), working_bits());
-    return contact.tangential_displacement(end, beta) / contact.half_length();
+Estimate ConvergedElasticNip::creep_ratio() const {
+  return implementation_->number(
+      implementation_->units.slope,
+      [&](const ElasticSolution& contact) { return contact.creep(implementation_->solved.kernels()); },
+      [this] { return implementation_->size(); });
+}
+
+Estimate ConvergedElasticNip::peak_pressure() const {
+  return implementation_->number(implementation_->units.pressure, [](const ElasticSolution& contact) {
+    return largest_traction(contact, &PressureAndShear::pressure);
   });
 }
 
-Enclosure ConvergedElasticNip::peak_pressure() const {
-  implementation_->prove_largest_in_the_middle();
-  return pressure(0);
+Estimate ConvergedElasticNip::peak_pressure_position() const {
+  return exact_zero(implementation_->solved.digits());
 }
 
-Enclosure ConvergedElasticNip::peak_pressure_position() const {
-  implementation_->prove_largest_in_the_middle();
-  return exact_zero(implementation_->contact.digits());
+Estimate ConvergedElasticNip::peak_shear() const {
+  if (!implementation_->solved.model().grips()) return exact_zero(implementation_->solved.digits());
+  return implementation_->number(
+      implementation_->units.pressure,
+      [](const ElasticSolution& contact) { return largest_traction(contact, &PressureAndShear::shear); },
+      [this] { return implementation_->middle_pressure(); });
 }
 
-Enclosure ConvergedElasticNip::pressure(double y) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  return implementation_->enclosed(implementation_->units.pressure, [&](const ContactFunctionals& contact) {
-    return contact.pressure(implementation_->place(y));
-  });
+Estimate ConvergedElasticNip::peak_shear_position() const {
+  implementation_->check_has_shear();
+  return implementation_->number(implementation_->units.length, place_of_largest_shear,
+                                 [this] { return implementation_->size(); });
 }
 
-Enclosure ConvergedElasticNip::normal_displacement(double y) const {
-  implementation_->check_distance(y);
-  return implementation_->enclosed(implementation_->units.displacement,
-                                   [&](const ContactFunctionals& contact) {
-                                     return contact.normal_displacement(implementation_->place(y));
-                                   });
+std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
+  implementation_->check_has_shear();
+  const WorkingDigits working(implementation_->working_digits());
+  const ElasticSolution& fine = implementation_->fine();
+  std::vector<Estimate> zeros{exact_zero(implementation_->solved.digits())};
+  for (const auto& [inner, outer] : shear_changes(fine, implementation_->solved.coarse())) {
+    const int sign = fine.tractions(inner * fine.half_length()).shear > 0 ? 1 : -1;
+    const auto zero = [&, inner = inner, outer = outer](const ElasticSolution& contact) -> Float {
+      const Float& size = contact.half_length();
+      const auto shear = [&](const Float& e) -> Float { return sign * contact.tractions(e).shear; };
+      const auto place = bracketed_root<Float>(shear, inner * size, outer * size,
+                                               outer * size * std::numeric_limits<Float>::epsilon() * 1e4);
+      if (!place) throw std::logic_error("a zero of the shear that is not found");
+      return size - *place;
+    };
+    zeros.push_back(implementation_->number(implementation_->units.length, zero,
+                                            [this] { return implementation_->size(); }));
+  }
+  return zeros;
 }
 
-Enclosure ConvergedElasticNip::tangential_displacement(double y) const {
-  implementation_->check_distance(y);
-  const NipUnits& units = implementation_->units;
-  return implementation_->enclosed(units.displacement, [&](const ContactFunctionals& contact) {
-    if (y == 0) return Interval(working_bits());
-    const Interval beta(Exact(units.beta), working_bits());
-    const Interval v = contact.tangential_displacement(implementation_->place(y), beta);
-    return y < 0 ? -v : v;
-  });
+Estimate ConvergedElasticNip::pressure(double y) const {
+  return implementation_->traction(y, &PressureAndShear::pressure, false);
+}
+
+Estimate ConvergedElasticNip::shear(double y) const {
+  return implementation_->traction(y, &PressureAndShear::shear, true);
+}
+
+Estimate ConvergedElasticNip::normal_displacement(double y) const {
+  return implementation_->displacement(y, implementation_->units.displacement, &ElasticSolution::normal,
+                                       false, [this] { return implementation_->square(); });
+}
+
+Estimate ConvergedElasticNip::tangential_displacement(double y) const {
+  return implementation_->displacement(y, implementation_->units.displacement, &ElasticSolution::tangential,
+                                       true, [this] { return implementation_->square(); });
+}
+
+Estimate ConvergedElasticNip::surface_strain(double y) const {
+  return implementation_->displacement(y, implementation_->units.slope, &ElasticSolution::strain, false,
+                                       [this] { return implementation_->size(); });
 }
 
 std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
-  const auto& [units, length, contact] = *implementation_;
-  const WorkingDigits working(contact.working_digits());
-  const ContactField field = field_of(*contact, contact.digits());
+  const WorkingDigits working(implementation_->working_digits());
+  const NipUnits& units = implementation_->units;
+  const ContactField field = implementation_->field();
   std::vector<InnerStresses> stresses;
   for (const InnerPoint& point : points)
     stresses.push_back(
@@ -184,52 +332,78 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {
-  const auto& [units, length, contact] = *implementation_;
-  const WorkingDigits working(contact.working_digits());
-  return field_of(*contact, contact.digits())
-      .greatest(true, to_float(Exact(units.pressure)), to_float(Exact(units.length)));
-}
-
-Enclosure ConvergedElasticNip::surface_strain(double y) const {
-  implementation_->check_distance(y);
+  const WorkingDigits working(implementation_->working_digits());
   const NipUnits& units = implementation_->units;
-  return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
-    return contact.strain(implementation_->place(y), Interval(Exact(units.beta), working_bits()));
-  });
+  return implementation_->field().greatest(true, to_float(Exact(units.pressure)),
+                                           to_float(Exact(units.length)));
 }
 
-int ConvergedElasticNip::terms() const { return implementation_->contact->terms(); }
-long ConvergedElasticNip::kernel_values() const { return implementation_->contact.kernel_values(); }
-long ConvergedElasticNip::coupling_values() const { return implementation_->contact->coupling_values(); }
+int ConvergedElasticNip::unknowns() const { return implementation_->fine().unknowns(); }
+long ConvergedElasticNip::normal_values() const { return implementation_->solved.kernels().normal_values(); }
+long ConvergedElasticNip::coupling_values() const {
+  return implementation_->solved.kernels().coupling_values();
+}
+long ConvergedElasticNip::stretch_values() const {
+  return implementation_->solved.kernels().stretch_values();
+}
 
-ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+namespace {
+
+void check_elastic_length(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
-  check_digits_here(digits);
-  if (!length_is_allowed(nip, contact_length))
-    throw BadInput("contact_length", contact_length, allowed_lengths);
-  const Exact half_length(exactly(contact_length) / exactly(nip.sheet_thickness));
+  check_elastic_digits(digits);
+  if (!elastic_length_is_allowed(nip, contact_length))
+    throw BadInput("contact_length", contact_length, allowed_elastic_lengths);
+}
+
+Float half_length_of(const data::ElasticNip& nip, double contact_length) {
+  return to_float(Exact(exactly(contact_length) / exactly(nip.sheet_thickness)));
+}
+
+}  // namespace
+
+int elastic_unknowns(const data::ElasticNip& nip, data::Friction friction, double contact_length,
+                     int digits) {
+  check_elastic_length(nip, contact_length, digits);
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  return SolvedElasticNip::first_unknowns(ElasticModel(NipUnits(nip), friction),
+                                          half_length_of(nip, contact_length), digits);
+}
+
+ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,
+                                         double contact_length, int digits) {
+  check_elastic_length(nip, contact_length, digits);
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  const NipUnits units(nip);
   return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
-      NipUnits(nip), contact_length, SolvedContact::of_half_length(half_length, digits, I1_interval)));
+      units, contact_length,
+      SolvedElasticNip::of_half_length(ElasticModel(units, friction), half_length_of(nip, contact_length),
+                                       digits)));
 }
 
-ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load, int digits) {
+ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
+                                       int digits) {
   nip.check();
-  check_digits_here(digits);
+  check_elastic_digits(digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   const auto refuse = [&] {
-    throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_lengths);
+    throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_elastic_lengths);
   };
   const NipUnits units(nip);
   const Exact wanted(exactly(load) / (units.pressure * units.length));
-  const double guess = guessed_half_length(wanted.approximate());
-  const double most = std::min(longest, nip.roller_radius / nip.sheet_thickness);
-  if (!(guess > 0.8 * shortest && guess < 1.25 * most)) refuse();
+  const double most = std::min(longest_elastic, nip.roller_radius / nip.sheet_thickness);
+  const double guess =
+      std::clamp(guessed_half_length(wanted.approximate()), 0.5 * shortest_elastic, 2 * most);
   const auto check = [&](double half_length) {
-    if (!length_is_allowed(nip, half_length * nip.sheet_thickness)) refuse();
+    if (!(half_length > 0.1 * shortest_elastic && half_length < 8 * most)) refuse();
   };
-  auto solved = std::make_unique<ConvergedElasticNip::Implementation>(
-      units, std::nullopt, SolvedContact::of_load(wanted, guess, check, digits, I1_interval));
-  return ConvergedElasticNip(std::move(solved));
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  auto solved =
+      SolvedElasticNip::of_load(ElasticModel(units, friction), to_float(wanted), guess, digits, check);
+  const auto length = static_cast<double>(solved.fine().half_length()) * nip.sheet_thickness;
+  if (!elastic_length_is_allowed(nip, length)) refuse();
+  return ConvergedElasticNip(
+      std::make_unique<ConvergedElasticNip::Implementation>(units, std::nullopt, std::move(solved)));
 }
 
 }  // namespace nipref::ref

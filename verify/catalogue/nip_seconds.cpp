@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 
+double likely_seconds_proven(const data::ElasticNip& nip, double length, int digits) {
+  return 10 * std::pow(ref::proven_terms(nip, length, digits) / 750.0, 2);
+}
+
 double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length, int digits) {
-  if (friction == data::Friction::full)
-    return 5.6 * std::pow(ref::gripped_unknowns(nip, length, digits) / 532.0, 2.1);
-  return 10 * std::pow(length / nip.sheet_thickness * (digits + 20) / 1250, 2);
+  const double unknowns = ref::elastic_unknowns(nip, friction, length, digits);
+  const double thin = std::min(1.0, length / nip.sheet_thickness / 20);
+  return 0.1 + 0.8e-6 * digits * (1 + thin) * unknowns * unknowns;
 }
 
 double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits) {

@@ -10,6 +10,8 @@ namespace nipref::verify {
 [[nodiscard]] double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length,
                                     int digits);
 [[nodiscard]] double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits);
+/// Without friction, with proven bounds.
+[[nodiscard]] double likely_seconds_proven(const data::ElasticNip& nip, double length, int digits);
 
 /// Seconds beyond which the catalogue refuses a contact and `solve` warns.
 inline constexpr double long_time = 10;

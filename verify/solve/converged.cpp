@@ -3,10 +3,11 @@
 #include <optional>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
@@ -27,11 +28,11 @@ fast::Work counted(int unknowns, long normal, long coupling, long stretch = 0) {
   work.unknowns = unknowns;
   return work;
 }
-fast::Work work_of(const ref::ConvergedElasticNip& contact) {
+fast::Work work_of(const ref::ProvenElasticNip& contact) {
   return counted(contact.terms(), contact.kernel_values(), contact.coupling_values());
 }
-fast::Work work_of(const ref::GrippedElasticNip& contact) {
-  return counted(contact.terms() + 2, contact.normal_values(), contact.coupling_values(),
+fast::Work work_of(const ref::ConvergedElasticNip& contact) {
+  return counted(contact.unknowns(), contact.normal_values(), contact.coupling_values(),
                  contact.stretch_values());
 }
 fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
@@ -130,17 +131,32 @@ SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, doub
           [&](double length) { return fast::converged_for_length(problem.nip, length, accuracy); }));
 }
 
-SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits) {
-  const data::ElasticNip& nip = problem.nip;
-  if (problem.friction == data::Friction::none)
-    return converged<RefPath>(
-        problem, solve_given(
-                     problem.given, [&](double load) { return ref::converged_for_load(nip, load, digits); },
-                     [&](double length) { return ref::converged_for_length(nip, length, digits); }));
+namespace {
+
+/// Without friction, where the proof reaches that contact and those digits; otherwise nothing.
+SolvedByRef proven(const data::ElasticNipProblem& problem, int digits) try {
+  if (problem.friction != data::Friction::none) return nullptr;
   return converged<RefPath>(
-      problem, solve_given(
-                   problem.given, [&](double load) { return ref::gripped_for_load(nip, load, digits); },
-                   [&](double length) { return ref::gripped_for_length(nip, length, digits); }));
+      problem,
+      solve_given(
+          problem.given, [&](double load) { return ref::proven_for_load(problem.nip, load, digits); },
+          [&](double length) { return ref::proven_for_length(problem.nip, length, digits); }));
+} catch (const data::BadInput&) {
+  return nullptr;
+}
+
+}  // namespace
+
+SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits) {
+  if (SolvedByRef solved = proven(problem, digits)) return solved;
+  return converged<RefPath>(
+      problem,
+      solve_given(
+          problem.given,
+          [&](double load) { return ref::converged_for_load(problem.nip, problem.friction, load, digits); },
+          [&](double length) {
+            return ref::converged_for_length(problem.nip, problem.friction, length, digits);
+          }));
 }
 
 SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int digits) {

@@ -97,6 +97,10 @@ SolvedContact SolvedContact::of_half_length(const Exact& half_length, int digits
   return contact;
 }
 
+int SolvedContact::terms_of(double half_length, int digits) {
+  return checked_size(half_length, precision_for(half_length, digits, false).expansion, digits);
+}
+
 SolvedContact SolvedContact::of_load(const Exact& load, double guess,
                                      const std::function<void(double half_length)>& check, int digits,
                                      NormalKernel kernel) {

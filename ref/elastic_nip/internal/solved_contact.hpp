@@ -27,6 +27,9 @@ class SolvedContact {
                                const std::function<void(double half_length)>& check, int digits,
                                NormalKernel kernel);
 
+  /// That a contact of given length is expanded in; BadInput likewise.
+  static int terms_of(double half_length, int digits);
+
   [[nodiscard]] int digits() const { return digits_; }
   [[nodiscard]] int working_digits() const { return precision_.working; }
   [[nodiscard]] long kernel_values() const { return kernel_->kernel_values(); }

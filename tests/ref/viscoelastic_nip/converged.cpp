@@ -13,7 +13,7 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/thin.hpp>
+#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 
 #include "support/softening_sheet.hpp"
@@ -108,7 +108,7 @@ TEST_CASE("ref rolling contact: without memory it is the proven elastic contact,
   const ViscoelasticNip nip{elastic.roller_radius, elastic.sheet_thickness,
                             data::elastic_solid(elastic.material), 1};
   const auto rolled = ref::converged_for_length(nip, 0.15, 20);
-  const auto proven = ref::converged_for_length(elastic, 0.15, 30);
+  const auto proven = ref::proven_for_length(elastic, 0.15, 30);
   const auto same = [](const char* name, const ref::Estimate& mine, const ref::Enclosure& theirs) {
     CAPTURE(name);
     ref::Float difference = ref::zero_of_bits(200);
@@ -133,7 +133,7 @@ TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") 
   const double length = 30;
   const auto rolled = ref::converged_for_length(
       {elastic.roller_radius, 1, data::elastic_solid(elastic.material), 1}, length, 18);
-  const ref::LongContactFit thin = ref::thin_nip_of_length(elastic, length, 19);
+  const auto thin = ref::converged_for_length(elastic, data::Friction::none, length, 19);
   const auto same = [](const ref::Estimate& mine, const ref::Estimate& theirs) {
     CAPTURE(mine.value_text());
     ref::Float difference = ref::zero_of_bits(200);
@@ -141,9 +141,9 @@ TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") 
     CHECK(mpfr_cmpabs(ref::raw(difference), ref::raw(mine.error)) <= 0);
     CHECK(mpfr_cmpabs(ref::raw(theirs.error), ref::raw(mine.error)) <= 0);
   };
-  same(rolled.load(), thin.load);
-  same(rolled.indentation(), thin.indentation);
-  same(rolled.creep_ratio(), thin.creep_ratio);
+  same(rolled.load(), thin.load());
+  same(rolled.indentation(), thin.indentation());
+  same(rolled.creep_ratio(), thin.creep_ratio());
 }
 
 TEST_CASE(
@@ -163,7 +163,7 @@ TEST_CASE(
 TEST_CASE("ref rolling contact: a memory that fades slowly is none") {
   const double length = 0.1, way = 1e6;
   const auto slow = ref::converged_for_length(test::nip(way), length, 16);
-  const auto proven = ref::converged_for_length(test::elastic(1), length, 16);
+  const auto proven = ref::proven_for_length(test::elastic(1), length, 16);
   // To first order in the contact over the way.
   const double near = 5 * length / way;
   CHECK(std::fabs(proven.load().error_of(slow.load().to_double())) <= near * proven.load().to_double());

@@ -73,7 +73,7 @@ TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") 
                      "path = both: must be ref or fast");
   check_call_refused("solve " + example("thick-frictionless") + " rtol=1e-3", "rtol = 1e-3");
   check_call_refused("solve " + example("thick-frictionless") + " path=ref digits=15", "digits = 15");
-  check_call_refused("solve " + example("thick-full-friction") + " path=ref digits=51", "digits = 51");
+  check_call_refused("solve " + example("thick-full-friction") + " path=ref digits=101", "digits = 101");
 }
 
 TEST_CASE("a bad scene: status 2, one line with file, line, key and value") {

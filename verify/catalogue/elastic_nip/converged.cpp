@@ -9,22 +9,17 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/gripped.hpp>
-#include <nipref/ref/elastic_nip/thin.hpp>
-#include <nipref/ref/elastic_nip/thin_gripped.hpp>
+#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 namespace {
 
-// The reference solves longer contacts too slowly for an audit, until they are so long that it extrapolates from shorter ones.
+// What is drawn: the reference solves longer contacts slowly, of thin ones a few.
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
-// In the middle of shorter contacts the influence of the ends exceeds the last digit that extrapolation gives.
-constexpr double shortest_from_shorter = 16;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
-
-constexpr int most_digits_of_thin = 21;
+constexpr double largest_long_gripped_poisson = 0.499;
 
 bool is_gripped(const NamedPoint& x) { return x["friction"] != 0; }
 
@@ -54,38 +49,21 @@ NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
-/// The limit for long contacts with full friction: beyond it the reference needs more digits, and half a minute.
-constexpr double largest_long_gripped_poisson = 0.499;
-
-void check_long_gripped_work(double poisson) {
-  if (poisson <= largest_long_gripped_poisson) return;
-  throw data::BadInput(
-      "poisson", poisson,
-      fmt::format("must be at most {} for L_over_B from 12 with full friction on the reference "
-                  "path: more takes too long",
-                  largest_long_gripped_poisson));
-}
-
+/// Without friction proven, where that does not take too long.
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
+  const ref::Estimate nothing = ref::exact_zero(digits);
+  const auto proven_in_time = [&] {
+    return most_digits_in_time([&](int some) { return likely_seconds_proven(nip, length, some); });
+  };
+  if (!gripped && digits <= proven_in_time())
+    return results_of(ref::proven_for_length(nip, length, digits), nothing);
   const data::Friction friction = gripped ? data::Friction::full : data::Friction::none;
   const int most = most_digits_in_time([&](int some) { return likely_seconds(nip, friction, length, some); });
-  if (gripped && length >= ref::shortest_thin_gripped_nip && digits > most) {
-    check_long_gripped_work(nip.material.poisson);
-    const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, digits);
-    return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, thin.peak_shear};
-  }
-  const ref::Estimate nothing = ref::exact_zero(digits);
-  if (!gripped && length >= shortest_from_shorter && digits <= most_digits_of_thin) {
-    const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, digits);
-    return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
-  }
   if (digits > most)
     throw data::BadInput("digits", std::to_string(digits),
-                         fmt::format("must be at most {} for L_over_B = {:.6g}{}: more take too long",
-                                     gripped ? most : std::max(most, most_digits_of_thin), length,
-                                     gripped ? " with full friction" : ""));
-  if (!gripped) return results_of(ref::converged_for_length(nip, length, digits), nothing);
-  const auto contact = ref::gripped_for_length(nip, length, digits);
+                         fmt::format("must be at most {} for L_over_B = {:.6g}{}: more take too long", most,
+                                     length, gripped ? " with full friction" : ""));
+  const auto contact = ref::converged_for_length(nip, friction, length, digits);
   return results_of(contact, contact.peak_shear());
 }
 

@@ -1,0 +1,153 @@
+#include <cmath>
+#include <numbers>
+
+#include <nipref/ref/nip/internal/end_integrals.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Sequence = std::vector<ComplexFloat>;
+
+ComplexFloat exponent_of(const Float& epsilon) { return {Float(1) / 2, -epsilon}; }
+ComplexFloat inverse_of(const ComplexFloat& x) { return ComplexFloat(1) / x; }
+/// t^m
+ComplexFloat power(const Float& t, const ComplexFloat& m) {
+  return t == 0 ? ComplexFloat() : exp(m * log(t));
+}
+
+/// Integrals of t^m T_k f from the first three of t^(m+j) f and from those of (t^{m+1} P_k)' f.
+template <class OfDerivative>
+Sequence continued(const ComplexFloat& m, const ComplexFloat (&powers)[3], int count,
+                   const OfDerivative& of_derivative) {
+  Sequence result{powers[0], powers[1] * Float(2) - powers[0],
+                  powers[2] * Float(8) - powers[1] * Float(8) + powers[0]};
+  const ComplexFloat next = m + ComplexFloat(1);
+  for (int k = 2; k + 1 < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const ComplexFloat before = ComplexFloat(1) - next / Float(k - 1),
+                       after = ComplexFloat(1) + next / Float(k + 1);
+    result.push_back((of_derivative(k) - result[at] * Float(2) - before * result[at - 1]) / after);
+  }
+  return result;
+}
+
+/// P_k at t by the values of T.
+Float end_polynomial(const std::vector<Float>& chebyshev, int k) {
+  const auto at = static_cast<std::size_t>(k);
+  return chebyshev[at + 1] / (k + 1) - chebyshev[at - 1] / (k - 1);
+}
+
+/// T_k(2t - 1)
+std::vector<Float> chebyshev_at(const Float& t, int count) {
+  const Float x = 2 * t - 1;
+  std::vector<Float> values{1, x};
+  for (int k = 2; k < count; ++k) values.push_back(2 * x * values.end()[-1] - values.end()[-2]);
+  return values;
+}
+
+Sequence plain_moments(const ComplexFloat& m, int count) {
+  const ComplexFloat powers[]{inverse_of(m + ComplexFloat(1)), inverse_of(m + ComplexFloat(2)),
+                              inverse_of(m + ComplexFloat(3))};
+  return continued(m, powers, count,
+                   [](int k) { return ComplexFloat(Float(1) / (k + 1) - Float(1) / (k - 1)); });
+}
+
+/// int_0^x t^m T_k
+Sequence moments_up_to(const ComplexFloat& m, const Float& x, int count) {
+  const std::vector<Float> chebyshev = chebyshev_at(x, count + 1);
+  const ComplexFloat end = power(x, m) * x;
+  const ComplexFloat powers[]{end / (m + ComplexFloat(1)), end * x / (m + ComplexFloat(2)),
+                              end * (x * x) / (m + ComplexFloat(3))};
+  return continued(m, powers, count, [&](int k) { return end * end_polynomial(chebyshev, k); });
+}
+
+/// sum_{j >= 0} x^{j+1}/(j + 1 + shift), |x| <= 3/4
+ComplexFloat fading_sum(const Float& x, const ComplexFloat& shift) {
+  const Float least = ldexp(Float(1), -working_bits() - 4);
+  ComplexFloat sum;
+  Float term = x;
+  for (int j = 1; abs(term) > least; ++j, term *= x)
+    sum = sum + ComplexFloat(term) / (shift + ComplexFloat(j));
+  return sum;
+}
+
+/// int_0^1 t^m/(x - t) dt, a principal value, -1/2 <= x <= 3/2, x not 0 or 1.
+ComplexFloat inverse_integral(const ComplexFloat& m, const Float& x) {
+  const ComplexFloat angle = m * pi();
+  if (x < Float(1) / 2) {
+    // int_0^inf t^{m-1}/(t - x) dt = -pi x^{m-1} cot(pi m), for x < 0 with 1/sin for cot and |x|; less what is from 1 on.
+    const ComplexFloat i_angle = ComplexFloat(0, 1) * angle, up = exp(i_angle), down = exp(-i_angle);
+    const ComplexFloat sine = (up - down) / ComplexFloat(0, 2), cosine = (up + down) / Float(2);
+    const ComplexFloat whole = (x > 0 ? cosine / sine : inverse_of(sine)) * pi() * power(abs(x), m);
+    return whole + fading_sum(x, -m) - inverse_of(m);
+  }
+  // Up to a place before x by powers of t/x, from there to 1 by those of 1 - t.
+  const Float border = x < 1 ? Float(x / 2) : Float(1) / 2, rest = 1 - border, beyond = x - 1;
+  ComplexFloat sum = power(border, m) * fading_sum(border / x, m);
+  const Float least = ldexp(Float(1), -working_bits() - 4);
+  // int_0^rest y^n/(y + beyond) dy, and the coefficient of y^n in (1 - y)^m.
+  Float integral = log(abs((rest + beyond) / beyond)), power_of_rest = rest;
+  ComplexFloat coefficient(1);
+  for (int n = 0; power_of_rest > least; ++n) {
+    sum = sum + coefficient * integral;
+    integral = power_of_rest / (n + 1) - beyond * integral;
+    power_of_rest *= rest;
+    coefficient = coefficient * (ComplexFloat(n) - m) / Float(n + 1);
+  }
+  return sum;
+}
+
+/// Digits that the recurrence of 1/(x - t) loses.
+int lost_digits(const Float& x, int count) {
+  const double size = std::fabs(2 * static_cast<double>(x) - 1);
+  return size > 1 ? static_cast<int>(2 * count * std::log10(size + std::sqrt(size * size - 1))) + 2 : 0;
+}
+
+void round(Sequence& sequence) {
+  for (ComplexFloat& x : sequence) x = {at_working_precision(x.re), at_working_precision(x.im)};
+}
+
+}  // namespace
+
+EndIntegrals::EndIntegrals(const Float& epsilon, int count)
+    : plain_(plain_moments(exponent_of(epsilon), count)) {}
+
+EndIntegrals::EndIntegrals(const Float& epsilon, const Float& x, int count) {
+  {
+    const WorkingDigits more(
+        static_cast<int>(static_cast<double>(working_bits()) * std::numbers::ln2 / std::numbers::ln10) +
+        lost_digits(x, count) + 4);
+    const ComplexFloat m = exponent_of(epsilon), one(1);
+    plain_ = plain_moments(m, count + 1);
+    const bool at_border = x == 0 || x == 1;
+    const Float turn = 2 * (2 * x - 1);
+    inverse_.push_back(at_border ? ComplexFloat() : inverse_integral(m, x));
+    inverse_.push_back((inverse_[0] * x - plain_[0]) * Float(2) - inverse_[0]);
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k)
+      inverse_.push_back(inverse_[k] * turn - inverse_[k - 1] - plain_[k] * Float(4));
+    // Of t^{m+1} T_k/(x - t).
+    const auto shifted = [&](int k) {
+      return inverse_[static_cast<std::size_t>(k)] * x - plain_[static_cast<std::size_t>(k)];
+    };
+    const Float at_one = x == 1 ? Float(0) : log(abs(x - 1));
+    ComplexFloat over = inverse_[0], powers[3];
+    for (int j = 0; j < 3; ++j) {
+      const ComplexFloat next = m + ComplexFloat(j + 1);
+      over = over * x - inverse_of(next);
+      powers[j] = (ComplexFloat(at_one) + over) / next;
+    }
+    logarithm_ = continued(m, powers, count, [&](int k) {
+      return shifted(k + 1) / Float(k + 1) - shifted(k - 1) / Float(k - 1) +
+             ComplexFloat(at_one * (Float(1) / (k + 1) - Float(1) / (k - 1)));
+    });
+    if (x > 0 && x < 1) {
+      sign_ = moments_up_to(m, x, count);
+      for (std::size_t k = 0; k < sign_.size(); ++k) sign_[k] = sign_[k] * Float(2) - plain_[k];
+    } else {
+      for (const ComplexFloat& moment : plain_) sign_.push_back(x > 0 ? moment : -moment);
+    }
+  }
+  for (Sequence* sequence : {&plain_, &logarithm_, &sign_, &inverse_}) round(*sequence);
+}
+
+}  // namespace nipref::ref

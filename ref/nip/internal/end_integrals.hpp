@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include <nipref/ref/number/internal/complex_float.hpp>
+
+namespace nipref::ref {
+
+/// Integrals of t^m T_k(2t - 1), m = 1/2 - i epsilon, over 0 <= t <= 1, alone and times what is singular at x.
+///
+/// With P_k = T_{k+1}/(k+1) - T_{k-1}/(k-1), k > 1, whose derivative by t is 4 T_k,
+///
+///     (t^{m+1} P_k)' = t^m ((1 + (m+1)/(k+1)) T_{k+1} + 2 T_k + (1 - (m+1)/(k-1)) T_{k-1}),
+///
+/// so that the integrals of t^m T_k f, f = 1, ln|x - t| and sign(x - t), follow from each other: by parts from t^{m+1} P_k
+/// at the ends, at x, or over x - t. Those of 1/(x - t), principal values, are C_{k+1} = 2 (2x - 1) C_k - C_{k-1} - 4 int
+/// t^m T_k. Beyond the ends they fall where their recurrence's other solution grows, which takes more digits.
+class EndIntegrals {
+ public:
+  /// Of k < count; without x, not 0 or 1 unless 1/(x - t) is not asked for, only plain().
+  EndIntegrals(const Float& epsilon, int count);
+  EndIntegrals(const Float& epsilon, const Float& x, int count);
+
+  [[nodiscard]] const ComplexFloat& plain(long k) const { return plain_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] const ComplexFloat& logarithm(long k) const {
+    return logarithm_[static_cast<std::size_t>(k)];
+  }
+  [[nodiscard]] const ComplexFloat& sign(long k) const { return sign_[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] const ComplexFloat& inverse(long k) const { return inverse_[static_cast<std::size_t>(k)]; }
+
+ private:
+  std::vector<ComplexFloat> plain_, logarithm_, sign_, inverse_;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/nip/internal/nip_solution.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
+
+namespace nipref::ref {
+
+using Index = Matrix::Index;
+
+namespace {
+
+/// By which Chebyshev's coefficients on a panel fall with the degree, which is as long as it is far from the end that is
+/// singular, about 1/5.8 each.
+constexpr double nats_of_term = 1.76;
+constexpr int fewest_terms = 8;
+
+/// From which degree on e^(-rate e) has coefficients below e^-nats on a panel: on an ellipse with the semi-axes' sum r over
+/// the half width it is at most e^(size), and the coefficient of degree n at most twice that over r^n. (Trefethen,
+/// Approximation Theory and Approximation Practice, 8.1)
+int degree_of_exponential(double rate, double left, double width, double nats) {
+  int best = std::numeric_limits<int>::max();
+  const double half = width / 2, fallen = rate * (left + half);
+  for (double r = 1.05; r < 1e4; r *= 1.1) {
+    const double size = half * rate * (r + 1 / r) / 2;
+    best = std::min(best, static_cast<int>(std::ceil(std::max(0.0, (nats + size - fallen) / std::log(r)))));
+  }
+  return best;
+}
+
+int terms_of(double left, double width, double decay, double nats) {
+  int degree = static_cast<int>(std::ceil(std::max(0.0, nats - decay * left) / nats_of_term));
+  if (left > 0) degree = std::max(degree, degree_of_exponential(decay, left, width, nats));
+  return std::max(fewest_terms, degree + 3);
+}
+
+}  // namespace
+
+std::vector<TractionPanel> panels_of(const Float& half_length, double decay, const Fineness& fineness) {
+  const auto size = static_cast<double>(half_length);
+  std::vector<double> edges{0, fineness.first};
+  while (edges.back() < size) edges.push_back(fineness.growth * edges.back());
+  std::vector<TractionPanel> panels;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const double left = edges[i] * size / edges.back(), right = edges[i + 1] * size / edges.back();
+    panels.push_back({left, Float(right) - left, terms_of(left, right - left, decay, fineness.nats)});
+  }
+  panels.back().width = half_length - panels.back().left;
+  return panels;
+}
+
+namespace {
+
+std::atomic<long> solutions = 0;
+
+/// The slowest wave between the faces: without friction the zero of sinh^2 x = 0 beside the real axis, i pi; between gripped
+/// faces i zeta, 2 zeta that of (3 - 4 poisson) sin x = x, 3 - 4 poisson = (1 + beta)/(1 - beta).
+double decay_of(bool grips, double beta) {
+  if (!grips) return std::numbers::pi;
+  double low = 0, high = std::numbers::pi;
+  while (high - low > 1e-9) {
+    const double middle = (low + high) / 2;
+    ((1 + beta) / (1 - beta) * std::sin(middle) > middle ? low : high) = middle;
+  }
+  return low / 2;
+}
+
+}  // namespace
+
+ElasticSheet::ElasticSheet(bool the_grips, Float the_beta)
+    : grips(the_grips), beta(std::move(the_beta)), decay(decay_of(grips, static_cast<double>(beta))) {}
+
+Float ElasticSheet::epsilon() const { return grips ? Float(atanh(beta) / pi()) : Float(0); }
+
+ElasticSolution::ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
+    : sheet_(sheet), tractions_(std::move(tractions)) {
+  const std::vector<Float> points = tractions_.matching_points();
+  const auto count = static_cast<Index>(points.size());
+  const Index columns = tractions_.columns(), size = unknowns();
+  std::vector<LineFunctional> functionals{normal()};
+  if (sheet_.grips) functionals.push_back(tangential());
+  Matrix matrix(size, size);
+  Vector right(size);
+  for (Index i = 0; i < count; ++i) {
+    const Float& e = points[static_cast<std::size_t>(i)];
+    const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels);
+    for (Index k = 0; k < columns; ++k) {
+      matrix(i, k) = rows[0](k);
+      if (sheet_.grips) matrix(count + i, k) = rows[1](k);
+    }
+    // The displacement at the end over A, so that all unknowns are of about one size.
+    matrix(i, columns) = -half_length();
+    right(i) = e * (2 * half_length() - e);
+    if (sheet_.grips) matrix(count + i, columns + 1) = -(half_length() - e);
+  }
+  const Vector solution = refined_solution(matrix, right);
+  coefficients_ = solution.block(0, 0, columns, 1);
+  edge_displacement_ = solution(columns) * half_length();
+  if (sheet_.grips) creep_ = solution(columns + 1);
+  load_ = 2 * tractions_.integral().cwiseProduct(coefficients_).sum();
+  ++solutions;
+}
+
+long ElasticSolution::solved() { return solutions; }
+
+Float ElasticSolution::growth() const {
+  const auto [a, b] = tractions_.at_root(coefficients_);
+  const Float epsilon = sheet_.epsilon(), cosine = cosh(pi() * epsilon);
+  return pi() * half_length() * (a * a + b * b) * (1 + 4 * epsilon * epsilon) /
+         (4 * tractions_.panels().front().width * load_ * cosine * cosine);
+}
+
+PressureAndShear ElasticSolution::tractions(const Float& e) const {
+  return e > 0 ? tractions_.at(e, coefficients_) : PressureAndShear{0, 0};
+}
+
+LineFunctional ElasticSolution::normal() const {
+  LineFunctional result;
+  result.pressure(Influence::normal, 1 / pi());
+  if (sheet_.grips) result.shear(Influence::sign, sheet_.beta / 2).shear(Influence::coupling, -1 / pi());
+  return result;
+}
+
+LineFunctional ElasticSolution::tangential() const {
+  LineFunctional result;
+  result.pressure(Influence::sign, -sheet_.beta / 2).pressure(Influence::coupling, 1 / pi());
+  if (sheet_.grips) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
+  return result;
+}
+
+Float ElasticSolution::value(const Float& e, const LineFunctional& functional, SheetKernels& kernels) const {
+  return tractions_.rows(e, {functional}, kernels).front().cwiseProduct(coefficients_).sum();
+}
+
+Float ElasticSolution::normal(const Float& e, SheetKernels& kernels) const {
+  return e < 0 ? value(e, normal(), kernels) : Float(edge_displacement_ + e * (2 * half_length() - e));
+}
+
+Float ElasticSolution::tangential(const Float& e, SheetKernels& kernels) const {
+  if (sheet_.grips && e >= 0) return creep_ * (half_length() - e);
+  return value(e, tangential(), kernels);
+}
+
+Float ElasticSolution::strain(const Float& e, SheetKernels& kernels) const {
+  if (sheet_.grips && e >= 0) return creep_;
+  LineFunctional slope;
+  slope.pressure(Influence::coupling_slope, 1 / pi());
+  if (sheet_.grips) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
+  return value(e, slope, kernels) - sheet_.beta * tractions(e).pressure;
+}
+
+}  // namespace nipref::ref

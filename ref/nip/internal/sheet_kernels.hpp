@@ -1,0 +1,36 @@
+#pragma once
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
+
+namespace nipref::ref {
+
+/// The kernels of a nip at any distance alpha in half-thicknesses, and their analytic parts.
+class SheetKernels {
+ public:
+  /// Errors are about 10^-digits; the working precision has to be a few digits more.
+  explicit SheetKernels(int digits);
+
+  /// I1(alpha), alpha not 0, and I1(alpha) + ln|alpha|.
+  [[nodiscard]] Float normal(const Float& alpha);
+  [[nodiscard]] Float smooth_normal(const Float& alpha);
+  /// I3(alpha), which is odd, and I3'(alpha).
+  [[nodiscard]] Float coupling(const Float& alpha);
+  [[nodiscard]] Float coupling_slope(const Float& alpha);
+  /// I6(alpha, eta) - I1(alpha) up to a constant: -int I3.
+  [[nodiscard]] Float stretch(const Float& alpha);
+  /// Slope of I1(alpha) + ln|alpha|.
+  [[nodiscard]] Float smooth_normal_slope(const Float& alpha);
+
+  /// From here on I1 is 0 and I3 its limit to the digits of the kernels: they approach these like e^(-2.1 |alpha|).
+  [[nodiscard]] const Float& far() const { return far_; }
+  [[nodiscard]] double nats() const { return nats_; }
+  [[nodiscard]] long normal_values() const { return normal_.kernel_values(); }
+  [[nodiscard]] long coupling_values() const { return coupling_.kernel_values(); }
+  [[nodiscard]] long stretch_values() const { return stretch_.kernel_values(); }
+
+ private:
+  double nats_;
+  Float far_;
+  SmoothKernel normal_, coupling_, stretch_;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,442 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <nipref/ref/nip/internal/end_integrals.hpp>
+#include <nipref/ref/nip/internal/tractions.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Index = Matrix::Index;
+
+/// Half-thicknesses: the analytic parts are singular 2 beside.
+constexpr double longest_piece = 2.5;
+/// Over the width of a piece: farther away its nodes integrate the kernels as they are.
+constexpr double near = 0.5;
+/// By which what is analytic but for a place so near, or 2 beside, falls with the degree on a piece.
+constexpr double nats_of_degree = 1.25;
+
+void accumulate(Float& sum, Float& product, const Float& x, const Float& y) {
+  mpfr_mul(raw(product), raw(x), raw(y), MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
+}
+
+/// T_0 .. T_{count - 1} at x.
+void chebyshev_values(const Float& x, std::vector<Float>& values) {
+  const Float twofold = 2 * x;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k < 2) {
+      values[k] = k == 0 ? Float(1) : x;
+      continue;
+    }
+    mpfr_mul(raw(values[k]), raw(twofold), raw(values[k - 1]), MPFR_RNDN);
+    mpfr_sub(raw(values[k]), raw(values[k]), raw(values[k - 2]), MPFR_RNDN);
+  }
+}
+
+/// int P_k(t) ln|x - t| dt and int P_k(t) sign(x - t) dt over -1 <= t <= 1, k < count.
+struct LegendreMoments {
+  std::vector<Float> logarithm, sign;
+};
+
+/// With Q_k = (1/2) int P_k(t)/(x - t) dt, as P_k is the derivative of (P_{k+1} - P_{k-1})/(2k + 1), k > 0, which is 0 at
+/// both ends: 2 (Q_{k+1} - Q_{k-1})/(2k + 1), and the same of P for the sign. Beyond the ends Q_k falls where its
+/// recurrence's other solution grows, which takes more digits.
+LegendreMoments legendre_moments(const Float& x, int count) {
+  const double size = std::fabs(static_cast<double>(x));
+  const double lost = size > 1 ? 2 * count * std::log10(size + std::sqrt(size * size - 1)) : 0;
+  const int digits = static_cast<int>(static_cast<double>(working_bits()) * 0.30103 + lost) + 2;
+  LegendreMoments moments;
+  {
+    const WorkingDigits more(digits);
+    const Float above = 1 + x, below = 1 - x;
+    const Float log_above = above == 0 ? Float(0) : log(abs(above)),
+                log_below = below == 0 ? Float(0) : log(abs(below));
+    std::vector<Float> p{1, x}, q{(log_above - log_below) / 2};
+    q.push_back(x * q[0] - 1);
+    for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k) {
+      p.push_back(((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1));
+      q.push_back(((2 * k + 1) * x * q[k] - k * q[k - 1]) / (k + 1));
+    }
+    moments.logarithm.push_back(above * log_above + below * log_below - 2);
+    moments.sign.push_back(2 * x);
+    for (std::size_t k = 1; k < static_cast<std::size_t>(count); ++k) {
+      moments.logarithm.push_back(2 * (q[k + 1] - q[k - 1]) / (2 * k + 1));
+      moments.sign.push_back(2 * (p[k + 1] - p[k - 1]) / (2 * k + 1));
+    }
+  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    moments.logarithm[k] = at_working_precision(moments.logarithm[k]);
+    moments.sign[k] = at_working_precision(moments.sign[k]);
+  }
+  return moments;
+}
+
+/// Gauss's rule and (2k + 1) P_k at its nodes: a row a node.
+struct GaussNodes {
+  UnitRule rule;
+  Matrix legendre;
+
+  explicit GaussNodes(int count) : rule(gauss_rule(count)), legendre(count, count) {
+    for (Index j = 0; j < count; ++j) {
+      const Float x = 2 * rule.from_left[static_cast<std::size_t>(j)] - 1;
+      Float last = 0, now = 1;
+      for (Index k = 0; k < count; ++k) {
+        legendre(j, k) = (2 * k + 1) * now;
+        Float next = ((2 * k + 1) * x * now - k * last) / (k + 1);
+        last = std::move(now);
+        now = std::move(next);
+      }
+    }
+  }
+  [[nodiscard]] Index size() const { return legendre.rows(); }
+};
+
+}  // namespace
+
+LineFunctional& LineFunctional::pressure(Influence kind, const Float& factor) {
+  on_pressure[static_cast<std::size_t>(kind)] = factor;
+  return *this;
+}
+LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
+  on_shear[static_cast<std::size_t>(kind)] = factor;
+  return *this;
+}
+
+/// Of all pieces but the panel at the end, where Chebyshev's points of 0 .. 1 are the nodes.
+struct Tractions::Rules {
+  GaussNodes plain;
+  std::vector<Float> end;
+
+  Rules(int terms, double nats)
+      : plain(std::max(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6, terms)) {
+    const int count = static_cast<int>(nats / nats_of_degree) + 6;
+    for (int i = 0; i < count; ++i) {
+      const Float half = sin((2 * i + 1) * pi() / (4 * count));
+      end.push_back(half * half);
+    }
+  }
+};
+
+/// The panel at the end, or a part of another one.
+struct Tractions::Piece {
+  std::size_t panel;
+  Float from, width;
+  std::vector<Float> nodes;  ///< e
+  Matrix real, imaginary;    ///< of w T_k times the weight: a row a node; the latter of a panel with w alone
+  /// Of a panel without w, from its first piece to this one: the integrals of T_k, then those of e T_k.
+  Vector sums;
+};
+
+/// The load on this half, or its mirror image: alpha = side (e - place) of a line load at e.
+struct Tractions::Image {
+  Float place;
+  int side;  ///< 1 or -1
+};
+
+Tractions::Tractions(Tractions&&) noexcept = default;
+Tractions& Tractions::operator=(Tractions&&) noexcept = default;
+Tractions::~Tractions() = default;
+
+Tractions::Tractions(const Float& half_length, std::vector<TractionPanel> panels, const Float& epsilon,
+                     bool has_shear, double nats)
+    : half_length_(half_length),
+      epsilon_(epsilon),
+      panels_(std::move(panels)),
+      has_shear_(has_shear),
+      nats_(nats),
+      first_columns_{0} {
+  int most = 0;
+  for (const TractionPanel& panel : panels_) {
+    first_columns_.push_back(first_columns_.back() + (has_shear_ ? 2 : 1) * panel.terms);
+    most = std::max(most, panel.terms);
+  }
+  rules_ = std::make_unique<Rules>(most, nats_);
+  add_end_piece();
+  for (std::size_t p = 1; p < panels_.size(); ++p) {
+    const TractionPanel& panel = panels_[p];
+    const int count = static_cast<int>(std::ceil(static_cast<double>(panel.width) / longest_piece));
+    for (int i = 0; i < count; ++i) add_piece(p, panel.left + i * panel.width / count, panel.width / count);
+  }
+}
+
+void Tractions::add_end_piece() {
+  const TractionPanel& panel = panels_.front();
+  Piece piece{0, 0, panel.width, {}, {}, {}, {}};
+  for (const Float& x : rules_->end) piece.nodes.push_back(panel.width * x);
+  const Matrix weights = end_weights();
+  piece.real = weights.block(0, 0, weights.rows(), panel.terms);
+  piece.imaginary = weights.block(0, panel.terms, weights.rows(), panel.terms);
+  pieces_.push_back(std::move(piece));
+}
+
+void Tractions::add_piece(std::size_t number, const Float& from, const Float& width) {
+  const TractionPanel& panel = panels_[number];
+  const UnitRule& rule = rules_->plain.rule;
+  Piece piece{
+      number, from, width, {}, Matrix(rules_->plain.size(), panel.terms), {}, Vector(2 * panel.terms)};
+  if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
+  std::vector<Float> values(static_cast<std::size_t>(panel.terms));
+  for (std::size_t j = 0; j < rule.size(); ++j) {
+    piece.nodes.push_back(from + width * rule.from_left[j]);
+    chebyshev_values(2 * (piece.nodes[j] - panel.left) / panel.width - 1, values);
+    for (Index k = 0; k < panel.terms; ++k) {
+      Float& here = piece.real(static_cast<Index>(j), k);
+      here = width * rule.weight[j] * values[static_cast<std::size_t>(k)];
+      piece.sums(k) += here;
+      piece.sums(panel.terms + k) += here * piece.nodes[j];
+    }
+  }
+  pieces_.push_back(std::move(piece));
+}
+
+/// At Chebyshev's points, for what is a polynomial there, by its coefficients: real parts, then imaginary ones.
+Matrix Tractions::end_weights() const {
+  const auto nodes = static_cast<Index>(rules_->end.size());
+  const int terms = panels_.front().terms;
+  const EndIntegrals moments(epsilon_, terms + static_cast<int>(nodes));
+  Matrix chebyshev(nodes, nodes), products(nodes, 2 * terms);
+  std::vector<Float> values(static_cast<std::size_t>(nodes));
+  for (Index j = 0; j < nodes; ++j) {
+    chebyshev_values(2 * rules_->end[static_cast<std::size_t>(j)] - 1, values);
+    for (Index l = 0; l < nodes; ++l)
+      chebyshev(j, l) = (l == 0 ? 1 : 2) * values[static_cast<std::size_t>(l)];
+  }
+  for (Index l = 0; l < nodes; ++l) {
+    for (Index k = 0; k < terms; ++k) {
+      const ComplexFloat product = moments.plain(l + k) + moments.plain(std::abs(l - k));
+      products(l, k) = product.re;
+      products(l, terms + k) = product.im;
+    }
+  }
+  return panels_.front().width / (2 * nodes) * (chebyshev * products);
+}
+
+/// Of the panel at the end, where it is near, what is analytic alone.
+Vector Tractions::at_nodes(const Piece& piece, const Image& image, Influence kind,
+                           SheetKernels& kernels) const {
+  const GaussNodes& gauss = rules_->plain;
+  const Float x = 2 * (image.place - piece.from) / piece.width - 1;
+  const bool is_near = abs(x) < 1 + 2 * near, at_end = piece.panel == 0;
+  Vector values(static_cast<Index>(piece.nodes.size()));
+  for (Index j = 0; j < values.size(); ++j) {
+    const Float alpha = image.side * (piece.nodes[static_cast<std::size_t>(j)] - image.place);
+    if (kind == Influence::normal) {
+      values(j) = is_near ? kernels.smooth_normal(alpha) : kernels.normal(alpha);
+    } else if (kind == Influence::sign) {
+      values(j) = is_near && at_end ? 0 : alpha < 0 ? -1 : 1;
+    } else if (kind == Influence::coupling) {
+      values(j) = kernels.coupling(alpha);
+    } else if (kind == Influence::stretch) {
+      values(j) = kernels.stretch(alpha);
+    } else if (kind == Influence::normal_slope) {
+      values(j) = kernels.smooth_normal_slope(alpha);
+      if (!is_near || !at_end) values(j) -= 1 / alpha;
+    } else {
+      values(j) = kernels.coupling_slope(alpha);
+    }
+  }
+  const bool is_sign = kind == Influence::sign, has_place = abs(x) < 1;
+  if (!is_near || at_end || !(kind == Influence::normal || (is_sign && has_place))) return values;
+  const int terms = panels_[piece.panel].terms;
+  const LegendreMoments moments = legendre_moments(x, terms);
+  const Float scale = log(piece.width / 2);
+  Float product;
+  for (Index j = 0; j < values.size(); ++j) {
+    Float sum = 0;
+    for (Index k = 0; k < terms; ++k) {
+      const auto degree = static_cast<std::size_t>(k);
+      accumulate(sum, product, gauss.legendre(j, k),
+                 is_sign ? moments.sign[degree] : moments.logarithm[degree]);
+    }
+    if (is_sign) {
+      values(j) = -image.side * sum / 2;
+    } else {
+      values(j) -= scale + sum / 2;
+    }
+  }
+  return values;
+}
+
+void Tractions::add_end(const Image& image, const std::vector<LineFunctional>& functionals,
+                        std::vector<Vector>& rows) const {
+  const TractionPanel& panel = panels_.front();
+  const EndIntegrals moments(epsilon_, image.place / panel.width, panel.terms);
+  const Float scale = log(panel.width);
+  for (std::size_t f = 0; f < functionals.size(); ++f) {
+    const LineFunctional& functional = functionals[f];
+    const auto on = [&](Influence kind, const auto& integral) {
+      const Float pressure = functional.on_pressure[static_cast<std::size_t>(kind)];
+      const Float shear = image.side * functional.on_shear[static_cast<std::size_t>(kind)];
+      if (pressure == 0 && shear == 0) return;
+      for (Index k = 0; k < panel.terms; ++k) {
+        const ComplexFloat here = integral(k);
+        rows[f](k) += pressure * here.re + shear * here.im;
+        if (has_shear_) rows[f](panel.terms + k) += shear * here.re - pressure * here.im;
+      }
+    };
+    on(Influence::normal,
+       [&](Index k) { return (moments.logarithm(k) + moments.plain(k) * scale) * Float(-panel.width); });
+    on(Influence::sign, [&](Index k) { return moments.sign(k) * Float(-image.side * panel.width); });
+    on(Influence::normal_slope, [&](Index k) { return moments.inverse(k) * Float(image.side); });
+  }
+}
+
+/// What no kernel but the sign and its integrals reaches: on each side of the place they are lines, c_0 + c_1 e.
+void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& functionals,
+                        SheetKernels& kernels, std::vector<Vector>& rows) const {
+  const Float quarter = pi() / 4, level = kernels.stretch(kernels.far()) + quarter * kernels.far();
+  for (const int side : {-1, 1}) {
+    const auto is_far = [&](const Piece& piece) {
+      return side > 0 ? piece.from - image.place >= kernels.far()
+                      : image.place - piece.from - piece.width >= kernels.far();
+    };
+    const int sign = image.side * side;
+    const auto line = [&](const std::array<Float, influences>& on) {
+      const auto at = [&](Influence kind) { return on[static_cast<std::size_t>(kind)]; };
+      const Float stretch = at(Influence::stretch);
+      return std::pair<Float, Float>(sign * (at(Influence::sign) + quarter * at(Influence::coupling)) +
+                                         stretch * (level + side * quarter * image.place),
+                                     -side * quarter * stretch);
+    };
+    for (std::size_t i = 1; i < pieces_.size(); ++i) {
+      // The last far piece of a panel before the place, and all of it after, less what is not far.
+      const Piece& piece = pieces_[i];
+      const bool next_is_same = i + 1 < pieces_.size() && pieces_[i + 1].panel == piece.panel;
+      const bool adds = is_far(piece) && !(next_is_same && is_far(pieces_[i + 1]));
+      const bool subtracts = !is_far(piece) && next_is_same && is_far(pieces_[i + 1]);
+      if (!adds && !subtracts) continue;
+      const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
+      for (std::size_t f = 0; f < functionals.size(); ++f) {
+        const auto add = [&](const std::pair<Float, Float>& here, int parity, int column) {
+          const int factor = adds ? parity : -parity;
+          for (Index k = 0; k < terms; ++k)
+            rows[f](column + k) +=
+                factor * (here.first * piece.sums(k) + here.second * piece.sums(terms + k));
+        };
+        add(line(functionals[f].on_pressure), 1, first);
+        if (has_shear_) add(line(functionals[f].on_shear), image.side, first + terms);
+      }
+    }
+  }
+}
+
+std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFunctional>& functionals,
+                                    SheetKernels& kernels) const {
+  std::vector<Vector> rows(functionals.size(), Vector(columns()));
+  const std::array<Image, 2> images{Image{e, 1}, Image{2 * half_length_ - e, -1}};
+  Float product;
+  for (const Piece& piece : pieces_) {
+    const auto count = static_cast<Index>(piece.nodes.size());
+    std::vector<Vector> on_pressure(functionals.size(), Vector(count)), on_shear = on_pressure;
+    bool is_felt = false;
+    for (const Image& image : images) {
+      const Float gap =
+          std::max(Float(piece.from - image.place), Float(image.place - piece.from - piece.width));
+      if (piece.panel > 0 && gap >= kernels.far()) continue;
+      for (int kind = 0; kind < influences; ++kind) {
+        const auto which = static_cast<Influence>(kind);
+        const auto number = static_cast<std::size_t>(kind);
+        const bool is_wanted = std::ranges::any_of(functionals, [&](const LineFunctional& functional) {
+          return functional.on_pressure[number] != 0 || functional.on_shear[number] != 0;
+        });
+        if (!is_wanted) continue;
+        is_felt = true;
+        const Vector values = at_nodes(piece, image, which, kernels);
+        for (std::size_t f = 0; f < functionals.size(); ++f) {
+          const Float pressure = functionals[f].on_pressure[number];
+          const Float shear = image.side * functionals[f].on_shear[number];
+          for (Index j = 0; j < count; ++j) {
+            if (pressure != 0) accumulate(on_pressure[f](j), product, pressure, values(j));
+            if (shear != 0) accumulate(on_shear[f](j), product, shear, values(j));
+          }
+        }
+      }
+    }
+    if (!is_felt) continue;
+    const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
+    const bool is_complex = piece.imaginary.size() > 0 && epsilon_ != 0;
+    for (std::size_t f = 0; f < functionals.size(); ++f) {
+      for (Index k = 0; k < terms; ++k) {
+        for (Index j = 0; j < count; ++j) {
+          const Float& real = piece.real(j, k);
+          accumulate(rows[f](first + k), product, on_pressure[f](j), real);
+          if (has_shear_) accumulate(rows[f](first + terms + k), product, on_shear[f](j), real);
+          if (!is_complex) continue;
+          const Float& imaginary = piece.imaginary(j, k);
+          accumulate(rows[f](first + k), product, on_shear[f](j), imaginary);
+          mpfr_mul(raw(product), raw(on_pressure[f](j)), raw(imaginary), MPFR_RNDN);
+          Float& here = rows[f](first + terms + k);
+          mpfr_sub(raw(here), raw(here), raw(product), MPFR_RNDN);
+        }
+      }
+    }
+  }
+  for (const Image& image : images) {
+    add_far(image, functionals, kernels, rows);
+    const Float x = 2 * image.place / panels_.front().width - 1;
+    if (abs(x) < 1 + 2 * near) add_end(image, functionals, rows);
+  }
+  return rows;
+}
+
+std::vector<Float> Tractions::matching_points() const {
+  std::vector<Float> points;
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    const int count = panels_[p].terms + (p == 0 ? 1 : 0);
+    for (int i = 0; i < count; ++i) {
+      const Float half = sin((2 * i + 1) * pi() / (4 * count));
+      points.push_back(panels_[p].left + panels_[p].width * half * half);
+    }
+  }
+  return points;
+}
+
+PressureAndShear Tractions::at(const Float& e, const Vector& coefficients) const {
+  std::size_t p = 0;
+  while (p + 1 < panels_.size() && e >= panels_[p + 1].left) ++p;
+  const TractionPanel& panel = panels_[p];
+  std::vector<Float> polynomials(static_cast<std::size_t>(panel.terms));
+  const Float x = (e - panel.left) / panel.width;
+  chebyshev_values(2 * x - 1, polynomials);
+  Float a = 0, b = 0, product;
+  for (Index k = 0; k < panel.terms; ++k) {
+    const Float& polynomial = polynomials[static_cast<std::size_t>(k)];
+    accumulate(a, product, coefficients(first_columns_[p] + k), polynomial);
+    if (has_shear_) accumulate(b, product, coefficients(first_columns_[p] + panel.terms + k), polynomial);
+  }
+  if (p > 0) return {a, b};
+  if (!(x > 0)) return {0, 0};
+  const Float size = sqrt(x), phase = epsilon_ * log(x);
+  const Float real = size * cos(phase), imaginary = -size * sin(phase);
+  return {real * a - imaginary * b, real * b + imaginary * a};
+}
+
+PressureAndShear Tractions::at_root(const Vector& coefficients) const {
+  PressureAndShear result{0, 0};
+  const int terms = panels_.front().terms;
+  for (Index k = 0; k < terms; ++k) {
+    const int sign = k % 2 == 0 ? 1 : -1;
+    result.pressure += sign * coefficients(k);
+    if (has_shear_) result.shear += sign * coefficients(terms + k);
+  }
+  return result;
+}
+
+/// Sums over the nodes of a piece are the integrals over it.
+Vector Tractions::integral() const {
+  Vector row(columns());
+  for (const Piece& piece : pieces_) {
+    const int first = first_columns_[piece.panel];
+    const Index terms = piece.real.cols();
+    for (Index k = 0; k < terms; ++k) {
+      row(first + k) += piece.real.col(k).sum();
+      if (has_shear_ && piece.imaginary.size() > 0) row(first + terms + k) -= piece.imaginary.col(k).sum();
+    }
+  }
+  return row;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,95 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+
+namespace nipref::ref {
+
+struct PressureAndShear {
+  Float pressure, shear;
+};
+
+/// A part of half a contact, left <= e <= left + width, e the distance from the end.
+struct TractionPanel {
+  Float left, width;
+  int terms;  ///< of each component
+};
+
+/// What a functional of the tractions is composed of, alpha = y - y' from the line load at y' to the place y:
+/// I1, sign(alpha), I3, -int I3, I1', I3'.
+enum class Influence { normal, sign, coupling, stretch, normal_slope, coupling_slope };
+inline constexpr int influences = 6;
+
+/// int (sum_i on_pressure_i K_i(alpha)) p + int (sum_i on_shear_i K_i(alpha)) q over all of the contact.
+struct LineFunctional {
+  std::array<Float, influences> on_pressure, on_shear;
+
+  LineFunctional& pressure(Influence kind, const Float& factor);
+  LineFunctional& shear(Influence kind, const Float& factor);
+};
+
+/// The tractions of a contact of half length A (half-thicknesses) on its half y = A - e, 0 <= e <= A, as g = p + i q. On
+/// each panel
+///
+///     g = w sum_k (a_k + i b_k) T_k(2x - 1),   x = (e - left)/width,   w = x^(1/2 - i epsilon) at the end, else 1,
+///
+/// without friction epsilon = 0 and b = 0. On the other half the pressure is the same, the shear the opposite.
+///
+/// Functionals are sums over Gauss's nodes of pieces of the panels, so many that they integrate polynomials times what is
+/// analytic of the kernels, for |Im alpha| < 2. On a piece with the place in it or near, the logarithm and the sign are
+/// integrated against Legendre's polynomials in closed form. On the panel at the end, where g is w times polynomials,
+/// the nodes are Chebyshev's points with the weights of product integration with w, and the singular parts are in closed
+/// form, too (end_integrals.hpp).
+class Tractions {
+ public:
+  /// Integrals are good to about e^-nats.
+  Tractions(const Float& half_length, std::vector<TractionPanel> panels, const Float& epsilon, bool has_shear,
+            double nats);
+  Tractions(Tractions&&) noexcept;
+  Tractions& operator=(Tractions&&) noexcept;
+  ~Tractions();
+
+  [[nodiscard]] const Float& half_length() const { return half_length_; }
+  [[nodiscard]] const std::vector<TractionPanel>& panels() const { return panels_; }
+  /// Coefficients: for each panel its a_k, then its b_k.
+  [[nodiscard]] int columns() const { return first_columns_.back(); }
+  /// Of each panel as many as it has terms, and one more at the end; as e, rising.
+  [[nodiscard]] std::vector<Float> matching_points() const;
+  /// At 0 <= e <= A.
+  [[nodiscard]] PressureAndShear at(const Float& e, const Vector& coefficients) const;
+  /// a and b of g/w at the end itself.
+  [[nodiscard]] PressureAndShear at_root(const Vector& coefficients) const;
+  /// A row of columns for each functional, at e <= A; negative e are outside of the contact.
+  [[nodiscard]] std::vector<Vector> rows(const Float& e, const std::vector<LineFunctional>& functionals,
+                                         SheetKernels& kernels) const;
+  /// int_0^A p de as a row.
+  [[nodiscard]] Vector integral() const;
+
+ private:
+  struct Piece;
+  struct Rules;
+  struct Image;
+
+  void add_end_piece();
+  void add_piece(std::size_t number, const Float& from, const Float& width);
+  [[nodiscard]] Matrix end_weights() const;
+  [[nodiscard]] Vector at_nodes(const Piece& piece, const Image& image, Influence kind,
+                                SheetKernels& kernels) const;
+  void add_far(const Image& image, const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
+               std::vector<Vector>& rows) const;
+  void add_end(const Image& image, const std::vector<LineFunctional>& functionals,
+               std::vector<Vector>& rows) const;
+
+  Float half_length_, epsilon_;
+  std::vector<TractionPanel> panels_;
+  bool has_shear_;
+  double nats_;
+  std::vector<int> first_columns_;
+  std::unique_ptr<Rules> rules_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace nipref::ref
