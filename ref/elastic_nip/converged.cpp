@@ -240,9 +240,9 @@ Estimate ConvergedElasticNip::indentation() const {
 }
 
 Estimate ConvergedElasticNip::edge_displacement() const {
-  return implementation_->number(implementation_->units.displacement,
-                                 std::mem_fn(&ElasticSolution::edge_displacement),
-                                 [this] { return implementation_->square(); });
+  return implementation_->number(
+      implementation_->units.displacement, std::mem_fn(&ElasticSolution::edge_displacement),
+      [this] { return implementation_->square() * SolvedElasticNip::kernel_share(); });
 }
 
 Estimate ConvergedElasticNip::creep_ratio() const {
@@ -267,7 +267,7 @@ Estimate ConvergedElasticNip::peak_shear() const {
   return implementation_->number(
       implementation_->units.pressure,
       [](const ElasticSolution& contact) { return largest_traction(contact, &PressureAndShear::shear); },
-      [this] { return implementation_->middle_pressure(); });
+      [this] { return implementation_->middle_pressure() * SolvedElasticNip::kernel_share(); });
 }
 
 Estimate ConvergedElasticNip::peak_shear_position() const {

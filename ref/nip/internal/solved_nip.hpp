@@ -59,6 +59,9 @@ class SolvedNip {
     return model.unknowns(panels);
   }
   static constexpr int working_digits(int digits) { return digits + 14; }
+  /// Of a scale, what the kernels' errors are measured by, where a small result is measured by itself: they are that much
+  /// smaller than a hundredth of the last digit.
+  static Float kernel_share() { return pow(Float(10), 2 - kernel_guard); }
 
   [[nodiscard]] int digits() const { return digits_; }
   [[nodiscard]] const Model& model() const { return model_; }
