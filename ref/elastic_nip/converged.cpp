@@ -23,9 +23,10 @@ namespace {
 using data::BadInput;
 
 constexpr int fewest_elastic_digits = 16, most_elastic_digits = 100;
-/// In sheet thicknesses; and the longest whose stresses inside are computed, whose waves are summed over all of it.
+/// Contact lengths in sheet thicknesses. Stresses inside sum the waves of all of the contact, so that they are computed of
+/// shorter ones only.
 constexpr double shortest_elastic = 1e-8, longest_elastic = 1000, longest_elastic_inside = 80;
-/// Of a displacement from the contact, in half-thicknesses.
+/// The largest distance from the contact at which displacements are computed, in half-thicknesses.
 constexpr double farthest_elastic = 900;
 
 constexpr auto allowed_elastic_lengths =
@@ -73,7 +74,7 @@ struct Between {
   Float low, high;
 };
 
-/// Places on all panels, from the end.
+/// Distances from the end, rising, on all panels.
 std::vector<Float> samples_of(const ElasticSolution& contact) {
   constexpr int per_panel = 40;
   std::vector<Float> samples;
@@ -95,7 +96,7 @@ Between largest_between(const ElasticSolution& contact, Float PressureAndShear::
   return {samples[best == 0 ? 0 : best - 1], samples[std::min(best + 1, samples.size() - 1)]};
 }
 
-/// By golden section, which places it to half the digits.
+/// The largest |part|, by golden section, which finds its place to half the digits.
 Float largest_traction(const ElasticSolution& contact, Float PressureAndShear::*part) {
   const auto size = [&](const Float& e) -> Float { return abs(contact.tractions(e).*part); };
   const auto [low, high] = largest_between(contact, part);
@@ -158,7 +159,7 @@ struct ConvergedElasticNip::Implementation {
   [[nodiscard]] Float middle_pressure() const { return fine().tractions(size()).pressure; }
   [[nodiscard]] int working_digits() const { return SolvedElasticNip::working_digits(solved.digits()); }
 
-  /// Measured by its value or by `least`.
+  /// The estimate of a functional whose scale is its value, or `least` if that is larger.
   [[nodiscard]] Estimate number(const mpq_class& unit, const SolvedElasticNip::Functional& functional,
                                 const std::function<Float()>& least) const {
     const WorkingDigits working(working_digits());

@@ -62,7 +62,8 @@ class ConvergedElasticNip {
 /// naming the digits where 1400 unknowns do not give them.
 ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,
                                          double contact_length, int digits);
-/// That this solves for at first: what it costs grows with their square. BadInput likewise.
+/// The number of unknowns that converged_for_length() solves for at first; its cost grows with their square. BadInput
+/// likewise.
 int elastic_unknowns(const data::ElasticNip& nip, data::Friction friction, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, with a length and digits as above; BadInput

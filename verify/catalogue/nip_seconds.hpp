@@ -10,7 +10,7 @@ namespace nipref::verify {
 [[nodiscard]] double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length,
                                     int digits);
 [[nodiscard]] double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits);
-/// Without friction, with proven bounds.
+/// The same of a frictionless contact with proven bounds.
 [[nodiscard]] double likely_seconds_proven(const data::ElasticNip& nip, double length, int digits);
 
 /// Seconds beyond which the catalogue refuses a contact and `solve` warns.

@@ -133,7 +133,7 @@ SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, doub
 
 namespace {
 
-/// Without friction, where the proof reaches that contact and those digits; otherwise nothing.
+/// The frictionless contact with proven bounds; nothing where the proof does not reach that contact or those digits.
 SolvedByRef proven(const data::ElasticNipProblem& problem, int digits) try {
   if (problem.friction != data::Friction::none) return nullptr;
   return converged<RefPath>(

@@ -29,7 +29,7 @@ double seconds_for_length(const data::ElasticNipProblem& problem, double length,
   try {
     if (problem.friction == data::Friction::none) return likely_seconds_proven(problem.nip, length, digits);
   } catch (const data::BadInput&) {
-    // Not proven, then.
+    // The proof does not reach this contact or these digits.
   }
   return likely_seconds(problem.nip, problem.friction, length, digits);
 }

@@ -14,8 +14,8 @@ using Index = Matrix::Index;
 
 namespace {
 
-/// By which Chebyshev's coefficients on a panel fall with the degree, which is as long as it is far from the end that is
-/// singular, about 1/5.8 each.
+/// Logarithm of the factor, about 5.8 = 3 + sqrt 8, by which Chebyshev's coefficients on a panel fall with each degree: the
+/// panel is as far from the end, where the tractions are singular, as it is wide.
 constexpr double nats_of_term = 1.76;
 constexpr int fewest_terms = 8;
 

@@ -33,7 +33,7 @@ class SolvedNip {
     nip.solve([&](const Fineness& fineness) { return nip.solution(half_length, fineness); }, half_length);
     return nip;
   }
-  /// Near `guess`, which may be wrong by a factor.
+  /// Of the load, by a search that begins at the half length `guess`, which may be wrong by a factor.
   static SolvedNip of_load(Model model, const Float& load, double guess, int digits, const Check& check) {
     Float length = searched(model, load, guess, digits, check);
     SolvedNip nip(std::move(model), digits);
@@ -52,15 +52,15 @@ class SolvedNip {
     return nip;
   }
 
-  /// Of the finer of the first two solutions; BadInput if that is more than are tried.
+  /// The unknowns of the finer of the first two solutions; BadInput if these are more than are tried.
   static int first_unknowns(const Model& model, const Float& half_length, int digits) {
     const auto panels = panels_of(half_length, model.decay(), fineness_of(true, first_nats(digits)));
     check_unknowns(model.unknowns(panels), digits);
     return model.unknowns(panels);
   }
   static constexpr int working_digits(int digits) { return digits + 14; }
-  /// Of a scale, what the kernels' errors are measured by, where a small result is measured by itself: they are that much
-  /// smaller than a hundredth of the last digit.
+  /// The part of its kind's scale that a small result, which is measured by itself, is measured by at least: the kernels'
+  /// errors are smaller than a hundredth of the last digit by that factor.
   static Float kernel_share() { return pow(Float(10), 2 - kernel_guard); }
 
   [[nodiscard]] int digits() const { return digits_; }

@@ -11,11 +11,12 @@ namespace {
 
 using Index = Matrix::Index;
 
-/// Half-thicknesses: the analytic parts are singular 2 beside.
+/// Half-thicknesses. The kernels' analytic parts are singular at a distance of 2 beside the real axis.
 constexpr double longest_piece = 2.5;
-/// Over the width of a piece: farther away its nodes integrate the kernels as they are.
+/// Distance of a place from a piece over the piece's width: farther away its nodes integrate the kernels as they are.
 constexpr double near = 0.5;
-/// By which what is analytic but for a place so near, or 2 beside, falls with the degree on a piece.
+/// Logarithm of the factor by which the coefficients of a kernel on a piece fall with each degree, where its singularity is
+/// no nearer than that or 2 beside.
 constexpr double nats_of_degree = 1.25;
 
 void accumulate(Float& sum, Float& product, const Float& x, const Float& y) {
@@ -105,7 +106,7 @@ LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
   return *this;
 }
 
-/// Of all pieces but the panel at the end, where Chebyshev's points of 0 .. 1 are the nodes.
+/// The nodes of all pieces: Gauss's, and on the panel at the end Chebyshev's points of 0 .. 1.
 struct Tractions::Rules {
   GaussNodes plain;
   std::vector<Float> end;
@@ -192,7 +193,7 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
   pieces_.push_back(std::move(piece));
 }
 
-/// At Chebyshev's points, for what is a polynomial there, by its coefficients: real parts, then imaginary ones.
+/// The weights at Chebyshev's points with which w T_k times a polynomial is integrated: real parts, then imaginary ones.
 Matrix Tractions::end_weights() const {
   const auto nodes = static_cast<Index>(rules_->end.size());
   const int terms = panels_.front().terms;
@@ -214,7 +215,7 @@ Matrix Tractions::end_weights() const {
   return panels_.front().width / (2 * nodes) * (chebyshev * products);
 }
 
-/// Of the panel at the end, where it is near, what is analytic alone.
+/// The values of a kernel at the nodes of a piece; on the panel at the end, if the place is near, those of its analytic part.
 Vector Tractions::at_nodes(const Piece& piece, const Image& image, Influence kind,
                            SheetKernels& kernels) const {
   const GaussNodes& gauss = rules_->plain;
@@ -284,7 +285,7 @@ void Tractions::add_end(const Image& image, const std::vector<LineFunctional>& f
   }
 }
 
-/// What no kernel but the sign and its integrals reaches: on each side of the place they are lines, c_0 + c_1 e.
+/// Adds the pieces that only the sign and its integrals reach: on each side of the place these are lines, c_0 + c_1 e.
 void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& functionals,
                         SheetKernels& kernels, std::vector<Vector>& rows) const {
   const Float quarter = pi() / 4, level = kernels.stretch(kernels.far()) + quarter * kernels.far();

@@ -45,9 +45,9 @@ print("I1(0.73) = %s +- %s" % (text, error))
 assert status == 0 and proven == 1 and abs(float(text) - value) < 1e-16 and float(error) < 1e-30
 assert abs(fast("I1", 0.73, rtol=1e-6)[1] - value) < 1e-6
 
-# Digits that are not all there are said, and what is there is written.
+# What is estimated says so, and has its digits.
 status, text, error, proven = ref("nip.peak_pressure", "15.75", "0.499", "full", digits=16)
-assert status == 3 and proven == 0 and 1e-16 < float(error) / float(text) < 1e-12
+assert status == 0 and proven == 0 and 0 < float(error) / float(text) < 1e-16
 
 assert fast("I1", 0.0) == (2, -1)  # refused, and nothing written
 print(nipref.nipref_last_error().decode())

@@ -9,8 +9,8 @@
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
-#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
 
 namespace nipref::verify {

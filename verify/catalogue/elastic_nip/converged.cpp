@@ -16,7 +16,7 @@
 namespace nipref::verify {
 namespace {
 
-// What is drawn: the reference solves longer contacts slowly, of thin ones a few.
+// L/B that an audit draws: the reference solves longer contacts slowly, so that only few thin ones are drawn.
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
 constexpr double largest_long_gripped_poisson = 0.499;
@@ -49,7 +49,7 @@ NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
-/// Without friction proven, where that does not take too long.
+/// Frictionless contacts are proven where that does not take too long; all others are estimated.
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
   const ref::Estimate nothing = ref::exact_zero(digits);
   const auto proven_in_time = [&] {
