@@ -32,7 +32,7 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
 
 namespace {
 
-AuditResult audit_of(QuantityWork work, const std::function<void(double part)>& on_progress) {
+AuditResult audit_of(QuantityWork work, const OnProgress& on_progress) {
   for (std::size_t block = 0; block < work.blocks(); ++block) {
     const auto progress = [&](double part) {
       if (on_progress) on_progress((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
@@ -59,10 +59,7 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
   std::vector<std::optional<Finding>> findings(points.size());
   parallel_for(
       points.size(), [&](std::size_t i) { findings[i] = comparator(points[i], values[i]); },
-      [&](std::size_t done) {
-        if (options.progress)
-          options.progress(static_cast<double>(done) / static_cast<double>(points.size()));
-      });
+      options.progress);
   const Compared compared = compared_of({points.begin(), points.end()}, findings);
   AuditResult result = result_of(quantity, options, tally_of(compared), points.front());
   add_places(result.spread, quantity, compared.points, compared.findings);

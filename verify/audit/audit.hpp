@@ -10,6 +10,7 @@
 #include <nipref/verify/audit/error_spread.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
 
@@ -28,8 +29,7 @@ struct AuditOptions {
   /// times the number in the quantity's entry, at least one.
   std::size_t points = 0;
   fast::Accuracy accuracy;  ///< the accuracy asked of fast
-  /// A callback with the part of the points that is done; may be empty.
-  std::function<void(double part)> progress = {};
+  OnProgress progress = {};
   double density = 1;                   ///< > 0, read if `points` is 0
   Ranges ranges = {};                   ///< empty: the whole domain
   std::vector<Point> more_points = {};  ///< additional points

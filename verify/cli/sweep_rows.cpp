@@ -38,7 +38,7 @@ std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
   try {
     parallel_for(
         rows.size(), [&](std::size_t i) { rows[i] = finished(sweep, i); },
-        [&](std::size_t done) { progress.at(static_cast<double>(done) / static_cast<double>(rows.size())); });
+        [&](double part) { progress.at(part); });
   } catch (const Interrupted&) {
     // What was finished by then is told.
   }

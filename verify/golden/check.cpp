@@ -90,9 +90,7 @@ CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const
         failures[i] =
             check_row(quantity, file.rows[rows[i]], rows[i] + 1, digits, is_taken(i, rows.size(), by_ref));
       },
-      [&](std::size_t done) {
-        if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(rows.size()));
-      });
+      options.progress);
   CheckedGolden checked;
   checked.quantity = quantity.name;
   checked.rows = rows.size();

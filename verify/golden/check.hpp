@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
 
@@ -33,8 +33,7 @@ struct CheckOptions {
   /// as many as the quantity has audit points, but at least six; slow quantities have few audit points.
   bool all = false;
   std::size_t every = 1;  ///< only one of so many rows is compared, > 0
-  std::function<void(double part)> progress =
-      {};  ///< called with the finished part, from 0 to 1; may be empty
+  OnProgress progress = {};
 };
 
 struct CheckedGolden {

@@ -37,18 +37,15 @@ std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& g
   Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
   const std::vector<Point> points = random_points(quantity, {}, audited, random);
   std::vector<double> used(points.size());
-  parallel_for(points.size(),
-               [&](std::size_t i) {
-                 try {
-                   used[i] = deviation(fast_value(quantity, points[i], {}),
-                                       ref_value(quantity, points[i], digits_beyond_double),
-                                       quantity.envelope(points[i]))
-                                 .ulps;
-                 } catch (const data::BadInput&) {
-                   used[i] = 0;
-                 }
-               },
-               {});
+  parallel_for(points.size(), [&](std::size_t i) {
+    try {
+      used[i] = deviation(fast_value(quantity, points[i], {}),
+                          ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i]))
+                    .ulps;
+    } catch (const data::BadInput&) {
+      used[i] = 0;
+    }
+  });
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return used[a] > used[b]; });
@@ -160,11 +157,9 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
     std::vector<MadeRow> outcomes(all.size());
     parallel_for(
         all.size(), [&](std::size_t i) { outcomes[i] = made_row(quantity, all[i], options.digits); },
-        [&](std::size_t done) {
-          const double part = static_cast<double>(begin) + static_cast<double>(lacking) *
-                                                               static_cast<double>(done) /
-                                                               static_cast<double>(all.size());
-          tell(part_of_audit + (1 - part_of_audit) * part / static_cast<double>(options.points));
+        [&](double part) {
+          const double rows_done = static_cast<double>(begin) + static_cast<double>(lacking) * part;
+          tell(part_of_audit + (1 - part_of_audit) * rows_done / static_cast<double>(options.points));
         });
     for (MadeRow& outcome : outcomes) {
       if (outcome.refused) made.refused.push_back(*std::move(outcome.refused));

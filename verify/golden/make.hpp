@@ -1,10 +1,10 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
 
@@ -22,8 +22,7 @@ struct GoldenOptions {
   std::size_t points;
   int digits;
   std::string seed = "1";  ///< of the random points; any text
-  /// A callback with the finished part, from 0 to 1; may be empty.
-  std::function<void(double part)> progress = {};
+  OnProgress progress = {};
 };
 
 /// 50 digits at 250 points; for a slow quantity 30 digits at 200 points; for a quantity of a whole contact, whose

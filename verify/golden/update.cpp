@@ -48,15 +48,13 @@ UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::s
 }  // namespace
 
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
-                            const Provenance& provenance, const std::function<void(double part)>& progress) {
+                            const Provenance& provenance, const OnProgress& progress) {
   const int digits = file.digits();
   std::vector<UpdatedRow> outcomes(file.rows.size());
   parallel_for(
       file.rows.size(),
       [&](std::size_t i) { outcomes[i] = updated_row(quantity, file.rows[i], i + 1, digits, all); },
-      [&](std::size_t done) {
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(file.rows.size()));
-      });
+      progress);
   UpdatedGolden updated{file, {}, {}};
   for (UpdatedRow& outcome : outcomes) {
     if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));

@@ -23,6 +23,6 @@ struct UpdatedGolden {
 /// status or scale differs, or, with `all`, in any case. A second method confirms each changed row. Throws
 /// Interrupted if the process is interrupted.
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
-                            const Provenance& provenance, const std::function<void(double part)>& progress);
+                            const Provenance& provenance, const OnProgress& progress);
 
 }  // namespace nipref::verify

@@ -70,14 +70,12 @@ void draw_all(TemplateData& rows, const Drawer& draw) {
   for (TemplateData& row : rows) {
     if (row.contains("plot") && !row["plot"].is_null()) plotted.push_back(&row);
   }
-  parallel_for(plotted.size(),
-               [&](std::size_t i) {
-                 TemplateData& row = *plotted[i];
-                 const auto svg = draw(gnuplot_script(Json::parse(row["plot"].dump())));
-                 row["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
-                 row.erase("plot");
-               },
-               {});
+  parallel_for(plotted.size(), [&](std::size_t i) {
+    TemplateData& row = *plotted[i];
+    const auto svg = draw(gnuplot_script(Json::parse(row["plot"].dump())));
+    row["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
+    row.erase("plot");
+  });
 }
 
 /// The answer, rearranged for the page's template.

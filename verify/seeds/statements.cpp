@@ -131,7 +131,7 @@ ClaimOutcome check(const Claim& claim) {
 std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
   std::vector<CheckedClaim> checked;
   for (Claim& claim : claims) checked.push_back({std::move(claim), {}});
-  parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); }, {});
+  parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); });
   return checked;
 }
 

@@ -211,18 +211,14 @@ TEST_CASE("values that are there already are judged as the evaluator's would be"
 TEST_CASE("a parallel loop visits each index once and passes exceptions on") {
   std::mutex mutex;
   std::multiset<std::size_t> visited;
-  verify::parallel_for(1000,
-                       [&](std::size_t i) {
-                         const std::scoped_lock lock(mutex);
-                         visited.insert(i);
-                       },
-                       {});
+  verify::parallel_for(1000, [&](std::size_t i) {
+    const std::scoped_lock lock(mutex);
+    visited.insert(i);
+  });
   CHECK(visited.size() == 1000);
   CHECK(std::set<std::size_t>(visited.begin(), visited.end()).size() == 1000);
-  CHECK_THROWS_AS(verify::parallel_for(1000,
-                                       [](std::size_t i) {
-                                         if (i == 500) throw std::runtime_error("planted");
-                                       },
-                                       {}),
-                  std::runtime_error);
+  const auto fail_at_500 = [](std::size_t i) {
+    if (i == 500) throw std::runtime_error("planted");
+  };
+  CHECK_THROWS_AS(verify::parallel_for(1000, fail_at_500), std::runtime_error);
 }

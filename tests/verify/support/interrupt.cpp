@@ -82,7 +82,7 @@ TEST_CASE("an interrupted loop throws and leaves the rest undone, and the second
           std::raise(SIGINT);
           int done = 0;
           try {
-            verify::parallel_for(100, [&](std::size_t) { ++done; }, {});
+            verify::parallel_for(100, [&](std::size_t) { ++done; });
           } catch (const verify::Interrupted&) {
             _exit(done == 0 ? 7 : 8);
           }

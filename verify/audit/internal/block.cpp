@@ -18,19 +18,14 @@ constexpr std::size_t least_steps = 200;  // for each start, unless there is onl
 /// The points of a batch: few enough to divide the work evenly between threads, and enough for vector instructions.
 std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
 
-Compared compare(std::vector<Point> points, const Comparator& comparator,
-                 const std::function<void(double part)>& on_progress) {
+Compared compare(std::vector<Point> points, const Comparator& comparator, const OnProgress& on_progress) {
   std::vector<std::optional<Finding>> findings(points.size());
   const std::size_t batch = batch_of(points.size());
   const auto of_batch = [&](std::size_t i) {
     const std::size_t first = i * batch, count = std::min(batch, points.size() - first);
     comparator(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));
   };
-  const std::size_t batches = (points.size() + batch - 1) / batch;
-  const auto progress = [&](std::size_t done) {
-    if (on_progress) on_progress(static_cast<double>(done) / static_cast<double>(batches));
-  };
-  parallel_for(batches, of_batch, progress);
+  parallel_for((points.size() + batch - 1) / batch, of_batch, on_progress);
   return compared_of(std::move(points), findings);
 }
 
@@ -101,8 +96,7 @@ AuditTally tally_of(const Compared& compared) {
 }
 
 QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
-                             const AuditPlan& plan, std::size_t block,
-                             const std::function<void(double part)>& on_progress) {
+                             const AuditPlan& plan, std::size_t block, const OnProgress& on_progress) {
   Compared compared = compare(plan.points(block), comparator, on_progress);
   const std::size_t searched = plan.searched(block);
   std::vector<Climb> climbs;
@@ -110,12 +104,10 @@ QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, con
        worst_few(compared.findings, std::clamp<std::size_t>(searched / least_steps, 1, most_starts)))
     climbs.push_back({compared.points[start], compared.findings[start]});
   const std::size_t steps = climbs.empty() ? 0 : searched / climbs.size();
-  parallel_for(climbs.size(),
-               [&](std::size_t i) {
-                 climbs[i] = climb(quantity, ranges, comparator, std::move(climbs[i]), steps,
-                                   fmt::format("{}/search/{}", plan.seed(block), i));
-               },
-               {});
+  parallel_for(climbs.size(), [&](std::size_t i) {
+    climbs[i] = climb(quantity, ranges, comparator, std::move(climbs[i]), steps,
+                      fmt::format("{}/search/{}", plan.seed(block), i));
+  });
   AuditTally tally = tally_of(compared);
   tally.points += steps * climbs.size();
   for (const Climb& found : climbs) include(tally, found.finding, found.point);

@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include <nipref/verify/audit/internal/comparator.hpp>
 #include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/audit/internal/plan.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
 
@@ -44,10 +44,9 @@ struct QuantityFindings {
 };
 
 /// Compares the points of one block, and searches around its worst few. The result does not depend on the number of
-/// threads. `on_progress`, which may be empty, is called with the part that is done.
+/// threads.
 QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
-                             const AuditPlan& plan, std::size_t block,
-                             const std::function<void(double part)>& on_progress);
+                             const AuditPlan& plan, std::size_t block, const OnProgress& on_progress);
 
 /// The points that have a finding, and their tally.
 Compared compared_of(std::vector<Point> points, const std::vector<std::optional<Finding>>& findings);

@@ -98,14 +98,10 @@ std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies) {
 }
 
 std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
-                                        const std::function<void(double part)>& on_progress,
-                                        const SceneSolvers& solvers) {
+                                        const OnProgress& on_progress, const SceneSolvers& solvers) {
   std::vector<SceneFindings> findings(count);
   parallel_for(
-      count, [&](std::size_t i) { findings[i] = audit_scene(seed, first + i, solvers); },
-      [&](std::size_t done) {
-        if (on_progress) on_progress(static_cast<double>(done) / static_cast<double>(count));
-      });
+      count, [&](std::size_t i) { findings[i] = audit_scene(seed, first + i, solvers); }, on_progress);
   return findings;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
 
@@ -36,11 +36,9 @@ std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
 /// The tallies that have scenes.
 std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
 
-/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. `on_progress`, which may be empty, is called
-/// with the part that is done. Throws Interrupted if the process is.
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Throws Interrupted if the process is.
 std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
-                                        const std::function<void(double part)>& on_progress,
-                                        const SceneSolvers& solvers = {});
+                                        const OnProgress& on_progress, const SceneSolvers& solvers = {});
 
 /// A tally as it is written to a run's folder; seconds are in "times".
 Json scene_tally_found(const SceneTally& tally);

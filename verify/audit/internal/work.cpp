@@ -34,8 +34,7 @@ const AuditPlan& QuantityWork::plan() const {
   return *plan_;
 }
 
-BlockFindings QuantityWork::found_in(std::size_t block,
-                                     const std::function<void(double part)>& on_progress) const {
+BlockFindings QuantityWork::found_in(std::size_t block, const OnProgress& on_progress) const {
   QuantityFindings found = audit_block(quantity_, options_.ranges, comparator_, plan(), block, on_progress);
   if (!keeps_points_) found.compared = {};
   return found;
@@ -55,8 +54,7 @@ AuditResult QuantityWork::result() const {
   return result;
 }
 
-BlockFindings HardCasesWork::found_in(std::size_t block,
-                                      const std::function<void(double part)>& /*on_progress*/) const {
+BlockFindings HardCasesWork::found_in(std::size_t block, const OnProgress& /*on_progress*/) const {
   stop_if_interrupted();
   return audit_hard_cases(block);
 }
@@ -85,8 +83,7 @@ ScenesWork::ScenesWork(std::size_t count, std::string seed, std::size_t most, Sc
 
 std::string ScenesWork::inputs() const { return fmt::format("{} scenes of {}", blocks_.items, seed_); }
 
-BlockFindings ScenesWork::found_in(std::size_t block,
-                                   const std::function<void(double part)>& on_progress) const {
+BlockFindings ScenesWork::found_in(std::size_t block, const OnProgress& on_progress) const {
   return without_empty(
       tally(audit_scenes(blocks_.first(block), blocks_.size(block), seed_, on_progress, solvers_)));
 }

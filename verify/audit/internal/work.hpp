@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,10 +32,8 @@ class BlockWork {
   [[nodiscard]] virtual std::size_t blocks() const = 0;
   /// A text that differs wherever the findings of the blocks may differ.
   [[nodiscard]] virtual std::string inputs() const = 0;
-  /// Computes a block on all cores. `on_progress`, which may be empty, is called with the part that is done. Throws
-  /// Interrupted if the process is.
-  [[nodiscard]] virtual BlockFindings found_in(std::size_t block,
-                                               const std::function<void(double part)>& on_progress) const = 0;
+  /// Computes a block on all cores. Throws Interrupted if the process is.
+  [[nodiscard]] virtual BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const = 0;
   /// Reads what block_findings_json has written. JsonMisfit for anything else.
   [[nodiscard]] virtual BlockFindings read_findings(const Json& json) const = 0;
   /// Adds the findings of a block that has not been added yet.
@@ -56,8 +53,7 @@ class QuantityWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return quantity_.name; }
   [[nodiscard]] std::size_t blocks() const override { return plan().blocks(); }
   [[nodiscard]] std::string inputs() const override { return plan().fingerprint(); }
-  [[nodiscard]] BlockFindings found_in(std::size_t block,
-                                       const std::function<void(double part)>& on_progress) const override;
+  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
   [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
   void add(std::size_t block, const BlockFindings& found) override;
 
@@ -82,8 +78,7 @@ class HardCasesWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return "contacts"; }
   [[nodiscard]] std::size_t blocks() const override { return hard_case_groups; }
   [[nodiscard]] std::string inputs() const override { return "hard cases"; }
-  [[nodiscard]] BlockFindings found_in(std::size_t block,
-                                       const std::function<void(double part)>& on_progress) const override;
+  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
   [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
   void add(std::size_t block, const BlockFindings& found) override;
 
@@ -107,8 +102,7 @@ class ScenesWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return "random scenes"; }
   [[nodiscard]] std::size_t blocks() const override { return blocks_.count; }
   [[nodiscard]] std::string inputs() const override;
-  [[nodiscard]] BlockFindings found_in(std::size_t block,
-                                       const std::function<void(double part)>& on_progress) const override;
+  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
   [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
   void add(std::size_t block, const BlockFindings& found) override;
 

@@ -76,7 +76,7 @@ Series sampled(std::string label, std::string role, Mark mark, std::vector<doubl
 Series computed(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {
   Series series{std::move(label), std::move(role), mark, std::move(x), {}};
   series.y.resize(series.x.size());
-  parallel_for(series.x.size(), [&](std::size_t i) { series.y[i] = y(series.x[i]); }, {});
+  parallel_for(series.x.size(), [&](std::size_t i) { series.y[i] = y(series.x[i]); });
   return series;
 }
 

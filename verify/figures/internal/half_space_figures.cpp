@@ -125,7 +125,7 @@ struct SurfacesAtSpeeds {
 
   SurfacesAtSpeeds(const SlidingBodies& bodies, std::vector<double> at)
       : speeds(std::move(at)), surfaces(speeds.size()) {
-    parallel_for(speeds.size(), [&](std::size_t i) { surfaces[i] = bodies.surface(speeds[i]); }, {});
+    parallel_for(speeds.size(), [&](std::size_t i) { surfaces[i] = bodies.surface(speeds[i]); });
   }
 
   [[nodiscard]] Series curve(const std::string& label, const std::string& role, Mark mark,

@@ -55,7 +55,7 @@ std::vector<RowValues> each(const std::vector<Row>& rows, RowValues Row::*which)
 void correct_viscoelastic(Replay& replay) {
   const ViscoelasticTable& how = *find_viscoelastic_table(replay.table.id);
   std::vector<CorrectedRow> rows(replay.table.rows.size());
-  parallel_for(rows.size(), [&](std::size_t row) { rows[row] = correct_row(replay, row, how); }, {});
+  parallel_for(rows.size(), [&](std::size_t row) { rows[row] = correct_row(replay, row, how); });
   for (ReplayedCell& cell : replay.cells) {
     cell.corrected = rows[cell.row].corrected.at(cell.column);
     cell.corrected_with_seed_material = rows[cell.row].with_seed_material.at(cell.column);

@@ -157,15 +157,13 @@ Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how) {
       {}};
   std::vector<std::vector<ReplayedCell>> rows(replay.table.rows.size());
   replay.nips.resize(rows.size());
-  parallel_for(rows.size(),
-               [&](std::size_t row) {
-                 const ViscoelasticRowReplay one(replay.table, row, how);
-                 replay.nips[row] = one.nip();
-                 for (const data::TableColumn& column : replay.table.columns) {
-                   if (!column.is_key) rows[row].push_back(one.cell(column.name));
-                 }
-               },
-               {});
+  parallel_for(rows.size(), [&](std::size_t row) {
+    const ViscoelasticRowReplay one(replay.table, row, how);
+    replay.nips[row] = one.nip();
+    for (const data::TableColumn& column : replay.table.columns) {
+      if (!column.is_key) rows[row].push_back(one.cell(column.name));
+    }
+  });
   for (const auto& row : rows) replay.cells.insert(replay.cells.end(), row.begin(), row.end());
   return replay;
 }

@@ -13,7 +13,7 @@
 namespace nipref::verify {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t done)>& progress) {
+                  const OnProgress& on_progress) {
   // The threads take runs of indices, so that they seldom contend for the counter; few and costly items make short runs.
   const std::size_t run_length = std::clamp<std::size_t>(count / 64, 1, 16);
   std::atomic<std::size_t> next = 0;
@@ -42,7 +42,8 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
         mpfr_free_cache();  // MPFR has one cache of constants for each thread
       });
     while (advance()) {
-      if (progress) progress(std::min(next.load(), count));
+      if (on_progress)
+        on_progress(static_cast<double>(std::min(next.load(), count)) / static_cast<double>(count));
     }
   }
   if (failure) std::rethrow_exception(failure);
