@@ -10,6 +10,7 @@
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/statement.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -80,9 +81,7 @@ std::vector<BenchRow> bench_group(const BenchGroup& group, const BenchProgress& 
 
 std::vector<BenchRow> timed_rows(const std::string& quantity, const std::string& arguments,
                                  const std::vector<TimedWay>& ways, const TimedRounds& rounds) {
-  std::vector<Contender> contenders;
-  for (const TimedWay& way : ways) contenders.push_back(way.contender);
-  const std::vector<Timing> timings = time_interleaved(contenders, rounds.count, rounds.seconds);
+  const auto timings = time_interleaved(mapped(ways, &TimedWay::contender), rounds.count, rounds.seconds);
   const double nanoseconds = 1e9 / rounds.values_in_evaluation;
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < ways.size(); ++i) {

@@ -13,6 +13,7 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
@@ -95,9 +96,7 @@ struct BatchMethod {
 
 /// The first `count` values of each column.
 std::vector<std::span<const double>> heads(const Columns& columns, std::size_t count) {
-  std::vector<std::span<const double>> parts;
-  for (const auto& column : columns) parts.push_back(std::span(column).first(count));
-  return parts;
+  return mapped(columns, [&](const auto& column) { return std::span(column).first(count); });
 }
 
 BatchMethod fast_method(const std::string& name, const auto& evaluate, const Columns& columns, double rtol) {
@@ -114,9 +113,7 @@ BatchMethod peer_method(const Peer& peer, const Columns& columns) {
 }
 
 Point point_at(const Columns& columns, std::size_t number) {
-  Point point;
-  for (const auto& column : columns) point.push_back(column[number]);
-  return point;
+  return mapped(columns, [&](const auto& column) { return column[number]; });
 }
 
 BatchMethod kernel_method(const OtherKernel& other, const Columns& columns) {

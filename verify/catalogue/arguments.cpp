@@ -11,6 +11,7 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -141,9 +142,7 @@ void append_material(const Argument& material, bool is_number, const std::string
 
 std::string toml_text(const toml::node& node) {
   if (const toml::array* const list = node.as_array()) {
-    std::vector<std::string> items;
-    for (const toml::node& item : *list) items.push_back(toml_text(item));
-    return fmt::format("[{}]", fmt::join(items, ","));
+    return fmt::format("[{}]", fmt::join(mapped(*list, toml_text), ","));
   }
   const auto number = node.value<double>();
   return number ? fmt::format("{}", *number) : node.value_or(std::string("?"));
@@ -184,10 +183,10 @@ double nearest_double(const std::string& name, const std::string& text, const re
 }  // namespace
 
 std::string written_model(const MaterialModel& model) {
-  std::vector<std::string> keys;
-  for (const ModelKey& key : model.keys)
-    keys.push_back(key.name + (key.arguments.size() > 1 ? "=[...]" : "=..."));
-  return fmt::format("{}({})", model.name, fmt::join(keys, ", "));
+  const auto form_of = [](const ModelKey& key) {
+    return key.name + (key.arguments.size() > 1 ? "=[...]" : "=...");
+  };
+  return fmt::format("{}({})", model.name, fmt::join(mapped(model.keys, form_of), ", "));
 }
 
 const std::string& written_name(const Quantity& quantity, const Argument& argument) {
@@ -236,9 +235,7 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
   const auto text_of_model = [&](const std::string& choice) {
     const auto number = std::ranges::find(material->choices, choice) - material->choices.begin();
     const MaterialModel& model = material->models[static_cast<std::size_t>(number)];
-    std::vector<std::string> keys;
-    for (const ModelKey& key : model.keys) keys.push_back(text_of_key(key));
-    return fmt::format("{}({})", model.name, fmt::join(keys, ", "));
+    return fmt::format("{}({})", model.name, fmt::join(mapped(model.keys, text_of_key), ", "));
   };
   Assignments written;
   for (const Argument& argument : written_arguments(quantity)) {
@@ -264,8 +261,7 @@ Assignments written_point(const Quantity& quantity, std::span<const double> poin
 
 void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments) {
   const std::vector<Argument> written = written_arguments(quantity);
-  std::vector<std::string_view> known;
-  for (const Argument& argument : written) known.push_back(argument.name);
+  const auto known = mapped<std::string_view>(written, &Argument::name);
   for (const auto& [name, value] : assignments) {
     if (std::ranges::find(quantity.arguments, name, &Argument::name) != quantity.arguments.end()) continue;
     throw BadInput(name, value,

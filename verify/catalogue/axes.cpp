@@ -6,6 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -21,9 +22,7 @@ std::vector<AxisValue> values_of_range(const Range& range, std::size_t points) {
   for (std::size_t i = 0; i < points; ++i)
     doubles.push_back(range.at(points == 1 ? 0 : static_cast<double>(i) / static_cast<double>(points - 1)));
   doubles.erase(std::ranges::unique(doubles).begin(), doubles.end());
-  std::vector<AxisValue> values;
-  for (const double x : doubles) values.push_back({fmt::format("{}", x), fmt::format("{:a}", x)});
-  return values;
+  return mapped(doubles, [](double x) { return AxisValue{fmt::format("{}", x), fmt::format("{:a}", x)}; });
 }
 
 /// Whether the comma between the two texts may be a decimal comma: in many languages 1,5 means 1.5.

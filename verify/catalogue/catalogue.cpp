@@ -8,6 +8,7 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -58,12 +59,8 @@ const Quantity& find_quantity(std::string_view name) {
 }
 
 std::vector<const Quantity*> select_quantities(const std::vector<std::string>& names) {
-  std::vector<const Quantity*> selected;
-  for (const std::string& name : names) selected.push_back(&find_quantity(name));
-  if (names.empty()) {
-    for (const Quantity& quantity : catalogue()) selected.push_back(&quantity);
-  }
-  return selected;
+  if (names.empty()) return mapped(catalogue(), [](const Quantity& quantity) { return &quantity; });
+  return mapped(names, [](const std::string& name) { return &find_quantity(name); });
 }
 
 }  // namespace nipref::verify

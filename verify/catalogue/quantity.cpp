@@ -9,6 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -76,8 +77,7 @@ double default_number(const Argument& argument) {
 }
 
 Point point_of(const Quantity& quantity, const std::vector<std::pair<std::string_view, double>>& given) {
-  Point point;
-  for (const Argument& argument : quantity.arguments) point.push_back(default_number(argument));
+  Point point = mapped(quantity.arguments, default_number);
   for (const auto& [name, number] : given) point[argument_number(quantity.arguments, name)] = number;
   return point;
 }

@@ -11,6 +11,7 @@
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sampling.hpp>
+#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {
@@ -102,8 +103,7 @@ AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(reco
 }
 
 std::vector<BlockWork*> AuditWorks::all() const {
-  std::vector<BlockWork*> works;
-  for (const auto& quantity : quantities_) works.push_back(quantity.get());
+  auto works = mapped<BlockWork*>(quantities_, &std::unique_ptr<QuantityWork>::get);
   if (hard_cases_) works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
   return works;
 }
@@ -119,8 +119,7 @@ std::string AuditWorks::fingerprint() const {
 CommandLine command_of_fingerprint(const std::string& fingerprint) {
   std::vector<std::string> words{"nipref"};
   for (const Json& word : Json::parse(fingerprint).at("command").items()) words.push_back(word.as_text());
-  std::vector<const char*> pointers;
-  for (const std::string& word : words) pointers.push_back(word.c_str());
+  const auto pointers = mapped(words, &std::string::c_str);
   return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
 }
 

@@ -17,6 +17,7 @@
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -167,9 +168,9 @@ Selection bench_everything() {
 
 BenchReport bench_all(const Selection& selected, Progress& progress, const std::vector<OtherKernel>& others) {
   const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
-  std::vector<BenchPart> parts;
-  for (const Quantity* quantity : selected.quantities)
-    parts.push_back({quantity->name, [=, &others] { return bench(*quantity, show, others); }});
+  auto parts = mapped(selected.quantities, [&](const Quantity* quantity) {
+    return BenchPart{quantity->name, [=, &others] { return bench(*quantity, show, others); }};
+  });
   for (const BenchGroup& group : bench_group_table) {
     if (selected.has(group.name))
       parts.push_back({std::string(group.name), [=] { return bench_group(group, show); }});

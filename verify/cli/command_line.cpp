@@ -10,6 +10,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -67,8 +68,7 @@ void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
 }
 
 [[noreturn]] void refuse_assignment(const VerbText& verb, const std::string& name, const std::string& value) {
-  std::vector<std::string_view> known;
-  for (const OptionText& option : verb.options) known.push_back(option.name);
+  const auto known = mapped<std::string_view>(verb.options, &OptionText::name);
   throw BadInput(name, value,
                  fmt::format("unknown argument: {}{} takes none of that name",
                              data::did_you_mean(name, known), verb.name));

@@ -14,6 +14,7 @@
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -90,8 +91,7 @@ Selection selection(const CommandLine& line, const std::vector<std::string_view>
 template <class Rows, class Id>
 void select_by_id(Rows& rows, const std::vector<std::string>& words, std::string_view what, Id id) {
   if (words.empty()) return;
-  std::vector<std::string_view> ids;
-  for (const auto& row : rows) ids.push_back(row.*id);
+  const auto ids = mapped<std::string_view>(rows, id);
   for (const std::string& word : words) {
     if (std::ranges::find(ids, word) == ids.end())
       throw data::BadInput(what, word,

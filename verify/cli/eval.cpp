@@ -19,6 +19,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -216,9 +217,8 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
 }
 
 std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
-  std::vector<Axis> axes;
-  for (const auto& [name, text] : given) axes.push_back(axis_of(name, text, points_option(line)));
-  return axes;
+  return mapped(given,
+                [&](const auto& pair) { return axis_of(pair.first, pair.second, points_option(line)); });
 }
 
 std::vector<SweepColumn> columns_of(const EvalRequest& request) {

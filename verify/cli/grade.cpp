@@ -11,6 +11,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -120,9 +121,7 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
     for (const Graded& graded : all) keep_worst(*path, graded);
   }
   if (const auto junit = line.option("junit")) {
-    std::vector<JUnitCase> cases;
-    for (const Graded& graded : all) cases.push_back(junit_case(graded));
-    write_output_file(*junit, junit_text("nipref grade", cases));
+    write_output_file(*junit, junit_text("nipref grade", mapped(all, junit_case)));
   }
   const auto text = [&] {
     std::string of_all;

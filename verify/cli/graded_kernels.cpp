@@ -17,6 +17,7 @@
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -92,9 +93,8 @@ std::vector<Chosen> chosen_kernels(const CommandLine& line, const Plugin& plugin
 
 std::string where_text(const CommandLine& line) {
   if (line.assignments.empty()) return "its domain";
-  std::vector<std::string> ranges;
-  for (const auto& [name, range] : line.assignments) ranges.push_back(name + "=" + range);
-  return fmt::format("{}", fmt::join(ranges, " "));
+  const auto written = [](const auto& pair) { return pair.first + "=" + pair.second; };
+  return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
 }
 
 AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {

@@ -13,6 +13,7 @@
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -89,9 +90,7 @@ SweepRow row_of(const SceneSolution<Number>& solution) {
   }
   const auto missed = solution.missed();
   row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
-  std::vector<std::string_view> warnings;
-  for (const BeyondTheory& one : solution.warnings) warnings.push_back(one.quantity);
-  row.cells.push_back(fmt::format("{}", fmt::join(warnings, " ")));
+  row.cells.push_back(fmt::format("{}", fmt::join(mapped(solution.warnings, &BeyondTheory::quantity), " ")));
   row.fell_short = !missed.empty();
   return row;
 }

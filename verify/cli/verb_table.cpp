@@ -10,6 +10,7 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -66,10 +67,8 @@ OptionText option_of(const std::string& key, const toml::table& table) {
 
 VerbText verb_of(const toml::table& table, const toml::table& options) {
   const auto options_in = [&](std::string_view key) {
-    std::vector<OptionText> found;
-    for (const std::string& name : list_of(table, key))
-      found.push_back(option_of(name, *options.at(name).as_table()));
-    return found;
+    return mapped(list_of(table, key),
+                  [&](const std::string& name) { return option_of(name, *options.at(name).as_table()); });
   };
   const std::string name = text_of(table, "name");
   return {name,
@@ -160,10 +159,9 @@ std::string names_of(const OptionText& option) {
 const std::vector<VerbText>& verbs() {
   static const std::vector<VerbText> all = [] {
     const toml::table defined = toml::parse(definitions);
-    std::vector<VerbText> made;
-    for (const toml::node& verb : *defined["verbs"].as_array())
-      made.push_back(verb_of(*verb.as_table(), *defined["options"].as_table()));
-    return made;
+    const toml::table& options = *defined["options"].as_table();
+    return mapped(*defined["verbs"].as_array(),
+                  [&](const toml::node& verb) { return verb_of(*verb.as_table(), options); });
   }();
   return all;
 }
@@ -171,8 +169,7 @@ const std::vector<VerbText>& verbs() {
 const VerbText& find_verb(const std::string& name) {
   const auto found = std::ranges::find(verbs(), name, &VerbText::name);
   if (found != verbs().end()) return *found;
-  std::vector<std::string_view> known;
-  for (const VerbText& verb : verbs()) known.push_back(verb.name);
+  const auto known = mapped<std::string_view>(verbs(), &VerbText::name);
   auto near = known;
   for (const Quantity& quantity : catalogue()) near.push_back(quantity.name);
   throw BadInput(

@@ -11,6 +11,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -23,8 +24,7 @@ constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scal
                                                  "status", "confirmed_by", "origin"};
 
 std::vector<std::string> columns_of(const std::vector<Argument>& arguments) {
-  std::vector<std::string> columns;
-  for (const Argument& argument : arguments) columns.push_back(argument.name);
+  std::vector<std::string> columns = mapped(arguments, &Argument::name);
   columns.insert(columns.end(), std::begin(columns_of_a_row), std::end(columns_of_a_row));
   return columns;
 }

@@ -16,6 +16,7 @@
 #include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -151,8 +152,7 @@ class PluginKernel::Work {
   using IdleChild = std::unique_ptr<Child>;
 
   [[noreturn]] void refuse_name(const std::vector<KernelInfo>& kernels, const std::string& name) const {
-    std::vector<std::string_view> names;
-    for (const KernelInfo& kernel : kernels) names.push_back(kernel.name);
+    const auto names = mapped<std::string_view>(kernels, &KernelInfo::name);
     throw BadInput("kernel", name,
                    fmt::format("{}must be one of those that {} has: {}", data::did_you_mean(name, names),
                                plugin_.file.string(), fmt::join(names, ", ")));

@@ -6,6 +6,7 @@
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
@@ -32,8 +33,8 @@ Contender contender_of_fast(const Quantity& quantity, const std::vector<Point>& 
   }
   const auto& evaluate = batch && quantity.by_fast_batch ? quantity.by_fast_batch : quantity.by_fast_loop;
   const auto run = [&evaluate, columns = std::move(columns)](std::size_t count) {
-    std::vector<std::span<const double>> heads;
-    for (const auto& column : columns) heads.push_back(std::span(column).first(count));
+    const auto heads = mapped<std::span<const double>>(
+        columns, [&](const auto& column) { return std::span(column).first(count); });
     std::vector<double> values(count);
     evaluate(heads, values, fast::Accuracy());
   };

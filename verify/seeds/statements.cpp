@@ -8,6 +8,7 @@
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -129,8 +130,7 @@ ClaimOutcome check(const Claim& claim) {
 }
 
 std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
-  std::vector<CheckedClaim> checked;
-  for (Claim& claim : claims) checked.push_back({std::move(claim), {}});
+  auto checked = mapped(claims, [](Claim& claim) { return CheckedClaim{std::move(claim), {}}; });
   parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); });
   return checked;
 }
@@ -250,9 +250,7 @@ Settlement settle(const FormulaErratum& erratum) {
 }
 
 std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
-  std::vector<SettledErratum> settled;
-  for (const FormulaErratum& erratum : errata) settled.push_back({erratum, settle(erratum)});
-  return settled;
+  return mapped(errata, [](const auto& erratum) { return SettledErratum{erratum, settle(erratum)}; });
 }
 
 Json errata_json(const std::vector<SettledErratum>& errata) {

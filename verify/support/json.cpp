@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include <nipref/verify/support/internal/json_value.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -94,9 +95,7 @@ bool Json::has(std::string_view key) const {
 
 std::vector<Json> Json::items() const {
   if (!value_->tree.is_array()) throw JsonMisfit("no list");
-  std::vector<Json> list;
-  for (const Tree& item : value_->tree) list.push_back(Json(Value{item}));
-  return list;
+  return mapped(value_->tree, [](const Tree& item) { return Json(Value{item}); });
 }
 
 std::string Json::as_text() const {

@@ -8,6 +8,7 @@
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -150,14 +151,12 @@ void AuditTally::add(const AuditTally& found, std::uint64_t block) {
 }
 
 Json AuditTally::json() const {
-  std::vector<Json> at;
-  for (const double argument : worst) at.push_back(exact_json(argument));
   return {{"points", points},
           {"left_out", left_out},
           {"max_ulp", exact_json(max_ulp)},
           {"max_relative", exact_json(max_relative)},
           {"used", exact_json(allowance_used)},
-          {"worst", at},
+          {"worst", mapped(worst, exact_json)},
           {"worst_ulp", exact_json(worst_ulp)},
           {"errors", errors.json()}};
 }

@@ -12,6 +12,7 @@
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -129,8 +130,7 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
   const double ratio = ratios[group % ratios.size()];
   const double poisson = poissons[group / ratios.size() % poissons.size()];
   const Friction friction = group < hard_case_groups / 2 ? Friction::none : Friction::full;
-  std::vector<ContactAudit> audits;
-  for (const int m : elements) audits.push_back(audit_line_loads(friction, ratio, poisson, m));
+  auto audits = mapped(elements, [&](int m) { return audit_line_loads(friction, ratio, poisson, m); });
   audits.push_back(audit_converged(friction, ratio, poisson));
   return audits;
 }

@@ -6,6 +6,7 @@
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -39,9 +40,7 @@ struct TomlText {
   }
   template <class Item>
   std::string operator()(const std::vector<Item>& items) const {
-    std::vector<std::string> texts;
-    for (const Item& item : items) texts.push_back((*this)(item));
-    return fmt::format("[{}]", fmt::join(texts, ", "));
+    return fmt::format("[{}]", fmt::join(mapped(items, *this), ", "));
   }
 };
 
@@ -102,11 +101,7 @@ std::string DrawnScene::toml() const {
 data::Scene DrawnScene::scene() const { return data::parse_scene(toml(), text("title")); }
 
 const std::vector<std::string_view>& drawn_kinds() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> all;
-    for (const Kind& kind : kinds) all.push_back(kind.name);
-    return all;
-  }();
+  static const auto names = mapped(kinds, &Kind::name);
   return names;
 }
 

@@ -4,6 +4,7 @@
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -106,9 +107,7 @@ std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, co
 }
 
 Json scene_tally_found(const SceneTally& tally) {
-  std::vector<Json> numbers;
-  for (const auto count : counts) numbers.emplace_back(tally.*count);
-  return {{"counts", numbers},
+  return {{"counts", mapped<Json>(counts, [&](auto count) { return tally.*count; })},
           {"overestimates", tally.overestimates.json()},
           {"refusal", tally.refused > 0 ? findings_found(tally.refusal) : Json()},
           {"failure", tally.failed > 0 ? findings_found(tally.failure) : Json()},

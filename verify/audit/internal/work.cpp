@@ -4,6 +4,7 @@
 
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -60,9 +61,7 @@ BlockFindings HardCasesWork::found_in(std::size_t block, const OnProgress& /*on_
 }
 
 BlockFindings HardCasesWork::read_findings(const Json& json) const {
-  std::vector<ContactAudit> audits;
-  for (const Json& audit : json.items()) audits.push_back(contact_audit_of(audit));
-  return audits;
+  return mapped(json.items(), contact_audit_of);
 }
 
 void HardCasesWork::add(std::size_t block, const BlockFindings& found) {
@@ -89,9 +88,7 @@ BlockFindings ScenesWork::found_in(std::size_t block, const OnProgress& on_progr
 }
 
 BlockFindings ScenesWork::read_findings(const Json& json) const {
-  std::vector<SceneTally> kinds;
-  for (const Json& kind : json.items()) kinds.push_back(scene_tally_of(kind));
-  return kinds;
+  return mapped(json.items(), scene_tally_of);
 }
 
 void ScenesWork::add(std::size_t /*block*/, const BlockFindings& found) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -110,12 +111,9 @@ Quantity quantity_of(const toml::table& row) {
 }  // namespace
 
 const std::vector<Quantity>& described_quantities() {
-  static const std::vector<Quantity> all = [] {
-    std::vector<Quantity> rows;
-    for (const toml::node& row : *definitions_table()["quantities"].as_array())
-      rows.push_back(quantity_of(*row.as_table()));
-    return rows;
-  }();
+  static const std::vector<Quantity> all =
+      mapped(*definitions_table()["quantities"].as_array(),
+             [](const toml::node& row) { return quantity_of(*row.as_table()); });
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/catalogue/nip_seconds.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -38,9 +39,7 @@ Quantity nip_entry(Quantity entry, const std::shared_ptr<SolvedNips>& nips, std:
     return nips->ref(x, digits, number);
   };
   entry.by_ref = [by_doubles = entry.by_ref_of_doubles](std::span<const ref::Exact> x, int digits) {
-    Point nearest;
-    for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
-    return by_doubles(nearest, digits);
+    return by_doubles(mapped(x, &ref::Exact::approximate), digits);
   };
   // The bench times the loop, which therefore solves each contact anew.
   set_fast(entry, [nips, number](std::span<const double> x, fast::Accuracy accuracy) {

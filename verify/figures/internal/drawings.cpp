@@ -11,6 +11,7 @@
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -56,15 +57,11 @@ std::vector<double> FigureSubject::numbers(const std::string& name, double unit)
 
 std::vector<Replay> FigureSubject::replays() const {
   static Cache<std::string, Replay> known;
-  std::vector<Replay> all;
-  for (const std::string& id : tables) all.push_back(*known.at(id, [&] { return replay_table(id); }));
-  return all;
+  return mapped(tables, [](const auto& id) { return *known.at(id, [&] { return replay_table(id); }); });
 }
 
 std::vector<double> evenly(double first, double last, int count) {
-  std::vector<double> x;
-  for (int i = 0; i < count; ++i) x.push_back(std::lerp(first, last, i / (count - 1.0)));
-  return x;
+  return mapped(std::views::iota(0, count), [&](int i) { return std::lerp(first, last, i / (count - 1.0)); });
 }
 
 Series sampled(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/verify/golden/confirm/half_space_number.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
@@ -193,9 +194,9 @@ Ellipse ellipse_at(Arguments x, bool coarse) {
   const auto lines = directions_between(panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
                                                rough > 0 ? std::min<Wave>(narrow, width) : Wave(width)),
                                         coarse);
-  std::vector<Wave> compliances;
-  for (const Direction& at : lines)
-    compliances.push_back(isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)).compliance);
+  const std::vector<Wave> compliances = mapped(lines, [&](const Direction& at) {
+    return isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)).compliance;
+  });
   Ellipse ellipse{rough, 0, 0, 0};
   for (int step = 0; step < 60; ++step) {
     const Wave wide = exp(ellipse.eta), narrow_side = 1 / wide;

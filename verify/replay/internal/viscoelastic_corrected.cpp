@@ -5,6 +5,7 @@
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -43,13 +44,6 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
   return result;
 }
 
-template <class Row>
-std::vector<RowValues> each(const std::vector<Row>& rows, RowValues Row::*which) {
-  std::vector<RowValues> values;
-  for (const Row& row : rows) values.push_back(row.*which);
-  return values;
-}
-
 }  // namespace
 
 void correct_viscoelastic(Replay& replay) {
@@ -60,10 +54,10 @@ void correct_viscoelastic(Replay& replay) {
     cell.corrected = rows[cell.row].corrected.at(cell.column);
     cell.corrected_with_seed_material = rows[cell.row].with_seed_material.at(cell.column);
   }
-  const std::vector<RowValues> replayed = each(replay.nips, &ReplayedNip::values),
-                               exact_kernels = each(rows, &CorrectedRow::exact_kernels),
-                               mesh = each(rows, &CorrectedRow::mesh),
-                               no_mistake = each(rows, &CorrectedRow::no_mistake);
+  const std::vector<RowValues> replayed = mapped(replay.nips, &ReplayedNip::values),
+                               exact_kernels = mapped(rows, &CorrectedRow::exact_kernels),
+                               mesh = mapped(rows, &CorrectedRow::mesh),
+                               no_mistake = mapped(rows, &CorrectedRow::no_mistake);
   const auto cost = [](const std::vector<RowValues>& wrong, const std::vector<RowValues>& right) {
     return deviations({"L", "d0", "p_max", "muR"}, wrong, right);
   };

@@ -8,6 +8,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/seeds/internal/formula.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -235,9 +236,7 @@ class FormulaParser {
   }
 
   static Numbers values(const std::vector<Expression>& all) {
-    Numbers numbers;
-    for (const Expression& one : all) numbers.push_back(one());
-    return numbers;
+    return mapped(all, [](const Expression& one) { return one(); });
   }
 
   Formulas& formulas_;

@@ -9,6 +9,7 @@
 
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/nip/work.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -61,9 +62,7 @@ struct SolvedContact {
   }
   void set(ResultId id, std::function<Number(double y)> at) {
     set(id, [at = std::move(at)](const Places& places) {
-      std::vector<Number> numbers;
-      for (const Place& place : places) numbers.push_back(at(place.y));
-      return numbers;
+      return mapped(places, [&](const Place& place) { return at(place.y); });
     });
   }
   /// Sets a result of a solution to one of its members, or to another function of it: a number, a list, or a number at

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -54,8 +55,7 @@ double seconds_of(const std::function<void()>& work) {
 
 std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, int rounds,
                                      double seconds_per_round) {
-  std::vector<Round> plans;
-  for (const Contender& contender : contenders) plans.push_back(plan(contender, seconds_per_round));
+  const auto plans = mapped(contenders, [&](const Contender& one) { return plan(one, seconds_per_round); });
   std::vector<std::vector<double>> samples(contenders.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {

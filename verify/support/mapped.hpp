@@ -1,0 +1,19 @@
+#pragma once
+#include <functional>
+#include <ranges>
+#include <type_traits>
+#include <vector>
+
+namespace nipref::verify {
+
+/// The results of `function`, which may be a pointer to a member, for all items of a range, in their order. With `Result`
+/// they are converted to that type.
+template <class Result = void, class Items, class Function>
+auto mapped(Items&& items, const Function& function) {
+  using Found = std::invoke_result_t<const Function&, std::ranges::range_reference_t<Items>>;
+  std::vector<std::conditional_t<std::is_void_v<Result>, std::remove_cvref_t<Found>, Result>> results;
+  for (auto&& item : items) results.push_back(std::invoke(function, item));
+  return results;
+}
+
+}  // namespace nipref::verify
