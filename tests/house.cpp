@@ -151,7 +151,7 @@ TEST_CASE("an include against the arrows is seen") {
   CHECK_FALSE(may_include("fast/elastic_nip/converged.cpp", "fast/viscoelastic_nip/converged.hpp"));
   CHECK_FALSE(may_include("fast/half_space/sliding.cpp", "fast/nip/work.hpp"));
   CHECK_FALSE(may_include("fast/sheet/internal/tables.hpp", "fast/half_space/response.hpp"));
-  CHECK_FALSE(may_include("verify/catalogue/ulp.cpp", "verify/audit/audit.hpp"));
+  CHECK_FALSE(may_include("verify/catalogue/deviation.cpp", "verify/audit/audit.hpp"));
   CHECK_FALSE(may_include("verify/cli/machine.cpp", "fast/sheet/internal/dispatch.hpp"));
   CHECK(may_include("fast/elastic_nip/converged.cpp", "fast/sheet/internal/tables.hpp"));
   CHECK(may_include("verify/cli/eval.cpp", "ref/sheet/kernels.hpp"));

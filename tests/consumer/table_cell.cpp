@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 // A printed table beside what it should say: each cell by the seed's own method, and of the contact it stands for.
 int main() {

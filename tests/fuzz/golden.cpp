@@ -1,6 +1,6 @@
 #include <fstream>
 
-#include <nipref/verify/golden/checksums.hpp>
+#include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
 #include "reading.hpp"

@@ -10,6 +10,7 @@
 #include <nipref/verify/audit/error_spread.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
@@ -85,5 +86,16 @@ AuditResult audit(const Quantity& quantity, const AuditOptions& options);
 /// The same for given values, without a search. There must be as many values as points, and at least one.
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options);
+
+/// " name=value (decimal)" for each argument: for people, and for `eval` up to what stands in brackets.
+std::string point_text(const Quantity& quantity, const Point& point);
+Json point_json(const Quantity& quantity, const Point& point);
+
+Json audit_row_json(const AuditResult& result);
+/// The "rows" of an audit.
+Json audit_json(const std::vector<AuditResult>& results);
+
+/// True if every promise was kept.
+bool all_kept(const std::vector<AuditResult>& results);
 
 }  // namespace nipref::verify

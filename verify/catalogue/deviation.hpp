@@ -3,6 +3,11 @@
 
 namespace nipref::verify {
 
+/// Unit in the last place: 2^(e-52) for 2^e <= |scale| < 2^(e+1), and 2^-1074 for zero and subnormal scales:
+/// the spacing of the doubles just above |scale|. Same unit as `scale`. Exact. BadInput naming "scale" unless
+/// it is finite.
+double ulp_of(double scale);
+
 /// How far an approximation is from the truth. Every number is an upper bound: the reference's own error is
 /// added. All are infinite when the approximation is not a finite number.
 struct Deviation {

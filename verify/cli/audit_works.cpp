@@ -2,7 +2,7 @@
 #include <set>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/audit_run.hpp>

@@ -11,8 +11,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/met.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>

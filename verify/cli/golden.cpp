@@ -6,15 +6,14 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/check.hpp>
-#include <nipref/verify/golden/checksums.hpp>
-#include <nipref/verify/golden/update.hpp>
+#include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/output.hpp>

@@ -14,7 +14,7 @@
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {

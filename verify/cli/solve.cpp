@@ -12,7 +12,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
-#include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {

@@ -5,8 +5,6 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,8 +10,25 @@
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/on_progress.hpp>
+#include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {
+
+/// The SHA256SUMS of a folder, in the format of sha256sum.
+class Checksums {
+ public:
+  /// Reads the file; empty if the folder has none. BadInput if it has another format.
+  static Checksums of(const std::filesystem::path& folder);
+
+  [[nodiscard]] const std::map<std::string, std::string>& by_name() const { return by_name_; }
+  void set(const std::string& name, std::string_view bytes) { by_name_[name] = sha256(bytes); }
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::map<std::string, std::string> by_name_;
+};
+
+inline constexpr auto checksums_name = "SHA256SUMS";
 
 enum class GoldenFault {
   wrong,         ///< the reference's value, or fast's, contradicts the golden value

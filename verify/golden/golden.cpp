@@ -9,7 +9,7 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/mapped.hpp>
 

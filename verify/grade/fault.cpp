@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/grade/fault.hpp>
 
 namespace nipref::verify {

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/grade/grade.hpp>
 
 namespace nipref::verify {

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>

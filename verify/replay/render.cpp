@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {

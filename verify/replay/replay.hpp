@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -7,10 +8,12 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/printed_number.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -60,7 +63,7 @@ struct ReplayedCell {
   data::Interval range;  ///< for all inputs in their rounding intervals, base units
   Verdict verdict;
   std::string note;
-  /// The correct value, base units: that of the continuous contact, see corrected.hpp, for a half-space that of the
+  /// The correct value, base units: that of the continuous contact, see correct(), for a half-space that of the
   /// correct formula.
   std::optional<double> corrected = {};
   /// The same for the material with which the seed computed, if that differs from the one it defines.
@@ -110,5 +113,30 @@ std::vector<std::string> replayable_tables();
 
 /// Replays one table. BadInput if there is no such table, or no replay for it.
 Replay replay_table(const std::string& id);
+
+/// Sets `corrected` in every cell of a replay to the result of the continuous contact under the row's stated load.
+/// For thesis III-X it has the replay's material constants and is accurate to 1e-9; with full friction it has its own
+/// creep ratio, which need not be the one that the thesis chose. For thesis XI-XXVI see
+/// internal/viscoelastic_nip.hpp. Sets `costs` as well: for thesis III-X the deviations of the replay's L, d0 and
+/// p_max from the continuous contact under the replay's own load.
+void correct(Replay& replay);
+
+/// The deviations of these columns from the columns of the true rows.
+std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> columns,
+                                        const std::vector<RowValues>& rows,
+                                        const std::vector<RowValues>& truth);
+
+/// The answer of `tables`, which is also part of a report. The text shows the cells that do not match, or all.
+Json tables_json(const std::vector<Replay>& replays, bool all_cells = false);
+
+/// The errors that are due to the weaknesses of the seed's method, as a list.
+Json cost_list_json(const Replay& replay);
+Json column_json(const ColumnDeviation& column);
+
+/// A number in the scaling of the cell's column, with two digits more than the printed cell.
+std::string scaled_text(const Replay& replay, const ReplayedCell& cell, double value);
+
+/// The answer of `tables --list`.
+Json table_list_json(const std::vector<data::TableSummary>& summaries);
 
 }  // namespace nipref::verify

@@ -4,8 +4,8 @@
 #include <set>
 #include <string_view>
 
-#include <nipref/verify/audit/render.hpp>
-#include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {

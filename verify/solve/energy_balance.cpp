@@ -5,7 +5,6 @@
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/loss_integral.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {

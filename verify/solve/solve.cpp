@@ -9,7 +9,6 @@
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 

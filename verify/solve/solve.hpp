@@ -11,6 +11,7 @@
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/ref/number/estimate.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -120,5 +121,18 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
 [[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);
+
+Json warnings_json(const std::vector<BeyondTheory>& warnings);
+
+/// A number, and its error rounded upwards, as decimals.
+std::string value_text(const fast::Estimate& number);
+std::string error_text(const fast::Estimate& number);
+std::string value_text(const ref::Estimate& number);
+std::string error_text(const ref::Estimate& number);
+
+/// The answer of `solve`. The reference's numbers are text. The text of `full` has the meanings of the results. Instantiated
+/// for fast::Estimate and ref::Estimate.
+template <class Number>
+Json solution_json(const SceneSolution<Number>& solution, bool full = false);
 
 }  // namespace nipref::verify

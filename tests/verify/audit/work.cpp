@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
-#include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 
 using namespace nipref::verify;

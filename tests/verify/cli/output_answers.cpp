@@ -11,7 +11,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
-#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 #include "support/json_schema.hpp"
 #include "support/paths.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 #include <nipref/verify/support/random.hpp>

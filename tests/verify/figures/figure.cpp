@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"

@@ -8,7 +8,6 @@
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/check.hpp>
-#include <nipref/verify/golden/checksums.hpp>
 
 #include "support/golden_folder.hpp"
 

@@ -12,7 +12,6 @@
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"

@@ -7,7 +7,6 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"

@@ -10,7 +10,7 @@
 
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
-#include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/run_nipref.hpp"

@@ -12,7 +12,6 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
-#include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"

@@ -3,7 +3,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/internal/comparator.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 
 namespace nipref::verify {
 

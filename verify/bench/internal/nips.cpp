@@ -18,8 +18,8 @@
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
@@ -143,7 +143,8 @@ double largest_error(const UnMethod& method, const std::vector<Times>& points) {
     const auto [t, T] = points[i];
     const auto truth = ref::moving_load_normal_displacement(ref::Exact(t), ref::Exact(T), ref::Exact(1.0),
                                                             ref::Exact(1.0), material, 20);
-    const ParsedArguments at = parse_arguments(Un, {{"t", fmt::format("{:a}", t)}, {"T", fmt::format("{:a}", T)}});
+    const ParsedArguments at =
+        parse_arguments(Un, {{"t", fmt::format("{:a}", t)}, {"T", fmt::format("{:a}", T)}});
     const double scale = Un.envelope(at.nearest(Un));  // the other arguments are those of unit_solid()
     largest = std::max(largest, std::fabs(truth.error_of(method.evaluate(points[i]))) / scale);
   }

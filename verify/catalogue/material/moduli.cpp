@@ -8,9 +8,9 @@
 #include <nipref/fast/material/rational_solid.hpp>
 #include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,9 +1,9 @@
 #include <vector>
 
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/mapped.hpp>
 

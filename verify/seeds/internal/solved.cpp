@@ -12,7 +12,7 @@
 #include <nipref/data/table/index.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
-#include <nipref/verify/solve/internal/refuse_given.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 
 using nipref::verify::ulp_of;
 

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/golden/checksums.hpp>
+#include <nipref/verify/golden/check.hpp>
 
 #include "support/golden_folder.hpp"
 
