@@ -12,7 +12,6 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"

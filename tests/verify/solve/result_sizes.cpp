@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/solve/internal/result_sizes.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/text.hpp>
 

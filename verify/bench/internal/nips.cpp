@@ -22,7 +22,6 @@
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -7,7 +7,7 @@
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/catalogue/sheet/internal/field_sizes.hpp>
+#include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,9 +2,8 @@
 #include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/golden/confirm/gripped_contact.hpp>
+#include <nipref/verify/golden/confirm/contacts.hpp>
 #include <nipref/verify/golden/confirm/history.hpp>
-#include <nipref/verify/golden/confirm/rolled_contact.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify::confirm {

@@ -48,23 +48,23 @@ Complex apart(const std::vector<Complex>& roots, std::size_t i) {
 /// All roots by the method of Durand and Kerner.
 template <unsigned digits>
 std::vector<ComplexNumber<digits>> roots_of(const Polynomial<Number<digits>>& polynomial) {
-  using Float = Number<digits>;
-  using Complex = ComplexNumber<digits>;
+  using Coefficient = Number<digits>;
+  using Root = ComplexNumber<digits>;
   const std::size_t n = polynomial.size() - 1;
-  const Float last = polynomial[n], settled = pow(Float(10), 20 - static_cast<int>(digits));
-  Float size = 0;
+  const Coefficient last = polynomial[n], settled = pow(Coefficient(10), 20 - static_cast<int>(digits));
+  Coefficient size = 0;
   for (std::size_t k = 0; k < n; ++k)
-    size = std::max<Float>(size, pow(Float(abs(polynomial[k] / last)), 1 / Float(n - k)));
-  std::vector<Complex> roots;
-  Complex next(size);
-  for (std::size_t k = 0; k < n; ++k) roots.push_back(next *= Complex(Float("0.4"), Float("0.9")));
-  Float change = 1;
+    size = std::max<Coefficient>(size, pow(Coefficient(abs(polynomial[k] / last)), 1 / Coefficient(n - k)));
+  std::vector<Root> roots;
+  Root next(size);
+  for (std::size_t k = 0; k < n; ++k) roots.push_back(next *= Root(Coefficient("0.4"), Coefficient("0.9")));
+  Coefficient change = 1;
   for (int round = 0; change > settled && round < 4000; ++round) {
     change = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const Complex step = value_at(polynomial, roots[i]) / (last * apart(roots, i));
+      const Root step = value_at(polynomial, roots[i]) / (last * apart(roots, i));
       roots[i] -= step;
-      if (roots[i] != Complex(0)) change = std::max<Float>(change, abs(step) / abs(roots[i]));
+      if (roots[i] != Root(0)) change = std::max<Coefficient>(change, abs(step) / abs(roots[i]));
     }
   }
   return roots;

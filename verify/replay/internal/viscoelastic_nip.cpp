@@ -7,7 +7,6 @@
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

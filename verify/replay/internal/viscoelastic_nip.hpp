@@ -1,8 +1,10 @@
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
@@ -13,7 +15,7 @@ struct ViscoelasticTable {
   std::string_view id;
   int leading_elements;  ///< m1
   /// C_L, half-thicknesses. From 16 on only the creep at F0 tau = 1e-3 or 1e-2 depends on it, because of an underflow
-  /// (viscoelastic_row.hpp): 24 matches it in most tables, 60 in XXIV to XXVI.
+  /// (underflown_creep): 24 matches it in most tables, 60 in XXIV to XXVI.
   double approach;
 };
 
@@ -38,13 +40,36 @@ data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, s
 /// The product of the row's speed and its relaxation time.
 double relaxation_length(const data::Table& table, std::size_t row);
 
-/// Sets these members of a replay of thesis XI-XXVI:
-///   - `corrected`: the continuous contact under the table's load, accurate to 1e-6, of the solid that the thesis defines,
-///     with one relaxation time in shear and dilatation;
-///   - `corrected_with_seed_material`: the same with the thesis's theta2;
-///   - `costs` in L, d0, p_max and muR at the load of the row's replay: "truncation" compares the replay with the same line
-///     loads with exact kernels, "discretisation" these with the continuous contact, and "exponent" the continuous
-///     contacts with the thesis's theta2 and with the solid's.
-void correct_viscoelastic(Replay& replay);
+/// The input from which a row of a viscoelastic table is replayed.
+struct ViscoelasticRowInput {
+  std::string column;             ///< the cell from which the length follows; empty for the table's load
+  data::Interval leading_length;  ///< the L1 that follows from it, in
+  int trailing_elements;          ///< m2, from the ratio of the printed lengths
+};
+
+/// The cell is L1 if it is printed and not doubtful, otherwise L, L2, L/B or d2. m2 is the number of elements that
+/// agrees with all printed lengths. If several numbers do, it is the first from m1 downwards without tension, the
+/// choice of the thesis (2.5).
+ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
+                                            const data::ViscoelasticNip& nip,
+                                            fast::ViscoelasticLineLoadMethod method);
+
+/// The name, among a row's values, of the creep ratio of a machine on which e^(-180.2) underflows, and with it the
+/// whole bracket of a sign term's memory (AII.20). The smallest number of the IBM 360 is 16^-65.
+inline constexpr std::string_view underflown_creep = "creep with underflow";
+
+/// The row that line loads give at the middle of the input's interval and at its ends.
+ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
+                                    const fast::ViscoelasticLineLoadMethod& method,
+                                    const data::Interval& leading_length);
+
+/// The columns of a contact.
+struct ViscoelasticNumbers {
+  double load, leading_length, trailing_length, indentation, peak_pressure, creep_ratio, rolling_resistance;
+};
+RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip, const ViscoelasticNumbers& numbers);
+RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
+                                  const fast::ViscoelasticLineLoadMethod& method,
+                                  const fast::ViscoelasticLineLoads& loads);
 
 }  // namespace nipref::verify

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <nipref/fast/material/functions.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/verify/solve/internal/result_sizes.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/result_sizes.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {
 namespace {
