@@ -8,7 +8,7 @@
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {

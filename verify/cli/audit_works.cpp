@@ -12,7 +12,6 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/support/mapped.hpp>
-#include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {
 namespace {

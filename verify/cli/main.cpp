@@ -1,7 +1,6 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/program.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/text.hpp>
 

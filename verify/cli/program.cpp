@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/program.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/program.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/mpi/ranks.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>

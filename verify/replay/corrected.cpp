@@ -3,9 +3,8 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/mapped.hpp>

@@ -2,9 +2,8 @@
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {

@@ -117,7 +117,7 @@ Replay replay_table(const std::string& id);
 /// Sets `corrected` in every cell of a replay to the result of the continuous contact under the row's stated load.
 /// For thesis III-X it has the replay's material constants and is accurate to 1e-9; with full friction it has its own
 /// creep ratio, which need not be the one that the thesis chose. For thesis XI-XXVI see
-/// internal/viscoelastic_nip.hpp. Sets `costs` as well: for thesis III-X the deviations of the replay's L, d0 and
+/// corrected.cpp. Sets `costs` as well: for thesis III-X the deviations of the replay's L, d0 and
 /// p_max from the continuous contact under the replay's own load.
 void correct(Replay& replay);
 

@@ -7,8 +7,8 @@
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 

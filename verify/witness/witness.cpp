@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <nipref/data/problem/seed_nips.hpp>

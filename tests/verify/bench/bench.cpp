@@ -11,8 +11,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>

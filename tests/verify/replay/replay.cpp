@@ -9,8 +9,7 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"

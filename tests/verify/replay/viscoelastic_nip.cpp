@@ -11,7 +11,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"

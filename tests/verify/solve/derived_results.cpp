@@ -7,7 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;

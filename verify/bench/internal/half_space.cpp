@@ -3,12 +3,10 @@
 #include <memory>
 
 #include <nipref/fast/half_space/elliptic.hpp>
-#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 
 namespace nipref::verify {

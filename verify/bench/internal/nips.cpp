@@ -20,8 +20,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,8 +2,7 @@
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -7,8 +7,7 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/mapped.hpp>

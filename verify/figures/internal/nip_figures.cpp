@@ -18,8 +18,7 @@
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 

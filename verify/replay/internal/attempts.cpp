@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {

@@ -4,9 +4,8 @@
 #include <array>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <nipref/fast/material/functions.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,8 +4,7 @@
 
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimate.hpp>
-#include <nipref/ref/number/exact.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,7 +2,6 @@
 #include <type_traits>
 
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {

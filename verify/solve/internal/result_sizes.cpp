@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 
 namespace nipref::verify {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include <nipref/fast/sheet/plain_series.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/float.hpp>
-#include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 
 namespace nipref::verify {
 namespace {
