@@ -11,6 +11,7 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
@@ -224,11 +225,9 @@ Assignments with_material_numbers(const Quantity& quantity, const Assignments& g
 Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text) {
   const Argument* const material = material_of(quantity);
   const auto text_of_key = [&](const ModelKey& key) {
-    std::vector<std::string> values;
-    for (const std::string& name : key.arguments) {
-      const auto at = std::ranges::find(quantity.arguments, name, &Argument::name);
-      values.push_back(text[static_cast<std::size_t>(at - quantity.arguments.begin())]);
-    }
+    const auto values = mapped(key.arguments, [&](const std::string& name) {
+      return text[argument_number(quantity.arguments, name)];
+    });
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
     return key.name + (values.size() > 1 ? "=[" + list + "]" : "=" + list);
   };
@@ -239,10 +238,9 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
   };
   Assignments written;
   for (const Argument& argument : written_arguments(quantity)) {
-    const auto at = std::ranges::find(quantity.arguments, argument.name, &Argument::name);
-    const std::string& own = at == quantity.arguments.end()
-                                 ? argument.choices.front()
-                                 : text[static_cast<std::size_t>(at - quantity.arguments.begin())];
+    const bool is_solid = quantity.solid && quantity.solid->name == argument.name;
+    const std::string& own =
+        is_solid ? argument.choices.front() : text[argument_number(quantity.arguments, argument.name)];
     written.emplace_back(argument.name, argument.models.empty() ? own : text_of_model(own));
   }
   return written;

@@ -1,14 +1,174 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/house.hpp>
+#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
+namespace {
+
+constexpr const char* contacts = "contacts";
+
+constexpr double quick = 0.1;
+constexpr double thorough = 10;
+
+double density_option(const CommandLine& line) {
+  if (line.has("quick")) return quick;
+  if (line.has("thorough")) return thorough;
+  return parse_real("density", line.option_or_usual("density"));
+}
+
+/// Options are for quantities; an absolute number of points for those that are named: what is quick for one
+/// takes hours for another.
+void refuse_options_without_effect(const CommandLine& line, const Selection& selected) {
+  if (line.words.empty() && !line.has("changed"))
+    refuse_option(line, "points",
+                  "must be left out without names of quantities: --density is for all of them");
+  if (!selected.quantities.empty()) return;
+  for (const char* const name : {"points", "density", "quick", "thorough", "rtol"})
+    refuse_option(line, name, "has no effect on contacts: must be left out");
+}
+
+/// Ranges of arguments that one of the quantities does not have, or that are none.
+void refuse_ranges(const CommandLine& line, const Selection& selected) {
+  if (line.assignments.empty()) return;
+  if (selected.has(contacts) || line.has("changed"))
+    throw data::BadInput(line.assignments.front().first, line.assignments.front().second,
+                         "has an effect on quantities that are named only: must be left out");
+  for (const Quantity* quantity : selected.quantities)
+    static_cast<void>(parse_ranges(*quantity, line.assignments));
+}
+
+/// Quantities and contacts that changed files have a part in.
+Selection changed_selection(const CommandLine& line) {
+  if (!line.words.empty()) refuse_option(line, "changed", "must be left out beside names");
+  const std::set<std::string> subjects =
+      touched_subjects(changed_files(line.option("since").value_or("HEAD")));
+  Selection selected;
+  for (const Quantity& quantity : catalogue()) {
+    if (subjects.contains(std::string(quantity.subject))) selected.quantities.push_back(&quantity);
+  }
+  if (subjects.contains(contacts)) selected.groups.push_back(contacts);
+  return selected;
+}
+
+Selection selected_by(const CommandLine& line) {
+  Selection selected = line.has("changed") ? changed_selection(line) : selection(line, {contacts});
+  refuse_options_without_effect(line, selected);
+  if (!selected.has(contacts))
+    refuse_option(line, "scenes", "has an effect on contacts only: must be left out");
+  refuse_ranges(line, selected);
+  return selected;
+}
+
+/// The command without what does not matter to what is found: where and by whom it is done, and how it is told.
+std::vector<std::string> recorded_words(const CommandLine& line) {
+  const std::set<std::string> of_no_matter{"out", "shard", "quiet", "json", "no-times"};
+  std::vector<std::string> words{line.verb};
+  words.insert(words.end(), line.words.begin(), line.words.end());
+  for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
+  for (const auto& [name, value] : line.options) {
+    if (!of_no_matter.contains(name)) words.push_back("--" + name + "=" + value);
+  }
+  for (const std::string& flag : line.flags) {
+    if (!of_no_matter.contains(flag)) words.push_back("--" + flag);
+  }
+  return words;
+}
+
+}  // namespace
+
+AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(recorded_words(line)) {
+  const Selection selected = selected_by(line);
+  accuracy_ = accuracy_option(line);
+  for (const Quantity* quantity : selected.quantities) {
+    AuditOptions options = sampling_options(line, *quantity, density_option(line));
+    options.accuracy = accuracy_;
+    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
+  }
+  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
+  if (!selected.has(contacts)) return;
+  hard_cases_ = std::make_unique<HardCasesWork>();
+  scenes_ = std::make_unique<ScenesWork>(scenes, seed_option(line));
+}
+
+std::vector<BlockWork*> AuditWorks::all() const {
+  auto works = mapped<BlockWork*>(quantities_, &std::unique_ptr<QuantityWork>::get);
+  if (hard_cases_) works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
+  return works;
+}
+
+std::string AuditWorks::fingerprint() const {
+  Json command = json_list(words_, [](const std::string& word) { return Json(word); });
+  Json works = json_list(all(), [](const BlockWork* work) {
+    return Json{{"name", work->name()}, {"blocks", work->blocks()}, {"inputs", work->inputs()}};
+  });
+  return Json{{"program", program_json()}, {"command", command}, {"works", works}}.text();
+}
+
+CommandLine command_of_fingerprint(const std::string& fingerprint) {
+  std::vector<std::string> words{"nipref"};
+  for (const Json& word : Json::parse(fingerprint).at("command").items()) words.push_back(word.as_text());
+  const auto pointers = mapped(words, &std::string::c_str);
+  return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
+}
+
+Audited AuditWorks::found(std::size_t finished) const {
+  Audited audited;
+  for (std::size_t i = 0; i < std::min(finished, quantities_.size()); ++i)
+    audited.quantities.push_back(quantities_[i]->result());
+  if (hard_cases_) audited.contacts = {hard_cases_->result(), scenes_->result()};
+  return audited;
+}
+
+int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
+  const Audited audited = found(finished);
+  Json answer = audits_json(audited, accuracy_);
+  answer.set("_of_contacts", hard_cases_ != nullptr);
+  answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
+  return write_answer(line, out, "audit", all_kept(audited.quantities) && audited.contacts.kept(), answer,
+                      "audit.txt");
+}
+
+namespace {
+
+/// How many promises were kept, and the result that uses the largest share of its promised error; null without results.
+Json closest_json(const std::vector<AuditResult>& results) {
+  if (results.empty()) return {};
+  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
+  return {{"all", all_kept(results)},
+          {"kept", std::ranges::count_if(results, &AuditResult::kept)},
+          {"of", results.size()},
+          {"closest", closest->quantity->name},
+          {"used", closest->allowance_used},
+          {"few", std::ranges::any_of(results, &AuditResult::few_points) ? Json(enough_points) : Json()}};
+}
+
+}  // namespace
+
+Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
+  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
+  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
+          {"rows", audit_json(audited.quantities)},
+          {"contacts", contact_audit_json(audited.contacts.hard_cases)},
+          {"scenes", scene_tally_json(audited.contacts.scenes)},
+          {"_of_quantities", closest_json(audited.quantities)}};
+}
+
 AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
     : line_(line),
       shard_(parse_shard(line.option("shard").value_or("1/1"))),

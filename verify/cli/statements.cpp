@@ -13,27 +13,13 @@
 
 namespace nipref::verify {
 
-namespace {
-
-Json verdicts_json(const std::vector<CheckedClaim>& claims) {
-  std::vector<Json> counts;
-  for (const ClaimVerdict verdict :
-       {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails})
-    counts.push_back(
-        {{"verdict", name_of(verdict)}, {"count", std::ranges::count_if(claims, [&](const auto& one) {
-                                           return one.outcome.verdict == verdict;
-                                         })}});
-  return counts;
-}
-
-}  // namespace
-
 int claims_verb(const CommandLine& line, std::ostream& out) {
   std::vector<Claim> selected = claims();
   select_by_id(selected, line.words, "claim", &Claim::id);
   const std::vector<CheckedClaim> checked = check_all(std::move(selected));
-  return write_answer(line, out, "claims", true,
-                      {{"claims", claims_json(checked)}, {"_verdicts", verdicts_json(checked)}},
+  const Json counts = verdict_counts_json(
+      checked, {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails});
+  return write_answer(line, out, "claims", true, {{"claims", claims_json(checked)}, {"_verdicts", counts}},
                       "claims.txt");
 }
 

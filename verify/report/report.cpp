@@ -113,17 +113,6 @@ Json skipped_json(const Report& report) {
           {"hard_cases", hard_cases}};
 }
 
-Json claims_by_verdict(const std::vector<CheckedClaim>& claims) {
-  std::vector<Json> counts;
-  for (const ClaimVerdict verdict :
-       {ClaimVerdict::holds, ClaimVerdict::fails, ClaimVerdict::holds_in_a_range})
-    counts.push_back({{"verdict", name_of(verdict)},
-                      {"count", std::ranges::count(claims, verdict, [](const CheckedClaim& one) {
-                         return one.outcome.verdict;
-                       })}});
-  return counts;
-}
-
 Json table_counts_json(const Replay& replay) {
   const ColumnDeviation* worst = nullptr;
   for (const Cost& cost : replay.costs) {
@@ -171,7 +160,8 @@ Json summary_json(const Report& report) {
           {"skipped", skipped_json(report)},
           {"tables", json_list(report.tables, table_counts_json)},
           {"tables_known", !report.tables_fall_short},
-          {"claims", claims_by_verdict(report.claims)},
+          {"claims", verdict_counts_json(report.claims, {ClaimVerdict::holds, ClaimVerdict::fails,
+                                                         ClaimVerdict::holds_in_a_range})},
           {"limits", share_json(report.limits, &LimitRow::approached)},
           {"errata",
            share_json(report.errata, [](const SettledErratum& one) { return one.settlement.settled(); })},

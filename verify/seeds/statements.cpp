@@ -158,6 +158,13 @@ Json claims_json(const std::vector<CheckedClaim>& claims) {
   });
 }
 
+Json verdict_counts_json(const std::vector<CheckedClaim>& claims, const std::vector<ClaimVerdict>& verdicts) {
+  const auto verdict_of = [](const CheckedClaim& one) { return one.outcome.verdict; };
+  return json_list(verdicts, [&](ClaimVerdict verdict) {
+    return Json{{"verdict", name_of(verdict)}, {"count", std::ranges::count(claims, verdict, verdict_of)}};
+  });
+}
+
 Propagated LimitSample::distance() const { return fabs(found - limit) / fabs(limit); }
 
 std::optional<Propagated> LimitRow::measured_order() const {

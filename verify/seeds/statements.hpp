@@ -53,6 +53,8 @@ ClaimOutcome check(const Claim& claim);
 /// Checks many, on all cores; the order is kept.
 std::vector<CheckedClaim> check_all(std::vector<Claim> claims);
 Json claims_json(const std::vector<CheckedClaim>& claims);
+/// How many claims have each of these verdicts, in this order.
+Json verdict_counts_json(const std::vector<CheckedClaim>& claims, const std::vector<ClaimVerdict>& verdicts);
 
 /// The converged contact at one place on the way to a limit.
 struct LimitSample {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/internal/comparator.hpp>
+#include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 
 namespace nipref::verify {

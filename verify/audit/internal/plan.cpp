@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include <nipref/verify/audit/internal/plan.hpp>
+#include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/support/sha256.hpp>
 

@@ -16,6 +16,7 @@
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -247,8 +248,9 @@ const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   return last->load;
 }
 
-/// `names`: t and the times at which the load passes the points.
-Quantity started_entry(Quantity entry, const std::vector<const char*>& names) {
+/// `names`: t and the times at which the load passes the points. `functions` as for entry_of.
+Quantity started_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
+  Quantity entry = entry_of(quantity, functions...);
   set_draw(entry, [names](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     const double unit = x["half_thickness"] / x["speed"], t = random.log_uniform(1e-9, 50);
@@ -263,8 +265,9 @@ Quantity started_entry(Quantity entry, const std::vector<const char*>& names) {
   return entry;
 }
 
-/// `names`: the distances from the load.
-Quantity steady_entry(Quantity entry, const std::vector<const char*>& names) {
+/// `names`: the distances from the load. `functions` as for entry_of.
+Quantity steady_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
+  Quantity entry = entry_of(quantity, functions...);
   set_draw(entry, [names](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     for (const char* name : names) x[name] = draw_distance(random);
@@ -276,53 +279,46 @@ Quantity steady_entry(Quantity entry, const std::vector<const char*>& names) {
 }  // namespace
 
 std::vector<Quantity> moving_load_entries() {
-  return {started_entry(entry_of(
-                            "Un",
-                            [](NamedExact x, int digits) {
-                              return ref::moving_load_normal_displacement(x["t"], x["T"], x["speed"],
-                                                                          x["half_thickness"],
-                                                                          exact_material_of(x), digits);
-                            },
-                            [](NamedPoint x, Accuracy accuracy) {
-                              return load_of(x, accuracy).normal_displacement(x["t"], x["T"]);
-                            },
-                            [](NamedPoint x) { return Sizes(x).Un(started(x, "T")); }),
-                        {"t", "T"}),
-          started_entry(entry_of(
-                            "Vn",
-                            [](NamedExact x, int digits) {
-                              return ref::moving_load_tangential_displacement(x["t"], x["T"], x["t0"],
-                                                                              x["speed"], x["half_thickness"],
-                                                                              exact_material_of(x), digits);
-                            },
-                            [](NamedPoint x, Accuracy accuracy) {
-                              return load_of(x, accuracy).tangential_displacement(x["t"], x["T"], x["t0"]);
-                            },
-                            [](NamedPoint x) { return Sizes(x).Vn(started(x, "T"), started(x, "t0")); }),
-                        {"t", "T", "t0"}),
-          steady_entry(entry_of(
-                           "Un_steady",
-                           [](NamedExact x, int digits) {
-                             return ref::moving_load_steady_normal_displacement(
-                                 x["alpha"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
-                           },
-                           [](NamedPoint x, Accuracy accuracy) {
-                             return load_of(x, accuracy).steady_normal_displacement(x["alpha"]);
-                           },
-                           [](NamedPoint x) { return Sizes(x).Un(steady(x["alpha"])); }),
-                       {"alpha"}),
-          steady_entry(entry_of(
-                           "Vn_steady",
-                           [](NamedExact x, int digits) {
-                             return ref::moving_load_steady_tangential_displacement(
-                                 x["alpha"], x["eta"], x["speed"], x["half_thickness"], exact_material_of(x),
-                                 digits);
-                           },
-                           [](NamedPoint x, Accuracy accuracy) {
-                             return load_of(x, accuracy).steady_tangential_displacement(x["alpha"], x["eta"]);
-                           },
-                           [](NamedPoint x) { return Sizes(x).Vn(steady(x["alpha"]), steady(x["eta"])); }),
-                       {"alpha", "eta"})};
+  return {started_entry(
+              "Un", {"t", "T"},
+              [](NamedExact x, int digits) {
+                return ref::moving_load_normal_displacement(x["t"], x["T"], x["speed"], x["half_thickness"],
+                                                            exact_material_of(x), digits);
+              },
+              [](NamedPoint x, Accuracy accuracy) {
+                return load_of(x, accuracy).normal_displacement(x["t"], x["T"]);
+              },
+              [](NamedPoint x) { return Sizes(x).Un(started(x, "T")); }),
+          started_entry(
+              "Vn", {"t", "T", "t0"},
+              [](NamedExact x, int digits) {
+                return ref::moving_load_tangential_displacement(
+                    x["t"], x["T"], x["t0"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
+              },
+              [](NamedPoint x, Accuracy accuracy) {
+                return load_of(x, accuracy).tangential_displacement(x["t"], x["T"], x["t0"]);
+              },
+              [](NamedPoint x) { return Sizes(x).Vn(started(x, "T"), started(x, "t0")); }),
+          steady_entry(
+              "Un_steady", {"alpha"},
+              [](NamedExact x, int digits) {
+                return ref::moving_load_steady_normal_displacement(
+                    x["alpha"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
+              },
+              [](NamedPoint x, Accuracy accuracy) {
+                return load_of(x, accuracy).steady_normal_displacement(x["alpha"]);
+              },
+              [](NamedPoint x) { return Sizes(x).Un(steady(x["alpha"])); }),
+          steady_entry(
+              "Vn_steady", {"alpha", "eta"},
+              [](NamedExact x, int digits) {
+                return ref::moving_load_steady_tangential_displacement(
+                    x["alpha"], x["eta"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
+              },
+              [](NamedPoint x, Accuracy accuracy) {
+                return load_of(x, accuracy).steady_tangential_displacement(x["alpha"], x["eta"]);
+              },
+              [](NamedPoint x) { return Sizes(x).Vn(steady(x["alpha"]), steady(x["eta"])); })};
 }
 
 }  // namespace nipref::verify

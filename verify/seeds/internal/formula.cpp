@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/seeds/internal/formula.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
