@@ -82,7 +82,7 @@ struct Peer {
   std::function<std::function<double(double)>()> make;
 };
 
-/// Such a way to a given number of digits.
+/// A way of another library to compute such a quantity to a given number of digits.
 struct MultiprecisionPeer {
   std::string method;
   /// Decimal text of the value at a decimal argument; only the numbers of digits in bench's ladder are

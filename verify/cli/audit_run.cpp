@@ -75,17 +75,18 @@ Selection selected_by(const CommandLine& line) {
   return selected;
 }
 
-/// The command without what does not matter to what is found: where and by whom it is done, and how it is told.
+/// The words of the command that determine the findings: without the options that say where the findings are stored, who
+/// computes them and how they are printed.
 std::vector<std::string> recorded_words(const CommandLine& line) {
-  const std::set<std::string> of_no_matter{"out", "shard", "quiet", "json", "no-times"};
+  const std::set<std::string> without_effect{"out", "shard", "quiet", "json", "no-times"};
   std::vector<std::string> words{line.verb};
   words.insert(words.end(), line.words.begin(), line.words.end());
   for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
   for (const auto& [name, value] : line.options) {
-    if (!of_no_matter.contains(name)) words.push_back("--" + name + "=" + value);
+    if (!without_effect.contains(name)) words.push_back("--" + name + "=" + value);
   }
   for (const std::string& flag : line.flags) {
-    if (!of_no_matter.contains(flag)) words.push_back("--" + flag);
+    if (!without_effect.contains(flag)) words.push_back("--" + flag);
   }
   return words;
 }
@@ -178,11 +179,11 @@ AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
   const auto folder = line.option("out");
   if (!folder) return;
   file_.emplace(*folder, works_.fingerprint(), shard_);
-  there_.emplace(all_);
-  read_blocks(*folder, all_, *there_);
+  stored_.emplace(all_);
+  read_blocks(*folder, all_, *stored_);
   for (std::size_t work = 0; work < all_.size(); ++work) {
     for (std::size_t block = 0; block < all_[work]->blocks(); ++block)
-      blocks_done_[work] += there_->has(work, block) ? 1U : 0U;
+      blocks_done_[work] += stored_->has(work, block) ? 1U : 0U;
   }
 }
 
@@ -190,7 +191,7 @@ std::optional<BlockAt> AuditRun::next() {
   for (; at_.work < all_.size(); at_ = {at_.work + 1, 0}) {
     while (at_.block < all_[at_.work]->blocks()) {
       const BlockAt here{at_.work, at_.block++};
-      if (shard_.has(here.block) && !(there_ && there_->has(here.work, here.block))) return here;
+      if (shard_.has(here.block) && !(stored_ && stored_->has(here.work, here.block))) return here;
     }
   }
   return std::nullopt;
@@ -228,9 +229,9 @@ int AuditRun::answer(std::ostream& out) const {
   if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
   const std::string folder = line_.option("out").value();
   const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
-  const Json members{{"run", folder},          {"shard", shard},
-                     {"blocks_done", done_},   {"blocks_there", there_->count()},
-                     {"blocks", there_->of()}, {"_interrupted", interrupted()}};
+  const Json members{{"run", folder},           {"shard", shard},
+                     {"blocks_done", done_},    {"blocks_there", stored_->count()},
+                     {"blocks", stored_->of()}, {"_interrupted", interrupted()}};
   return write_answer(line_, out, "audit", true, members, "audit_shard.txt");
 }
 
@@ -263,9 +264,9 @@ int merge_verb(const CommandLine& line, std::ostream& out) {
   const AuditWorks works(command, false);
   refuse_other_fingerprint(folders.front(), fingerprint, works.fingerprint());
   const std::vector<BlockWork*> all = works.all();
-  BlocksThere there(all);
-  for (const auto& folder : folders) read_blocks(folder, all, there);
-  const std::string gaps = there.gaps();
+  StoredBlocks stored(all);
+  for (const auto& folder : folders) read_blocks(folder, all, stored);
+  const std::string gaps = stored.gaps();
   if (!gaps.empty())
     throw data::BadInput("run", folders.front().string(), "must have all its blocks: without " + gaps);
   return works.answer(line, out, all.size());

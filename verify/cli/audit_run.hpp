@@ -90,7 +90,7 @@ class AuditRun {
   AuditWorks works_;
   std::vector<BlockWork*> all_;
   std::optional<ShardFile> file_;
-  std::optional<BlocksThere> there_;      ///< at the start
+  std::optional<StoredBlocks> stored_;    ///< at the start
   std::vector<std::size_t> blocks_done_;  ///< of each work
   BlockAt at_{0, 0};                      ///< the block to be considered next
   std::size_t done_ = 0;

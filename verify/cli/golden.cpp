@@ -243,7 +243,7 @@ int update(const CommandLine& line, std::ostream& out) {
                                    [&](double part) { progress.at(part); })});
   });
   if (interrupted()) files.clear();
-  // What is told comes before what is written.
+  // The answer is printed before the files are written.
   const bool kept =
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
   const int status =

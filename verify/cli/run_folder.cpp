@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using data::BadInput;
 
 constexpr auto fingerprint_name = "run.json";
-constexpr std::size_t most_gaps_told = 3;
+constexpr std::size_t most_gaps_named = 3;
 
 std::string text_of(const fs::path& file) { return data::text_of_input_file(file, "run"); }
 
@@ -101,38 +101,38 @@ Shard parse_shard(const std::string& text) {
   return {index - 1, of};
 }
 
-BlocksThere::BlocksThere(const std::vector<BlockWork*>& works) : works_(works) {
+StoredBlocks::StoredBlocks(const std::vector<BlockWork*>& works) : works_(works) {
   for (const BlockWork* work : works) hashes_.emplace_back(work->blocks());
 }
 
-std::size_t BlocksThere::count() const {
+std::size_t StoredBlocks::count() const {
   std::size_t sum = 0;
   for (const auto& hashes : hashes_)
     sum += hashes.size() - static_cast<std::size_t>(std::ranges::count(hashes, std::size_t{0}));
   return sum;
 }
 
-std::size_t BlocksThere::of() const {
+std::size_t StoredBlocks::of() const {
   std::size_t sum = 0;
   for (const auto& hashes : hashes_) sum += hashes.size();
   return sum;
 }
 
-bool BlocksThere::add(std::size_t work, std::size_t block, const std::string& line,
-                      const std::string& where) {
-  std::size_t& there = hashes_[work][block];
+bool StoredBlocks::add(std::size_t work, std::size_t block, const std::string& line,
+                       const std::string& where) {
+  std::size_t& known = hashes_[work][block];
   const std::size_t hash = std::max<std::size_t>(1, std::hash<std::string>()(line));
-  if (std::exchange(there, there == 0 ? hash : there) == 0) return true;
-  if (there != hash)
+  if (std::exchange(known, known == 0 ? hash : known) == 0) return true;
+  if (known != hash)
     throw BadInput(
         "run", where,
         fmt::format("must have what another line has for {} block {}", works_[work]->name(), block));
   return false;
 }
 
-std::string BlocksThere::gaps() const {
-  std::vector<std::string> told;
-  std::size_t untold = 0;
+std::string StoredBlocks::gaps() const {
+  std::vector<std::string> named;
+  std::size_t unnamed = 0;
   for (std::size_t work = 0; work < hashes_.size(); ++work) {
     const auto& hashes = hashes_[work];
     for (std::size_t block = 0; block < hashes.size();) {
@@ -140,15 +140,15 @@ std::string BlocksThere::gaps() const {
       while (block < hashes.size() && hashes[block] == 0) ++block;
       if (block == first) {
         ++block;
-      } else if (told.size() < most_gaps_told) {
-        told.push_back(gap_text(works_[work]->name(), first, block - 1));
+      } else if (named.size() < most_gaps_named) {
+        named.push_back(gap_text(works_[work]->name(), first, block - 1));
       } else {
-        untold += block - first;
+        unnamed += block - first;
       }
     }
   }
-  const std::string text = fmt::format("{}", fmt::join(told, ", "));
-  return untold > 0 ? fmt::format("{} and {} more", text, untold) : text;
+  const std::string text = fmt::format("{}", fmt::join(named, ", "));
+  return unnamed > 0 ? fmt::format("{} and {} more", text, unnamed) : text;
 }
 
 std::string fingerprint_of(const std::vector<fs::path>& folders) {
@@ -179,7 +179,7 @@ void refuse_other_fingerprint(const fs::path& folder, const std::string& found, 
                              trimmed(their_line), trimmed(our_line)));
 }
 
-void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, BlocksThere& there) {
+void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, StoredBlocks& stored) {
   std::set<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (is_shard_file(entry.path())) files.insert(entry.path());
@@ -195,8 +195,8 @@ void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, B
         const auto work = std::ranges::find(works, json.at("work").as_text(), &BlockWork::name);
         const std::size_t block = json.at("block").as_count();
         if (work == works.end() || block >= (*work)->blocks()) throw JsonMisfit("block");
-        if (there.add(static_cast<std::size_t>(work - works.begin()), block, json.without("times").line(),
-                      where))
+        if (stored.add(static_cast<std::size_t>(work - works.begin()), block, json.without("times").line(),
+                       where))
           (*work)->add(block, (*work)->read_findings(json.at("found")));
       } catch (const JsonMisfit& misfit) {
         throw BadInput("run", where,

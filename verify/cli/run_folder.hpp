@@ -27,9 +27,9 @@ Shard parse_shard(const std::string& text);
 // shard-3-of-8.jsonl, and syncs it. A process that is killed leaves at most an incomplete line, which is ignored.
 
 /// The blocks of a run that have findings, each with the hash of its line without times, which takes 8 bytes a block.
-class BlocksThere {
+class StoredBlocks {
  public:
-  explicit BlocksThere(const std::vector<BlockWork*>& works);
+  explicit StoredBlocks(const std::vector<BlockWork*>& works);
 
   [[nodiscard]] bool has(std::size_t work, std::size_t block) const { return hashes_[work][block] != 0; }
   [[nodiscard]] std::size_t count() const;  ///< number of blocks with findings
@@ -55,7 +55,7 @@ void refuse_other_fingerprint(const std::filesystem::path& folder, const std::st
 /// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line
 /// that is no block of this work, or that contradicts an earlier one.
 void read_blocks(const std::filesystem::path& folder, const std::vector<BlockWork*>& works,
-                 BlocksThere& there);
+                 StoredBlocks& stored);
 
 /// The file of one shard.
 class ShardFile {

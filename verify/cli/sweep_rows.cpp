@@ -40,7 +40,7 @@ std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
         rows.size(), [&](std::size_t i) { rows[i] = finished(sweep, i); },
         [&](double part) { progress.at(part); });
   } catch (const Interrupted&) {
-    // What was finished by then is told.
+    // The rows that were finished before the interrupt are printed.
   }
   return rows;
 }

@@ -44,7 +44,7 @@ verify::AuditOptions ten_blocks() {
 struct Process {
   verify::QuantityWork work{verify::find_quantity("I3"), ten_blocks()};
   std::vector<verify::BlockWork*> works{&work};
-  verify::BlocksThere there{works};
+  verify::StoredBlocks there{works};
   std::size_t done = 0;
 
   /// Does blocks of the shard until there are `most` more.

@@ -22,7 +22,7 @@ constexpr int ref_digits = 20;
 constexpr double longest_by_ref = 20;  // L/B
 /// The share of scenes that are compared with results for which the reference takes a second, or ten where the lines
 /// differ.
-constexpr double dear_share = 1.0 / 16, dearest_share = 1.0 / 64;
+constexpr double costly_share = 1.0 / 16, costliest_share = 1.0 / 64;
 /// Speed over the critical speed: closer to it, integrals over lines that differ need thousands of lines.
 constexpr double fastest_by_ref = 0.98;
 
@@ -165,7 +165,7 @@ struct OtherOf {
 };
 
 /// The results that need integrals over all lines or scans of them.
-bool is_dear(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id) {
+bool is_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id) {
   if (id == ResultId::compliance || id == ResultId::coupling) return false;
   if (id == ResultId::critical_speed) return !surface.all_lines_are_alike();
   if (problem.rule == data::ContourRule::exact || id == ResultId::normal_force ||
@@ -176,26 +176,27 @@ bool is_dear(const data::HalfSpaceProblem& problem, const ref::JointResponse& su
 
 /// The results for which the reference takes minutes: twofold integrals close to the critical speed, and integrals over
 /// lines that differ, close to that speed or with 21 constants.
-bool is_too_dear(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id,
-                 double critical_speed) {
-  if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, id);
+bool is_too_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id,
+                   double critical_speed) {
+  if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_costly(problem, surface, id);
   if (problem.rule != data::ContourRule::exact &&
       (id == ResultId::centre_along || id == ResultId::centre_across))
     return true;
   const bool lines_crowd = !surface.all_lines_are_alike() && problem.speed > fastest_by_ref * critical_speed;
-  return lines_crowd && id != ResultId::critical_speed && is_dear(problem, surface, id);
+  return lines_crowd && id != ResultId::critical_speed && is_costly(problem, surface, id);
 }
 
 /// Whether a result is compared: those for which the reference takes seconds are compared for a share of the scenes.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
                       const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
   const ref::JointResponse surface(problem, ref_digits);
-  const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
+  const bool includes_costly = random.chance(surface.all_lines_are_alike() ? costly_share : costliest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved[ResultId::critical_speed].value;
   comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
     const ResultId id = result.what->id;
-    if (is_too_dear(problem, surface, id, critical_speed) || (!dear && is_dear(problem, surface, id)))
+    if (is_too_costly(problem, surface, id, critical_speed) ||
+        (!includes_costly && is_costly(problem, surface, id)))
       return std::optional<Other>();
     try {
       const bool is_profile = result.what->shape == data::Shape::profile;
