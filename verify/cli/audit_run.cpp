@@ -114,7 +114,7 @@ std::vector<BlockWork*> AuditWorks::all() const {
 }
 
 std::string AuditWorks::fingerprint() const {
-  Json command = json_list(words_, [](const std::string& word) { return Json(word); });
+  Json command = json_list(words_);
   Json works = json_list(all(), [](const BlockWork* work) {
     return Json{{"name", work->name()}, {"blocks", work->blocks()}, {"inputs", work->inputs()}};
   });

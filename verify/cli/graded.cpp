@@ -106,7 +106,7 @@ Json graded_json(const Graded& graded) {
   row.append({{"baseline", baseline_json(graded)},
               {"faults",
                faults_json(*graded.grade.found.quantity, graded.behaviour ? graded.behaviour->faults : none)},
-              {"remarks", json_list(graded.remarks, [](const std::string& remark) { return Json(remark); })},
+              {"remarks", json_list(graded.remarks)},
               {"times", times_json(graded)},
               {"_behaviour", graded.behaviour.has_value()},
               {"_faulty", graded.behaviour && !graded.behaviour->faults.empty()}});

@@ -18,9 +18,7 @@ std::string panel_name(const Panel& panel) {
 }
 
 /// Null for an empty list.
-Json numbers_json(const std::vector<double>& values) {
-  return values.empty() ? Json() : json_list(values, [](double value) { return Json(value); });
-}
+Json numbers_json(const std::vector<double>& values) { return values.empty() ? Json() : json_list(values); }
 
 Json series_json(const Series& series) {
   return {{"label", series.label},

@@ -198,7 +198,7 @@ Json golden_values_json(const std::vector<GoldenSample>& samples) {
                      {"values", file.rows.size()},
                      {"digits", file.digits()},
                      {"proven", std::ranges::count_if(file.rows, &GoldenRow::proven)},
-                     {"confirmed_by", json_list(methods, [](const std::string& one) { return Json(one); })},
+                     {"confirmed_by", json_list(methods)},
                      {"commit", file.entry("commit").substr(0, 10)}});
   }
   return files;

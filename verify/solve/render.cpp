@@ -143,7 +143,7 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
           {"_full", full},
           {"_accuracy", met ? Json(fmt::format("{:g}", solution.accuracy)) : Json()},
           {"_met", met},
-          {"_missed", json_list(solution.missed(), [](std::string_view name) { return Json(name); })},
+          {"_missed", json_list(solution.missed())},
           {"_discrete", solution.is_discrete},
           {"_rows", rows_json(solution)},
           {"_work", work_text(solution.work)},

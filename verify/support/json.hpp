@@ -2,6 +2,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -10,6 +11,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -79,12 +82,10 @@ class Json {
   std::shared_ptr<const Value> value_;
 };
 
-/// The list of to_json(item) for all items.
-template <class Items, class ToJson>
-Json json_list(const Items& items, ToJson to_json) {
-  std::vector<Json> list;
-  for (const auto& item : items) list.push_back(to_json(item));
-  return list;
+/// The list of to_json(item), or of the items themselves.
+template <class Items, class ToJson = std::identity>
+Json json_list(const Items& items, ToJson to_json = {}) {
+  return mapped<Json>(items, to_json);
 }
 
 /// A double as a hexadecimal text, which is exact; infinities are allowed.
