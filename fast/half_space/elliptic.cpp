@@ -124,10 +124,10 @@ Mesh adapted_mesh(const Ellipse& ellipse, const SurfaceResponse& response) {
 
 /// The integrals for an ellipse, on the panels that were made for a similar one.
 Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
-                const std::vector<internal::Panel>& panels) {
+                const std::vector<internal::Subinterval>& panels) {
   Balance result{{}, scaled_curvatures(ellipse, body)};
   const Terms terms(ellipse, response);
-  for (const internal::Panel& panel : panels) {
+  for (const internal::Subinterval& panel : panels) {
     internal::visit_nodes(panel, [&](double share, double weight) {
       const std::array<double, 5> term = terms(share);
       for (std::size_t j = 0; j < term.size(); ++j) result.sums[j] += weight * term[j];

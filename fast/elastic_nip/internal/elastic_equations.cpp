@@ -106,6 +106,8 @@ Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& p
   Equations equations{tractions.rows(points, false, matching(kernels), tolerance),
                       Eigen::MatrixXd::Zero(rows, each),
                       Eigen::VectorXd::Zero(rows),
+                      {},
+                      {},
                       {}};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double e = points[i];

@@ -13,6 +13,9 @@ struct Equations {
   Eigen::MatrixXd on_tractions;  ///< columns of Tractions
   Eigen::MatrixXd on_unknowns;
   Eigen::VectorXd right;
+  /// Sizes of what cancels in the numbers of on_unknowns and right; empty where nothing does.
+  Eigen::MatrixXd size_on_unknowns;
+  Eigen::VectorXd size_right;
   /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
   Eigen::MatrixXd layers;
   int memories =
@@ -38,7 +41,7 @@ struct Functional {
 /// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
 /// units in the last place (Skeel 1980), and these numbers have such an error themselves. As the kernels are right to two
 /// units, weights and rates to about as many, and the kernels' memories to eight, in all d_i = 8 u, or 16 u for
-/// memories of kernels. In rolling the amplitudes and the rates of the material, right to four units each, act in all
+/// memories of kernels; of a number in which parts cancel, of the size of these. In rolling the amplitudes and the rates of the material, right to four units each, act in all
 /// equations and functionals: there u counts twice. As
 /// independent random numbers (Higham and Mary 2019) they change the number by
 ///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),

@@ -85,7 +85,7 @@ TractionField::TractionField(double half_length, bool symmetric, const FaceTract
 
 void TractionField::mirror() {
   sides_[0] = sides_[1];
-  for (Panel& panel : sides_[0].panels) {
+  for (SampledPanel& panel : sides_[0].panels) {
     for (std::size_t j = 0; j < order; ++j) {
       panel.t[j] = -panel.t[j];
       panel.shear[j] = -panel.shear[j];
@@ -105,7 +105,7 @@ TractionField::Side TractionField::make_side(bool right, const FaceTractions& tr
   for (std::size_t j = 0; j < order; ++j)
     legendre(right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1, polynomials[j]);
   for (const double end : panel_ends(blocks_)) {
-    Panel panel{};
+    SampledPanel panel{};
     panel.left = left;
     panel.right = end;
     panel.width = end - left;
@@ -168,7 +168,7 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     }
   }
   for (std::size_t i = first; i < end_panel; ++i) {
-    const Panel& panel = side.panels[i];
+    const SampledPanel& panel = side.panels[i];
     const double half = panel.width / 2;
     // The distance from a panel's end, the same number for both panels that share it.
     const auto from_break = [&](double e) {

@@ -44,7 +44,7 @@ class TractionField {
   using Complex = std::complex<double>;
 
   /// left <= e <= left + width on one side; t runs from -1 to 1 along the sheet.
-  struct Panel {
+  struct SampledPanel {
     double left, right, width;
     double t[order], pressure[order], shear[order];      ///< nodes, tractions times weights for t
     double pressure_series[order], shear_series[order];  ///< coefficients of Legendre polynomials
@@ -55,7 +55,7 @@ class TractionField {
     double pressure[moment_count], shear[moment_count];
   };
   struct Side {
-    std::vector<Panel> panels;
+    std::vector<SampledPanel> panels;
     std::vector<Moments> moments;
   };
   /// int p/(Z - y) dy, int p/(Z - y)^2 dy and the same of the shear.

@@ -11,7 +11,7 @@
 
 namespace nipref::fast::internal {
 
-struct Panel {
+struct Subinterval {
   double lower, upper;
 
   [[nodiscard]] double middle() const { return (lower + upper) / 2; }
@@ -21,7 +21,7 @@ inline constexpr std::size_t nodes_in_a_panel = 16;
 
 /// Calls visit(x, weight) for the Gauss-Legendre nodes of one panel.
 template <typename Visit>
-void visit_nodes(Panel panel, Visit&& visit) {
+void visit_nodes(Subinterval panel, Visit&& visit) {
   using Rule = boost::math::quadrature::gauss<double, nodes_in_a_panel>;
   const double middle = panel.middle(), half = (panel.upper - panel.lower) / 2;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
@@ -34,11 +34,11 @@ void visit_nodes(Panel panel, Visit&& visit) {
 /// One panel's part of int f and int |f| for a vector f.
 template <std::size_t count>
 struct PanelSum {
-  Panel panel;
+  Subinterval panel;
   std::array<double, count> value{}, magnitude{};
 
   template <typename Integrand>
-  PanelSum(Integrand& integrand, Panel over) : panel(over) {
+  PanelSum(Integrand& integrand, Subinterval over) : panel(over) {
     visit_nodes(panel, [&](double x, double weight) {
       const std::array<double, count> term = integrand(x);
       for (std::size_t i = 0; i < count; ++i) {
@@ -76,10 +76,10 @@ struct HalvedPanel {
 /// component's absolute integral.
 template <std::size_t count>
 struct AdaptedPanels {
-  std::vector<Panel> panels;
+  std::vector<Subinterval> panels;
   std::array<Estimate, count> integral{};
 
-  void add(Panel panel, const std::array<Estimate, count>& part) {
+  void add(Subinterval panel, const std::array<Estimate, count>& part) {
     panels.push_back(panel);
     for (std::size_t i = 0; i < count; ++i) {
       integral[i].value += part[i].value;
@@ -95,7 +95,7 @@ template <std::size_t count, typename Integrand>
 AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double upper) {
   constexpr double tolerance = 1e-15, rounding = 16 * std::numeric_limits<double>::epsilon();
   constexpr std::size_t most_nodes = 1 << 14;
-  const double middle = Panel{lower, upper}.middle();
+  const double middle = Subinterval{lower, upper}.middle();
   std::vector<PanelSum<count>> pending{{integrand, {lower, middle}}, {integrand, {middle, upper}}};
   std::size_t nodes = 2 * nodes_in_a_panel;
   std::array<double, count> magnitude{};  // the integral of |f|, as far as it is known

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nipref/fast/material/internal/polynomial.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
 
@@ -41,9 +43,13 @@ internal::Polynomial numerator(const std::vector<Memory>& terms) {
 
 /// m_j = 1/N'(-r_j). Differences of rates are taken in the roots' own precision.
 RollingCompliance rolling_compliance(std::vector<Memory> terms) {
-  RollingCompliance result{std::move(terms), {}, {}};
+  RollingCompliance result{std::move(terms), {}, {1}, {}};
   if (result.terms.empty()) return result;
-  for (const OctupleComplex& root : internal::paired_roots_of(numerator(result.terms))) {
+  std::vector<OctupleComplex> roots = internal::paired_roots_of(numerator(result.terms));
+  std::ranges::stable_sort(roots, std::greater(),
+                           [](const OctupleComplex& root) { return std::abs(rounded(root)); });
+  OctupleComplex stiffness{1, 0};
+  for (const OctupleComplex& root : roots) {
     OctupleComplex slope;
     std::vector<OctupleComplex> ratios;
     for (const Memory& term : result.terms) {
@@ -53,6 +59,8 @@ RollingCompliance rolling_compliance(std::vector<Memory> terms) {
     }
     const OctupleComplex amplitude = OctupleComplex{1, 0} / slope;
     result.inverse.push_back({rounded(amplitude), -rounded(root)});
+    stiffness = stiffness - amplitude / root;
+    result.stiffness.push_back(rounded(stiffness).real());
     std::vector<std::complex<double>>& row = result.closure.emplace_back();
     for (const OctupleComplex& ratio : ratios) row.push_back(-rounded(amplitude * ratio));
   }

@@ -12,8 +12,11 @@ struct Memory {
 /// The compliance of a rolling sheet in units of what gives way at once, and its inverse: with D = d/dx along the
 /// material's way their transforms are N = 1 + sum n_k/(D + s_k) and 1/N = 1 + sum m_j/(D + r_j).
 struct RollingCompliance {
-  std::vector<Memory> terms;    ///< n_k, s_k; conjugate pairs complete
-  std::vector<Memory> inverse;  ///< m_j, r_j, the zeros of N; each pair together, that with Im rate > 0 first
+  std::vector<Memory> terms;  ///< n_k, s_k; conjugate pairs complete
+  /// m_j, r_j, the zeros of N, in order of falling |r_j|; of each pair that with Im rate > 0 first.
+  std::vector<Memory> inverse;
+  /// 1 + m_1/r_1 + .. + m_j/r_j for j = 0, 1, .., right to its last digit. The last one is 1/N(0), the stiffness at rest.
+  std::vector<double> stiffness;
   /// m_j n_k/(r_j - s_k), a row for each j. r_j may be next to s_k.
   std::vector<std::vector<std::complex<double>>> closure;
 };

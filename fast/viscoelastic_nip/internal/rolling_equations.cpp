@@ -12,49 +12,20 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// int_0^x e^(-rate (x - s)) s^power ds over x^(power + 1), power = 0, 1, 2, as a function of z = rate x.
-Complex remembered_power(int power, Complex z) {
+/// int_0^x e^(-rate t) t^power dt over x^(power + 1), power = 0, 1, 2, as a function of z = rate x.
+Complex faded_power(int power, Complex z) {
   if (std::abs(z) < 2) {
-    Complex term = 1.0 / (power + 1), sum = 0;
+    Complex term = 1, sum = 0;
     for (int n = 0; n < 40; ++n) {
-      sum += term;
-      term *= -z / (n + power + 2.0);
+      sum += term / (n + power + 1.0);
+      term *= -z / (n + 1.0);
     }
     return sum;
   }
-  const Complex zeroth = (1.0 - std::exp(-z)) / z;
+  const Complex end = std::exp(-z), zeroth = (1.0 - end) / z;
   if (power == 0) return zeroth;
-  const Complex first = (1.0 - zeroth) / z;
-  return power == 1 ? first : (1.0 - 2.0 * first) / z;
-}
-
-/// What the inverse's memory of a rate makes of the roller's displacement at a place: of u_m, of 2 offset and of the
-/// parabola, beside the numbers H; and e^(-rate x).
-struct Remembered {
-  Complex middle, offset, parabola, exponential;
-
-  friend Remembered operator+(const Remembered& a, const Remembered& b) {
-    return {a.middle + b.middle, a.offset + b.offset, a.parabola + b.parabola, a.exponential + b.exponential};
-  }
-  friend Remembered operator*(Complex factor, const Remembered& a) {
-    return {factor * a.middle, factor * a.offset, factor * a.parabola, factor * a.exponential};
-  }
-};
-
-/// Of 1, -y and -y^2 with y = A - x.
-Remembered remembered(Complex rate, double half_length, double x) {
-  const Complex z = rate * x;
-  const Complex p0 = x * remembered_power(0, z), p1 = x * x * remembered_power(1, z),
-                p2 = x * x * x * remembered_power(2, z);
-  return {p0, -half_length * p0 + p1, -half_length * half_length * p0 + 2 * half_length * p1 - p2,
-          std::exp(-z)};
-}
-
-/// The same without what is left of e^(-rate x) in it, a polynomial in y: its even or its odd part.
-Remembered polynomial_part(Complex rate, double y, bool odd) {
-  const Complex twice = 1.0 / rate / rate;
-  if (odd) return {0, -y / rate, -2 * y * twice, 0};
-  return {1.0 / rate, -twice, -y * y / rate - 2.0 * twice / rate, 0};
+  const Complex first = (zeroth - end) / z;
+  return power == 1 ? first : (2.0 * first - end) / z;
 }
 
 }  // namespace
@@ -80,32 +51,71 @@ std::vector<RollingEquations::Mode> RollingEquations::modes(const std::vector<Pa
   return result;
 }
 
-/// The even and the odd part of the equation at the distance e from either end. For layers the polynomial and the
-/// exponential are taken apart: where the memory is short, the odd part is small against the even one.
+bool RollingEquations::has_faded(const Mode& mode, double half_length) {
+  return mode.layer >= 0 || std::abs(mode.memory.rate) * half_length >= 1;
+}
+
+RollingEquations::Response RollingEquations::lasting_response(const std::vector<Mode>& modes,
+                                                              double half_length) const {
+  std::size_t faded = 0;
+  Response result;
+  for (const Mode& mode : modes) {
+    const auto& [amplitude, rate] = mode.memory;
+    const double columns = mode.columns;
+    if (has_faded(mode, half_length)) faded = mode.number + static_cast<std::size_t>(mode.columns);
+    if (mode.layer < 0) continue;
+    result.first.add(columns * (amplitude / rate / rate).real());
+    result.second.add(columns * (2.0 * amplitude / rate / rate / rate).real());
+  }
+  result.stiffness.add(sheet_.normal.stiffness[faded]);
+  return result;
+}
+
+RollingEquations::Response RollingEquations::fading_response(const std::vector<Mode>& modes,
+                                                             double half_length, double x) const {
+  Response result;
+  for (const Mode& mode : modes) {
+    if (mode.layer >= 0) continue;
+    const auto& [amplitude, rate] = mode.memory;
+    const Complex z = rate * x;
+    const double columns = mode.columns;
+    result.stiffness.add(columns * (has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z)
+                                                                 : amplitude * x * faded_power(0, z))
+                                       .real());
+    result.first.add(columns * (amplitude * x * x * faded_power(1, z)).real());
+    result.second.add(columns * (amplitude * x * x * x * faded_power(2, z)).real());
+  }
+  return result;
+}
+
+/// The even and the odd part of the equation at the distance e from either end.
 void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_length, double e,
                                     Eigen::Index row, Equations& equations) const {
   const double y = half_length - e, trailing = 2 * half_length - e;
+  const Response here = fading_response(modes, half_length, e),
+                 there = fading_response(modes, half_length, trailing);
+  const Response parts[] = {lasting_response(modes, half_length) + 0.5 * (here + there),
+                            0.5 * (here + -1 * there)};
   for (const bool odd : {false, true}) {
-    double of_middle = odd ? 0 : 1, of_offset = odd ? -2 * y : 0, constant = odd ? 0 : -y * y;
-    const double sign = odd ? -0.5 : 0.5;
+    const double sign = odd ? -1 : 1;
+    const auto& [stiffness, first, second] = parts[odd ? 1 : 0];
+    const auto& [stiffness_of_other, first_of_other, second_of_other] = parts[odd ? 0 : 1];
+    const Sized of_offset = -2 * (y * stiffness_of_other + first),
+                constant = -1 * (y * y * stiffness + 2 * y * first_of_other + second);
+    const auto set = [&](int unknown, const Sized& coefficient) {
+      equations.on_unknowns(row + odd, unknown) = -coefficient.value;
+      equations.size_on_unknowns(row + odd, unknown) = coefficient.size;
+    };
+    set(middle_displacement, stiffness);
+    set(offset, of_offset);
+    equations.right(row + odd) = constant.value;
+    equations.size_right(row + odd) = constant.size;
     for (const Mode& mode : modes) {
-      const auto& [amplitude, rate] = mode.memory;
-      Remembered part;
-      if (mode.layer < 0) {
-        part = 0.5 * remembered(rate, half_length, e) + sign * remembered(rate, half_length, trailing);
-      } else {
-        part = polynomial_part(rate, y, odd);
-        part.exponential = 0.5 * std::exp(-rate * e) + sign * std::exp(-rate * trailing);
-      }
-      of_middle += mode.columns * (amplitude * part.middle).real();
-      of_offset += mode.columns * 2 * (amplitude * part.offset).real();
-      constant += mode.columns * (amplitude * part.parabola).real();
-      equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * part.exponential.real();
-      if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * part.exponential.imag();
+      const Complex rate = mode.memory.rate;
+      const Complex exponential = 0.5 * (std::exp(-rate * e) + sign * std::exp(-rate * trailing));
+      equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * exponential.real();
+      if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * exponential.imag();
     }
-    equations.on_unknowns(row + odd, middle_displacement) = -of_middle;
-    equations.on_unknowns(row + odd, offset) = -of_offset;
-    equations.right(row + odd) = constant;
   }
 }
 
@@ -173,6 +183,8 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   const auto unknowns = static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size());
   const auto of_layers = static_cast<Eigen::Index>(2 * layers.size());
   Equations equations{Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
+                      Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
+                      Eigen::VectorXd::Zero(matching + unknowns - 2),
                       Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
                       Eigen::VectorXd::Zero(matching + unknowns - 2),
                       Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};

@@ -4,6 +4,7 @@
 
 #include <nipref/fast/nip/internal/solved_nip.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/sized.hpp>
 
 namespace nipref::fast {
 
@@ -49,6 +50,25 @@ class RollingEquations : public NipEquations {
     int layer;           ///< number of its layer, or -1
   };
   [[nodiscard]] std::vector<Mode> modes(const std::vector<Panel>& panels) const;
+  /// What the inverse makes of a polynomial u at the distance x behind the leading end, beside the exponentials of H and h,
+  ///     stiffness u(x) + sum_j m_j int_0^x e^(-r_j t) (u(x - t) - u(x)) dt;
+  /// first and second are these sums with t and t^2 in place of the difference.
+  struct Response {
+    Sized stiffness, first, second;
+
+    friend Response operator+(const Response& a, const Response& b) {
+      return {a.stiffness + b.stiffness, a.first + b.first, a.second + b.second};
+    }
+    friend Response operator*(double factor, const Response& a) {
+      return {factor * a.stiffness, factor * a.first, factor * a.second};
+    }
+  };
+  /// Whether a memory counts as the stiffness m/r that it leaves and the rest, -m/r e^(-r x), rather than as a whole. Where
+  /// the sheet only creeps none of these cancel, since all m_j are negative and 1 + sum m_j/r_j is not.
+  [[nodiscard]] static bool has_faded(const Mode& mode, double half_length);
+  /// What is the same at all places, layers with integrals to infinity among it, and the rest.
+  [[nodiscard]] Response lasting_response(const std::vector<Mode>& modes, double half_length) const;
+  [[nodiscard]] Response fading_response(const std::vector<Mode>& modes, double half_length, double x) const;
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;

@@ -7,6 +7,7 @@
 #include <nipref/fast/nip/internal/stretch.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/sized.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -15,16 +16,6 @@ using Complex = std::complex<double>;
 using internal::Two;
 
 constexpr double pi = std::numbers::pi;
-
-/// A number and the size of what may cancel in it.
-struct Sized {
-  double value = 0, size = 0;
-
-  void add(double part) {
-    value += part;
-    size += std::fabs(part);
-  }
-};
 
 /// A kernel that is the same for both parts of the pressure, over pi, and its size as a second functional.
 template <class AtAlpha>

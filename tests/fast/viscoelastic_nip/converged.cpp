@@ -329,6 +329,14 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
   CHECK(far / near == doctest::Approx(4).epsilon(1e-2));  // even in the imaginary part
 }
 
+TEST_CASE("a short memory that softens by thousands loses no digits") {
+  constexpr double softer_by = 4095, rate = 0x1p60;
+  const RollingEquations soft({fast::rolling_compliance({{softer_by * rate, rate}}), 0.25, {}}),
+      at_once({fast::rolling_compliance({}), 0.25, {}});
+  const double expected = carried_load(solve(0.8, at_once)) / (1 + softer_by);
+  CHECK(carried_load(solve(0.8, soft)) == doctest::Approx(expected).scale(0).epsilon(1e-14));
+}
+
 TEST_CASE("viscoelastic nips refuse what is outside their domain") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto rolling = nip(0.1);
