@@ -159,8 +159,7 @@ struct ConvergedViscoelasticNip::Implementation {
     return result;
   }
   [[nodiscard]] Estimate strain(double y, bool beyond_creep) const {
-    CountedKernels counted = solved.kernels();
-    const RollingKernels kernels(equations->sheet(), counted);
+    const RollingKernels kernels(equations->sheet());
     const Tractions::Kernel strain = kernels.strain();
     const auto at = [&](const Solution& solution, const ContactPlace& place) {
       Functional here = acting(solution, strain, place);
@@ -335,8 +334,7 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
   const Implementation& nip = *implementation_;
-  CountedKernels counted = nip.solved.kernels();
-  const RollingKernels kernels(nip.equations->sheet(), counted);
+  const RollingKernels kernels(nip.equations->sheet());
   return times(nip.units.creep,
                nip.solved.estimate([&](const Solution& solution) { return nip.creep(solution, kernels); }));
 }
@@ -346,8 +344,7 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const double position = nip.position(y);
   const ContactPlace place = nip.place(position);
   if (place.e >= 0) return times(nip.units.displacement, roller_displacement(nip.solved, position));
-  CountedKernels counted = nip.solved.kernels();
-  const RollingKernels kernels(nip.equations->sheet(), counted);
+  const RollingKernels kernels(nip.equations->sheet());
   const Tractions::Kernel normal = kernels.normal();
   return times(nip.units.displacement,
                nip.at_unsure_place(place, [&](const Solution& solution, const ContactPlace& at) {
@@ -359,8 +356,7 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const Implementation& nip = *implementation_;
   const double position = nip.position(y);
   if (position == 0) return {0, 0};
-  CountedKernels counted = nip.solved.kernels();
-  const RollingKernels kernels(nip.equations->sheet(), counted);
+  const RollingKernels kernels(nip.equations->sheet());
   const ContactPlace origin = nip.place(0), here = nip.place(position);
   const auto from_origin = [&](const Solution& solution, const ContactPlace& at) {
     return nip.stretch(solution, kernels, at, origin);

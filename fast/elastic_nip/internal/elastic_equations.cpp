@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
+#include <nipref/fast/nip/internal/frictionless_kernel.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/internal/bisection.hpp>
 #include <nipref/fast/sheet/field.hpp>
@@ -37,14 +38,14 @@ ElasticEquations::ElasticEquations(data::Friction friction, double poisson)
 Resolution ElasticEquations::resolution(double nats) const { return {nats, decay_, grips_ ? 5 : 2, {}}; }
 
 Tractions::Kernel ElasticEquations::normal(CountedKernels& kernels) const {
-  return {1, !grips_, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-            const std::vector<double> i1 = kernels.I1(alpha),
-                                      i3 = grips_ ? kernels.I3(alpha) : std::vector<double>();
+  if (!grips_) return frictionless_kernel(kernels).whole;
+  return {1, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const std::vector<double> i1 = kernels.I1(alpha), i3 = kernels.I3(alpha);
             on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
             on_q.resize(1, on_p.cols());
             for (std::size_t i = 0; i < alpha.size(); ++i) {
               on_p(static_cast<Eigen::Index>(i)) = i1[i] / pi;
-              if (grips_) on_q(static_cast<Eigen::Index>(i)) = -coupling(i3[i], alpha[i], beta_);
+              on_q(static_cast<Eigen::Index>(i)) = -coupling(i3[i], alpha[i], beta_);
             }
           }};
 }
@@ -79,8 +80,7 @@ Tractions::Kernel ElasticEquations::strain() const {
 }
 
 /// Both displacements at once.
-Tractions::Kernel ElasticEquations::matching(CountedKernels& kernels) const {
-  if (!grips_) return normal(kernels);
+Tractions::Kernel ElasticEquations::both(CountedKernels& kernels) const {
   return {2, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             const std::vector<double> i1 = kernels.I1(alpha), i3 = kernels.I3(alpha), i6 = kernels.I6(alpha);
             on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
@@ -95,15 +95,33 @@ Tractions::Kernel ElasticEquations::matching(CountedKernels& kernels) const {
           }};
 }
 
+Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const {
+  if (!grips_) return frictionless_kernel(kernels);
+  return {both(kernels), Eigen::Matrix2d::Identity(), Eigen::Matrix2d{{0, beta_ / 2}, {-beta_ / 2, 0}},
+          [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const auto row = [](const std::vector<double>& values) {
+              return Eigen::Map<const Eigen::RowVectorXd>(values.data(),
+                                                          static_cast<Eigen::Index>(values.size())) /
+                     pi;
+            };
+            const std::vector<double> i1 = kernels.regular_I1(alpha), i3 = kernels.I3(alpha),
+                                      i6 = kernels.regular_I6(alpha);
+            on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resize(2, on_p.cols());
+            on_p << row(i1), row(i3);
+            on_q << -row(i3), row(i6);
+          }};
+}
+
 Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                  CountedKernels& kernels) const {
   std::vector<Panel> fitted = panels;
   fitted.back().right = 2 * half_length - fitted.back().left;
   const Tractions tractions(half_length, fitted, grips_, {0.5, grips_ ? -std::atanh(beta_) / pi : 0});
-  const std::vector<double> points = tractions.matching_points(1);
+  const std::vector<double> points = tractions.matching_points();
   const int each = grips_ ? 2 : 1;
   const auto rows = static_cast<Eigen::Index>(points.size()) * each;
-  Equations equations{tractions.rows(points, false, matching(kernels), tolerance),
+  Equations equations{tractions.matching_rows(matching(kernels), tolerance),
                       Eigen::MatrixXd::Zero(rows, each),
                       Eigen::VectorXd::Zero(rows),
                       {},

@@ -28,7 +28,8 @@ class ElasticEquations : public NipEquations {
   [[nodiscard]] Tractions::Kernel strain() const;
 
  private:
-  [[nodiscard]] Tractions::Kernel matching(CountedKernels& kernels) const;
+  [[nodiscard]] Tractions::Kernel both(CountedKernels& kernels) const;
+  [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 
   bool grips_;
   double beta_;

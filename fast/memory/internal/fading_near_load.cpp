@@ -21,7 +21,7 @@ constexpr double smooth_ratio = 6;
 double smooth_part(double w, double length, double rate, Accuracy accuracy) {
   const GaussRule& gauss = gauss_rule_for(rate * length, accuracy);
   Nodes smooth;
-  sheet_code().smooth_I1(w, length, gauss.at.data(), smooth.data(), gauss.at.size());
+  sheet_code().even_rest(Component::I1, w, length, gauss.at.data(), smooth.data(), gauss.at.size());
   return faded_sum(gauss, smooth, length, rate);
 }
 

@@ -5,6 +5,7 @@
 #include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/sheet/internal/regular_parts.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
@@ -16,7 +17,10 @@ const SmoothPart& SmoothPart::of(Kernel kernel) {
 
 SmoothPart::SmoothPart(Kernel kernel) {
   const auto value = [kernel](double w) {
-    return kernel == Kernel::I1 ? I1(w) + std::log(std::fabs(w)) : I3(w);
+    if (kernel == Kernel::I3) return I3(w);
+    double at[] = {w};
+    regular_I1(at, at);
+    return at[0];
   };
   for (std::size_t k = 0; k < points; ++k) {
     for (std::size_t j = 0; j < points; ++j) {

@@ -2,6 +2,7 @@
 
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
+#include <nipref/fast/sheet/internal/regular_parts.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {
@@ -20,6 +21,20 @@ std::vector<double> CountedKernels::I1(std::span<const double> alpha) {
   std::vector<double> values(alpha.size());
   fast::I1(alpha, values, accuracy_);
   count_values(1, values.size());
+  return values;
+}
+
+std::vector<double> CountedKernels::regular_I1(std::span<const double> alpha) {
+  std::vector<double> values(alpha.size());
+  internal::regular_I1(alpha, values);
+  count_values(1, values.size());
+  return values;
+}
+
+std::vector<double> CountedKernels::regular_I6(std::span<const double> alpha) {
+  std::vector<double> values(alpha.size());
+  internal::regular_I6(alpha, values);
+  count_values(6, values.size());
   return values;
 }
 

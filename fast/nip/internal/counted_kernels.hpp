@@ -15,6 +15,9 @@ class CountedKernels {
 
   [[nodiscard]] std::vector<double> I1(std::span<const double> alpha);
   [[nodiscard]] std::vector<double> I3(std::span<const double> alpha);
+  /// The same plus ln|alpha|.
+  [[nodiscard]] std::vector<double> regular_I1(std::span<const double> alpha);
+  [[nodiscard]] std::vector<double> regular_I6(std::span<const double> alpha);
   /// I6(alpha, 0): by symmetry the terms in eta cancel in pairs.
   [[nodiscard]] std::vector<double> I6(std::span<const double> alpha);
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/fast/nip/internal/panels.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -25,11 +26,8 @@ double log_fall(double left, double right, double half_length, bool is_whole) {
   if (left > 0) singular.push_back(0);
   if (!is_whole) singular.push_back(2 * half_length);
   double least = 1e300;
-  for (const Complex& place : singular) {
-    const Complex z = (place - middle) / half;
-    const Complex root = std::sqrt(z * z - 1.0);
-    least = std::min(least, std::log(std::max(std::abs(z + root), std::abs(z - root))));
-  }
+  for (const Complex& place : singular)
+    least = std::min(least, internal::log_of_ellipse((place - middle) / half));
   return least;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <nipref/fast/nip/internal/layer.hpp>
+#include <nipref/fast/nip/internal/panel_basis.hpp>
 #include <nipref/fast/number/internal/double_exponential.hpp>
 
 namespace nipref::fast {
@@ -59,19 +60,32 @@ class Tractions {
         rates;  ///< with which it decays next to alpha = 0, beside half-thicknesses
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
   };
+  /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
+  /// on_q, and what is left, which is analytic for |Im alpha| < 2.
+  struct SplitKernel {
+    Kernel whole;
+    Eigen::MatrixX2d logarithm, jump;
+    decltype(Kernel::at) regular;
+  };
   /// A row of columns for each place and functional: places slow. Places: e <= A, negative ones outside the contact.
   /// `trailing`: the places are on the other half, -y.
   [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                      double tolerance) const;
+  /// The same at the matching points: those of the panels, as many as terms, and one more at the end.
+  [[nodiscard]] std::vector<double> matching_points() const;
+  [[nodiscard]] Eigen::MatrixXd matching_rows(const SplitKernel& kernel, double tolerance) const;
   /// Re g and Im g at 0 <= e <= A: two rows of columns; and their values for given coefficients of all columns.
   [[nodiscard]] Eigen::MatrixXd values(double e) const;
   [[nodiscard]] std::complex<double> value(double e, const Eigen::VectorXd& coefficients) const;
   /// The integrals of Re g and of y Im g over the contact: two rows.
   [[nodiscard]] Eigen::MatrixXd integrals() const;
-  /// Matching points of the panels, as many as terms, and `more` at the end.
-  [[nodiscard]] std::vector<double> matching_points(int more) const;
 
  private:
+  struct Place {
+    double e;
+    bool trailing;
+    std::size_t done;  ///< number of the panel that has been integrated, or of none
+  };
   /// Nodes on one panel, those on the half of the place first.
   struct Nodes {
     std::vector<double> e, other;  ///< distances from the end of this half and of the other
@@ -87,15 +101,24 @@ class Tractions {
                     const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const;
   void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
                     double tolerance, Nodes& nodes) const;
-  /// Basis at the nodes.
-  struct Basis {
-    Eigen::ArrayXd real, imaginary;  ///< of the factor
-    Eigen::MatrixXd even, odd;       ///< polynomials of the components, a row a node
-    Eigen::MatrixXd layers;          ///< values on the leading half
-  };
-  [[nodiscard]] Basis basis(std::size_t panel, const Nodes& nodes) const;
+  [[nodiscard]] PanelBasis basis(const Panel& panel) const;
+  [[nodiscard]] Eigen::MatrixXd layers_at(const std::vector<double>& e) const;
+  [[nodiscard]] int points_of(const Panel& panel) const { return panel.terms + (panel.at_end ? 1 : 0); }
   void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
                 Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Adds sums over the rows of `integrals` with weights p and q.
+  void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
+                const Eigen::RowVectorXd& q,
+                Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
+  /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
+  bool add_by_product_rule(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
+                           double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Adds a panel to the rows of its matching points; false where that needs a rule for singular kernels.
+  bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance,
+                     Eigen::Ref<Eigen::MatrixXd> rows) const;
+  void add_integrals_of_layers(Eigen::MatrixXd& result) const;
+  void add_place(const Place& place, const Kernel& kernel, double tolerance,
+                 Eigen::Ref<Eigen::MatrixXd> rows) const;
 
   double half_length_;
   std::vector<Panel> panels_;

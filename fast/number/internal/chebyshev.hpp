@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -19,6 +21,13 @@ inline void shifted_chebyshev(double x, std::span<double> values) {
 /// Zero number i = 0 .. count - 1 of T_count(2 x - 1), rising, without cancellation near 0.
 inline double shifted_chebyshev_zero(int i, int count) {
   return std::pow(std::sin((2 * i + 1) * std::numbers::pi / (4 * count)), 2);
+}
+
+/// The logarithm of the sum of the half axes of the ellipse with foci -1 and 1 through z: by that many nats a degree fall the
+/// Chebyshev coefficients of a function whose nearest singularity is z.
+inline double log_of_ellipse(std::complex<double> z) {
+  const std::complex<double> root = std::sqrt(z * z - 1.0);
+  return std::log(std::max(std::abs(z + root), std::abs(z - root)));
 }
 
 }  // namespace nipref::fast::internal

@@ -39,9 +39,10 @@ NIPREF_INLINE void decays(double rate, const double* at, double* value, size_t c
   for (size_t i = 0; i < count; ++i) value[i] = decay(rate * at[i]);
 }
 
-/// value[i] = I1(x) - ln(log_end/x) at x = from + length at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
-NIPREF_INLINE void smooth_I1(double from, double length, const double* at, double* value, size_t count) {
-  const double* even = component_tables[static_cast<int>(Component::I1)].even[full_tier];
+/// Of a logarithmic component at x = from + length at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
+NIPREF_INLINE void even_rest(Component component, double from, double length, const double* at, double* value,
+                             size_t count) {
+  const double* even = component_tables[static_cast<int>(component)].even[full_tier];
   for (size_t i = 0; i < count; ++i) {
     const double x = from + length * at[i];
     value[i] = x * x * horner<tier_works[full_tier].even - 1>(even, x * x);

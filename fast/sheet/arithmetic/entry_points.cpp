@@ -133,7 +133,7 @@ const SheetCode code = {
     {batch_i6<0>, batch_i6<1>, batch_i6<2>, batch_i6<3>, batch_i6<4>},
     decays,
     waves,
-    smooth_I1,
+    even_rest,
 };
 
 }  // namespace nipref::fast::internal::NIPREF_ISA

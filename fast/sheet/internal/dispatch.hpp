@@ -32,8 +32,9 @@ struct SheetCode {
   /// e^((i frequency - decay) distance), 1 <= distance <= 500; 0 from e^-708 on.
   void (*waves)(const RootColumns& roots, double distance_high, double distance_low, double* real,
                 double* imaginary, size_t count);
-  /// value[i] = I1(x) less its logarithm at x = from + length at[i], |x| <= 1/2.
-  void (*smooth_I1)(double from, double length, const double* at, double* value, size_t count);
+  /// Of a logarithmic component: value[i] = f(x) + ln|x| less the same at 0, less the odd term, at x = from + length at[i],
+  /// |x| <= 1/2.
+  void (*even_rest)(Component, double from, double length, const double* at, double* value, size_t count);
 };
 
 namespace baseline {

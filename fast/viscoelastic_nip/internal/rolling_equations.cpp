@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/fast/nip/internal/frictionless_kernel.hpp>
 #include <nipref/fast/nip/internal/layer.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
@@ -130,8 +131,8 @@ void RollingEquations::add_layers(const std::vector<Mode>& modes, Equations& equ
 
 /// The rows that determine the coefficients of the exponentials.
 void RollingEquations::add_closure(const std::vector<Mode>& modes, const Tractions& tractions,
-                                   double tolerance, CountedKernels& kernels, Equations& equations) const {
-  const RollingKernels rolling(sheet_, kernels);
+                                   double tolerance, Equations& equations) const {
+  const RollingKernels rolling(sheet_);
   const double leading_end[] = {0.0};
   const Eigen::Index first = equations.right.size() - equations.on_unknowns.cols();
   const auto is_layer = [](const Mode& mode) { return mode.layer >= 0; };
@@ -175,9 +176,9 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   for (const Mode& mode : modes)
     if (mode.layer >= 0) layers.push_back(mode.memory.rate);
   const Tractions tractions(half_length, fitted, true, 0.5, layers);
-  const std::vector<double> points = tractions.matching_points(1);
-  const RollingKernels rolling(sheet_, kernels);
-  const Eigen::MatrixXd ahead = tractions.rows(points, false, rolling.elastic(), tolerance);
+  const std::vector<double> points = tractions.matching_points();
+  const Tractions::SplitKernel elastic = frictionless_kernel(kernels);
+  const Eigen::MatrixXd ahead = tractions.matching_rows(elastic, tolerance);
 
   const auto matching = 2 * static_cast<Eigen::Index>(points.size());
   const auto unknowns = static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size());
@@ -190,7 +191,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
                       Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};
   // Layers act on the other half, too.
   const Eigen::MatrixXd behind =
-      of_layers > 0 ? tractions.rows(points, true, rolling.elastic(), tolerance) : Eigen::MatrixXd();
+      of_layers > 0 ? tractions.rows(points, true, elastic.whole, tolerance) : Eigen::MatrixXd();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i), row = 2 * at;
     for (std::size_t p = 0; p < fitted.size(); ++p) {
@@ -207,7 +208,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
     add_matching(modes, half_length, points[i], row, equations);
   }
   add_layers(modes, equations);
-  add_closure(modes, tractions, tolerance, kernels, equations);
+  add_closure(modes, tractions, tolerance, equations);
   equations.memories = static_cast<int>(unknowns - 2);
   return {tractions, equations};
 }

@@ -73,7 +73,7 @@ class RollingEquations : public NipEquations {
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;
   void add_closure(const std::vector<Mode>& modes, const Tractions& tractions, double tolerance,
-                   CountedKernels& kernels, Equations& equations) const;
+                   Equations& equations) const;
 
   RollingSheet sheet_;
 };

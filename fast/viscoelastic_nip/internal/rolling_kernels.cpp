@@ -39,8 +39,7 @@ internal::SurfacePoint point(double alpha) {
 
 }  // namespace
 
-RollingKernels::RollingKernels(const RollingSheet& sheet, CountedKernels& kernels)
-    : sheet_(sheet), kernels_(kernels) {
+RollingKernels::RollingKernels(const RollingSheet& sheet) : sheet_(sheet) {
   const auto kernels_of_memory = {internal::Kernel::I1, internal::Kernel::I3};
   for (const auto& [amplitude, rate] : sheet.normal.terms) {
     if (rate.imag() == 0)
@@ -68,14 +67,6 @@ std::vector<Complex> RollingKernels::rates() const {
   for (const Memory& term : sheet_.normal.terms)
     if (term.rate != 0.0 && !(term.rate.imag() < 0)) result.push_back(term.rate);
   return result;
-}
-
-Tractions::Kernel RollingKernels::elastic() const {
-  return {1, true, {}, [this](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-            const std::vector<double> i1 = kernels_.I1(alpha);
-            on_p = Eigen::Map<const Eigen::RowVectorXd>(i1.data(), static_cast<Eigen::Index>(i1.size())) / pi;
-            on_q = on_p;
-          }};
 }
 
 Tractions::Kernel RollingKernels::normal() const {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <nipref/fast/memory/internal/fading.hpp>
-#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/nip/internal/tractions.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
 
@@ -21,10 +20,9 @@ struct RollingSheet {
 /// their memories, since the load has come from infinitely far. The kernels of the pressure's even and odd part are equal.
 class RollingKernels {
  public:
-  /// Both live as long as this.
-  RollingKernels(const RollingSheet& sheet, CountedKernels& kernels);
+  /// `sheet` lives as long as this.
+  explicit RollingKernels(const RollingSheet& sheet);
 
-  [[nodiscard]] Tractions::Kernel elastic() const;  ///< normal displacement, I1/pi, of what gives way at once
   /// Each with the size of the parts that may cancel in it as a second functional: the normal displacement that N gives, the
   /// displacement along the sheet beside what it is far ahead, and its derivative less theta2 at once times the pressure at
   /// the place.
@@ -46,7 +44,6 @@ class RollingKernels {
   [[nodiscard]] Tractions::Kernel of_term(std::size_t term, const MemoryOf& memory) const;
 
   const RollingSheet& sheet_;
-  CountedKernels& kernels_;
   std::vector<std::variant<internal::Fade, internal::OscillatingFade>> fades_;  ///< of each term
 };
 

@@ -1,0 +1,290 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include <nipref/fast/nip/internal/tractions.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and falls
+/// like a power from there: the rule resolves a factor of 150 in the distance. What oscillates does so until it has decayed.
+std::vector<double> cuts(const std::vector<Complex>& rates, double farthest) {
+  constexpr double few_lengths = 6, radians = 20, decayed = 40, resolved_ratio = 150;
+  std::vector<double> result;
+  for (const Complex& rate : rates) {
+    const double size = std::abs(rate);
+    double cut = few_lengths / size;
+    for (; rate.imag() != 0 && rate.real() * cut < decayed && cut < farthest;
+         cut += std::min(cut, radians / size))
+      result.push_back(cut);
+    for (; cut < 0.5 * farthest; cut *= resolved_ratio) result.push_back(cut);
+  }
+  return result;
+}
+
+/// Whether something that oscillates has not decayed at the distance, and is no polynomial over the width.
+bool oscillates(const std::vector<Complex>& rates, double distance, double width) {
+  return std::ranges::any_of(rates, [&](const Complex& rate) {
+    return rate.imag() != 0 && rate.real() * distance < 40 && std::abs(rate) * width > 5;
+  });
+}
+
+/// Of a function of a degree whose singularities are at least the width of its interval from it: at +-3 for [-1, 1], on an
+/// ellipse of 3 + sqrt 8.
+std::shared_ptr<const GaussRule> cached_gauss(double degree, double tolerance) {
+  static Cache<int, GaussRule> rules(gauss_legendre);
+  return rules.at(static_cast<int>(degree / 2 + 2 - std::log(tolerance) / 3.5));
+}
+
+std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance) {
+  static Cache<double, std::vector<UnitNode>> rules(
+      [](const double& key) { return double_exponential_rule(key); });
+  return rules.at(tolerance);
+}
+
+/// Points of a product rule: as many as the tolerance needs if each gives so many nats, a multiple of four so that few rules
+/// are kept; and the most that are worth their cost.
+constexpr int fewest_points_of_rule = 4, most_points_of_rule = 64;
+
+int points_of_rule(double nats_a_point, double tolerance) {
+  const double points = 4 * std::ceil((1 - std::log(tolerance) / nats_a_point) / 4);
+  return static_cast<int>(std::clamp<double>(points, fewest_points_of_rule, most_points_of_rule + 1));
+}
+
+Eigen::ArrayXd array(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+void Tractions::Nodes::clear() {
+  for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->clear();
+  on_this_half = 0;
+}
+
+void Tractions::Nodes::grow(std::size_t count) {
+  for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->resize(values->size() + count);
+}
+
+/// `singular` is outside the piece or at one of its ends. By Gauss's rule where it and the ends of the contact are farther
+/// than the piece is wide.
+void Tractions::append_piece(double from, double to, double singular, bool mirrored,
+                             const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const {
+  const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
+  std::size_t i = nodes.e.size();
+  const auto append = [&](double from_left, double from_right, double weight) {
+    const double distance =
+        singular <= from ? (from - singular) + width * from_left : -((singular - to) + width * from_right);
+    nodes.e[i] = from + width * from_left;
+    nodes.other[i] = beyond + width * from_right;
+    nodes.weight[i] = width * weight;
+    nodes.alpha[i] = sign * distance;
+    ++i;
+  };
+  if (std::min({from, beyond, std::max(from - singular, singular - to)}) >= width && width <= 8) {
+    // Polynomials of a piece that is so far from the ends have no more degrees than that.
+    constexpr double degree_of_piece = 40;
+    const auto gauss = cached_gauss(degree_of_piece, tolerance);
+    nodes.grow(gauss->at.size());
+    for (std::size_t k = 0; k < gauss->at.size(); ++k)
+      append(gauss->at[k], 1 - gauss->at[k], gauss->weight[k]);
+    return;
+  }
+  nodes.grow(rule.size());
+  for (const UnitNode& node : rule) append(node.from_left, node.from_right, node.weight);
+}
+
+/// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
+void Tractions::append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel,
+                             double reach, const std::vector<UnitNode>& rule, double tolerance,
+                             Nodes& nodes) const {
+  const double gap = std::max(panel.left - singular, singular - panel.right);
+  std::vector<double> ends{panel.left, panel.right};
+  for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
+    if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
+  }
+  for (const double cut : cuts(kernel.rates, std::max(gap, 0.0) + panel.width())) {
+    for (const double end : {singular - cut, singular + cut})
+      if (panel.left < end && end < panel.right) ends.push_back(end);
+  }
+  cut_for_layers(panel, ends);
+  std::ranges::sort(ends);
+  ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
+    append_piece(ends[i - 1], ends[i], singular, mirrored, rule, tolerance, nodes);
+  }
+}
+
+void Tractions::cut_for_layers(const Panel& panel, std::vector<double>& ends) const {
+  if (!panel.at_end) return;
+  for (const double cut : cuts(layer_rates(), panel.right)) ends.push_back(cut);
+}
+
+void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
+                         Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const auto count = static_cast<Eigen::Index>(nodes.e.size());
+  const Panel& panel = panels_[p];
+  const Eigen::ArrayXd weight = array(nodes.weight);
+  const Eigen::ArrayXd from_left = array(nodes.e) - panel.left,
+                       from_right = panel.about_middle ? (array(nodes.other) - panel.left).eval()
+                                                       : (panel.right - array(nodes.e)).eval();
+  const auto basis = this->basis(panel).values(from_left / panel.width(), from_right / panel.width());
+  const Eigen::MatrixXd layers = panel.at_end ? layers_at(nodes.e) : Eigen::MatrixXd();
+  Eigen::MatrixXd on_p, on_q;
+  std::vector<double> alpha = nodes.alpha;
+  if (trailing) std::ranges::transform(alpha, alpha.begin(), std::negate{});
+  kernel.at(alpha, on_p, on_q);
+  Eigen::ArrayXd signed_weight = weight;
+  const auto on_this_half = static_cast<Eigen::Index>(nodes.on_this_half);
+  if (trailing)
+    signed_weight.head(on_this_half) *= -1;
+  else
+    signed_weight.tail(count - on_this_half) *= -1;
+  for (int i = 0; i < kernel.functionals; ++i) {
+    const Eigen::RowVectorXd wp = weight.transpose() * on_p.row(i).array(),
+                             wq = signed_weight.transpose() * on_q.row(i).array();
+    add_sums(p, basis, wp, wq, rows.row(i));
+    if (layers.cols() > 0) rows.row(i).tail(layers.cols()).noalias() += 0.5 * (wp + wq) * layers;
+  }
+}
+
+bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
+                                    double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const Panel& panel = panels_[p];
+  if (panel.at_end && !layers_.empty()) return false;
+  const double singular = mirrored ? 2 * half_length_ - place.e : place.e, width = panel.width();
+  const double gap = std::max(panel.left - singular, singular - panel.right);
+  if (gap <= 0) return false;
+  if (!kernel.rates.empty() && (gap < width || width > 8 || oscillates(kernel.rates, gap, width)))
+    return false;
+  const auto in_panel = [&](double imaginary) {
+    return Complex((singular - panel.left) - (panel.right - singular), imaginary) / width;
+  };
+  const int points = points_of_rule(
+      std::min(internal::log_of_ellipse(in_panel(4)), internal::log_of_ellipse(in_panel(0))), tolerance);
+  if (points > most_points_of_rule) return false;
+
+  const auto rule = product_rule(basis(panel), points);
+  const double sign = (mirrored != place.trailing) ? -1 : 1;
+  const Eigen::ArrayXd alpha = sign * ((panel.left - singular) + width * rule->at);
+  Eigen::MatrixXd on_p, on_q;
+  kernel.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+  for (int i = 0; i < kernel.functionals; ++i)
+    add_sums(p, rule->weight, width * on_p.row(i), sign * width * on_q.row(i), rows.row(i));
+  return true;
+}
+
+/// The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
+bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double tolerance,
+                              Eigen::Ref<Eigen::MatrixXd> rows) const {
+  // In a wider panel the logarithm is much larger than the kernel, and cancels.
+  constexpr double widest = 3;
+  const Panel& panel = panels_[p];
+  const double width = panel.width();
+  if (width > widest || (panel.at_end && !layers_.empty())) return false;
+  const PanelBasis basis = this->basis(panel);
+  const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance));
+  const auto singular = singular_integrals(basis, points_of(panel));
+  const Eigen::Index nodes = rule->at.size(), points = points_of(panel);
+  Eigen::ArrayXXd alpha(nodes, points);
+  for (Eigen::Index j = 0; j < points; ++j)
+    alpha.col(j) = width * (rule->at - matching_point(basis, static_cast<int>(j), points_of(panel)));
+  Eigen::MatrixXd on_p, on_q;
+  kernel.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+  const double log_width = std::log(width);
+  const auto add = [&](const Eigen::MatrixXd& values, Eigen::Index functional, Eigen::Index of, double sign,
+                       int component, const Eigen::MatrixXd PanelBasis::Rows::*part) {
+    if ((rule->weight.*part).size() == 0) return;
+    const double of_logarithm = kernel.logarithm(functional, of), of_jump = kernel.jump(functional, of);
+    Eigen::MatrixXd sum = values.row(functional).reshaped(nodes, points).transpose() * (rule->weight.*part);
+    if (of_logarithm != 0)
+      sum -= of_logarithm / std::numbers::pi *
+             ((singular->logarithm.*part).rowwise() + log_width * (singular->one.*part).row(0));
+    if (of_jump != 0) sum += of_jump * (singular->sign.*part);
+    rows(Eigen::seqN(functional, points, kernel.whole.functionals),
+         Eigen::seqN(column(p, component), sum.cols())) += sign * width * sum;
+  };
+  for (Eigen::Index i = 0; i < kernel.whole.functionals; ++i) {
+    add(on_p, i, 0, 1, 0, &PanelBasis::Rows::even_real);
+    if (!is_complex_) continue;
+    add(on_q, i, 1, 1, 0, &PanelBasis::Rows::even_imaginary);
+    add(on_q, i, 1, 1, 1, &PanelBasis::Rows::odd_real);
+    add(on_p, i, 0, -1, 1, &PanelBasis::Rows::odd_imaginary);
+  }
+  return true;
+}
+
+void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
+                          Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const auto rule = cached_rule(tolerance);
+  const double reach = -std::log(tolerance) / 2.1;
+  Nodes nodes;
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    const Panel& panel = panels_[p];
+    nodes.clear();
+    for (const bool mirrored : {false, true}) {
+      if (mirrored) nodes.on_this_half = nodes.e.size();
+      if (mirrored ? panel.about_middle : place.done == p) continue;
+      const double singular = mirrored ? 2 * half_length_ - place.e : place.e;
+      if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach) continue;
+      if (!add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
+        append_panel(panel, singular, mirrored, kernel, reach, *rule, tolerance, nodes);
+    }
+    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
+  }
+}
+
+Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
+                                double tolerance) const {
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
+  Eigen::Index row = 0;
+  for (const double e : places) {
+    add_place({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
+    row += kernel.functionals;
+  }
+  return result;
+}
+
+Eigen::MatrixXd Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {
+  const std::vector<double> points = matching_points();
+  const int functionals = kernel.whole.functionals;
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()) * functionals, columns_);
+  Eigen::Index row = 0;
+  for (std::size_t p = 0, at = 0; p < panels_.size(); ++p) {
+    const int count = points_of(panels_[p]);
+    const bool is_done = add_own_panel(p, kernel, tolerance, result.middleRows(row, count * functionals));
+    for (int i = 0; i < count; ++i, row += functionals)
+      add_place({points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,
+                result.middleRows(row, functionals));
+  }
+  return result;
+}
+
+/// Half of a layer is in Re g and half in Im g.
+void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
+  constexpr double tolerance = 1e-16;
+  const Panel& panel = panels_.front();
+  std::vector<double> ends{panel.left, panel.right};
+  cut_for_layers(panel, ends);
+  std::ranges::sort(ends);
+  Nodes nodes;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    append_piece(ends[i - 1], ends[i], half_length_, true, *cached_rule(tolerance), tolerance, nodes);
+  const Eigen::MatrixXd values = layers_at(nodes.e);
+  const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
+                           y = array(nodes.alpha).matrix().transpose();
+  result.row(0).tail(values.cols()) += weight * values;
+  result.row(1).tail(values.cols()) += weight.cwiseProduct(y) * values;
+}
+
+}  // namespace nipref::fast
