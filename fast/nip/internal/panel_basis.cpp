@@ -2,7 +2,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <nipref/fast/nip/internal/panel_basis.hpp>
@@ -14,44 +14,29 @@ namespace nipref::fast {
 namespace {
 
 using Complex = std::complex<double>;
-/// Recurrences and sums that are kept are made in extended precision, so that only their last rounding counts.
+/// What is kept is computed in extended precision, so that only its last rounding counts.
 using Long = long double;
 using LongComplex = std::complex<Long>;
 
-constexpr double pi = std::numbers::pi;
+constexpr Long pi = std::numbers::pi_v<Long>, ln2 = std::numbers::ln2_v<Long>;
 
-/// T_first, T_(first + step), ..., a column each, by T_(n + step) = 2 T_step T_n - T_|n - step|.
-Eigen::MatrixXd chebyshev(const Eigen::ArrayXd& t, int first, int step, int count) {
-  const Eigen::ArrayXd twice = step == 1 ? (2 * t).eval() : (4 * t.square() - 2).eval();
-  Eigen::MatrixXd values(t.size(), count);
-  if (first == 0)
-    values.col(0).setOnes();
-  else
-    values.col(0) = t;
-  if (count > 1)
-    values.col(1) = twice * values.col(0).array() - (step == 1 ? t : first == 0 ? (twice / 2).eval() : t);
-  for (int k = 2; k < count; ++k)
-    values.col(k).array() = twice * values.col(k - 1).array() - values.col(k - 2).array();
-  return values;
-}
-
-/// (1 + t)^left (1 - t)^right, with t = 2 x - 1, is a basis' factor but for a power of 2: the factor is size x^left (1 - x)^right.
+/// A basis' factor, size x^left (1 - x)^right.
 struct Weight {
   explicit Weight(const PanelBasis& basis)
       : left(basis.at_end ? Complex(0.5, basis.exponent) : 0),
-        right(basis.at_end && basis.about_middle ? std::conj(left) : 0),
-        size(right != 0.0 ? 2 : 1) {}
+        right(basis.is_whole ? std::conj(left) : 0),
+        size(basis.is_whole ? 2 : 1) {}
 
   Complex left, right;
   double size;
 
-  /// (left - right) f_n - (left + right + 2 + n) f_n+1/2 - (left + right + 2 - n) f_n-1/2 = -g_n is the integral of f_n = w T_n
-  /// against the derivative of (1 - t^2) w T_n. From f_0 up to f_count, in place: both solutions of the equation with g = 0 decay.
+  /// With t = 2 x - 1, integrals f_n of w T_n times something, n < count, from f_0. That against the derivative of
+  /// (1 - t^2) w T_n is (left - right) f_n - (left + right + 2 + n) f_n+1/2 - (left + right + 2 - n) f_n-1/2 = -source(n).
+  /// Both solutions without a source decay with n.
   template <class Source>
   [[nodiscard]] std::vector<LongComplex> recurrence(LongComplex first, int count,
                                                     const Source& source) const {
-    const LongComplex sum = LongComplex(left) + LongComplex(right) + Long(2),
-                      difference = LongComplex(left - right);
+    const LongComplex sum = LongComplex(left + right) + Long(2), difference(left - right);
     std::vector<LongComplex> f{first, (difference * first + source(0)) / sum};
     for (int n = 1; n + 1 < count; ++n) {
       const Long degree = n;
@@ -62,58 +47,41 @@ struct Weight {
   }
 };
 
-/// int_0^1 of the factor times T_n(2 x - 1), n < count; |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi y).
+/// int_0^1 of the factor times T_n, n < count. |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi y).
 std::vector<LongComplex> moments(const PanelBasis& basis, int count) {
   const Weight weight(basis);
-  const Long exponent = basis.exponent, angle = std::numbers::pi_v<Long> * exponent;
-  const LongComplex total = weight.right != 0.0
-                                ? (0.25L + exponent * exponent) * std::numbers::pi_v<Long> / std::cosh(angle)
-                                : Long(1) / (LongComplex(weight.left) + Long(1));
+  const Long y = basis.exponent;
+  const LongComplex total = basis.is_whole ? (0.25L + y * y) * pi / std::cosh(pi * y)
+                                           : Long(1) / (LongComplex(weight.left) + Long(1));
   return weight.recurrence(total, count, [](int) { return LongComplex(0); });
 }
 
-/// The degree of a function of the basis, and the sign of its polynomial as one of 2 x - 1.
-struct Degree {
-  int degree;
-  double sign;
-};
-
-Degree degree_of(const PanelBasis& basis, bool odd, int k) {
-  if (!basis.about_middle) return {k, 1};
-  return {2 * k + (odd ? 1 : 0), odd ? -1.0 : 1.0};
-}
-
-ProductRule make_product_rule(const std::pair<PanelBasis, int>& key) {
-  const auto& [basis, count] = key;
-  const int highest = degree_of(basis, true, basis.count - 1).degree + count;
-  const std::vector<LongComplex> moment = moments(basis, highest + 1);
-  using LongMatrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
-  Eigen::Array<Long, Eigen::Dynamic, 1> angle(count);
-  for (int i = 0; i < count; ++i) angle(i) = (2 * i + 1) * std::numbers::pi_v<Long> / (2 * count);
-  // Of T_m, with which a function's values at the points are summed to its coefficients.
-  LongMatrix interpolation(count, count);
-  for (int m = 0; m < count; ++m)
-    interpolation.col(m) = static_cast<Long>(m == 0 ? 1 : 2) / count * (m * angle).cos();
-  const auto weights = [&](bool odd, bool imaginary) {
-    LongMatrix products(count, basis.count);
-    for (int k = 0; k < basis.count; ++k) {
-      const auto [degree, sign] = degree_of(basis, odd, k);
-      for (int m = 0; m < count; ++m) {
-        const LongComplex product = static_cast<Long>(sign) / 2 *
-                                    (moment[static_cast<std::size_t>(degree + m)] +
-                                     moment[static_cast<std::size_t>(std::abs(degree - m))]);
-        products(m, k) = imaginary ? product.imag() : product.real();
-      }
+ProductRule make_product_rule(const std::tuple<PanelBasis, int, int>& key) {
+  const auto& [basis, points, degrees] = key;
+  const std::vector<LongComplex> moment = moments(basis, degrees + points);
+  std::vector<double> cosines;
+  for (int k = 0; k < 4 * points; ++k)
+    cosines.push_back(static_cast<double>(std::cos(k * pi / (2 * points))));
+  Eigen::MatrixXd coefficients(points, points);  // of T_m, by which a function's values are summed
+  for (int i = 0; i < points; ++i) {
+    for (int m = 0; m < points; ++m)
+      coefficients(i, m) =
+          (m == 0 ? 1.0 : 2.0) / points * cosines[static_cast<std::size_t>(m * (2 * i + 1) % (4 * points))];
+  }
+  Eigen::MatrixXd real(points, degrees), imaginary(points, degrees);
+  for (int n = 0; n < degrees; ++n) {
+    for (int m = 0; m < points; ++m) {
+      const LongComplex product =
+          moment[static_cast<std::size_t>(n + m)] + moment[static_cast<std::size_t>(std::abs(n - m))];
+      real(m, n) = static_cast<double>(product.real() / 2);
+      imaginary(m, n) = static_cast<double>(product.imag() / 2);
     }
-    return (interpolation * products).cast<double>().eval();
-  };
+  }
   ProductRule rule;
-  rule.at = (angle / 2).cos().square().cast<double>();
-  const bool twisted = basis.at_end && basis.exponent != 0;
-  rule.weight.even_real = weights(false, false);
-  if (twisted) rule.weight.even_imaginary = weights(false, true);
-  if (basis.is_complex) rule.weight.odd_real = weights(true, false);
-  if (basis.is_complex && twisted) rule.weight.odd_imaginary = weights(true, true);
+  rule.at.resize(points);
+  for (int i = 0; i < points; ++i) rule.at(i) = internal::shifted_chebyshev_zero(points - 1 - i, points);
+  rule.weight.real = coefficients * real;
+  if (basis.exponent != 0) rule.weight.imaginary = coefficients * imaginary;
   return rule;
 }
 
@@ -128,14 +96,45 @@ struct FirstIntegrals {
   LongComplex at_point;  ///< the factor at s
   LongComplex logarithm = 0, sign = 0, principal;
 
-  FirstIntegrals(const Weight& weight, double s) {
-    static const std::vector<UnitNode> rule = double_exponential_rule(1e-18);
-    const Long log_left = std::log(static_cast<Long>(s)), log_right = std::log1p(-static_cast<Long>(s));
+  FirstIntegrals(const PanelBasis& basis, double point) {
+    const Weight weight(basis);
+    const Long s = point, log_left = std::log(s), log_right = std::log1p(-s);
     at_point = static_cast<Long>(weight.size) *
                std::exp(LongComplex(weight.left) * log_left + LongComplex(weight.right) * log_right);
     principal = at_point * (log_right - log_left);
+    if (basis.exponent != 0)
+      integrate(weight, point);
+    else if (basis.is_whole)
+      of_circle(2 * s - 1);
+    else if (basis.at_end)
+      of_root(s, log_right);
+    else
+      of_one(s, log_left, log_right);
+  }
+
+ private:
+  void of_one(Long s, Long log_left, Long log_right) {
+    logarithm = s * log_left + (1 - s) * log_right - 1;
+    sign = 1 - 2 * s;
+  }
+  void of_root(Long s, Long log_right) {
+    const Long root = std::sqrt(s);
+    principal = 2 - 2 * root * std::atanh(root);
+    logarithm = (log_right - Long(2) / 3 - s * principal) * (Long(2) / 3);
+    sign = (1 - 2 * s * root) * (Long(2) / 3);
+  }
+  void of_circle(Long t) {
+    principal = -pi * t;
+    logarithm = pi / 4 * (t * t - 0.5L - 2 * ln2);
+    sign = -(t * std::sqrt(1 - t * t) + std::asin(t)) / 2;
+  }
+  /// Between 0 and s, and between s and 1. From 1/(x - s) the value at s is taken away.
+  void integrate(const Weight& weight, double s) {
+    static const std::vector<UnitNode> rule = double_exponential_rule(1e-17);
+    const auto log_of_part = [](double part, double rest) {
+      return part < 0.5 ? std::log(part) : std::log1p(-rest);
+    };
     for (const UnitNode& node : rule) {
-      // Of x between 0 and s, and between s and 1.
       add(node.weight * s, -s * node.from_right,
           expm1(weight.left * log_of_part(node.from_left, node.from_right) +
                 weight.right * std::log1p(s * node.from_right / (1 - s))));
@@ -143,11 +142,6 @@ struct FirstIntegrals {
           expm1(weight.left * std::log1p((1 - s) * node.from_left / s) +
                 weight.right * log_of_part(node.from_right, node.from_left)));
     }
-  }
-
- private:
-  static double log_of_part(double part, double rest) {
-    return part < 0.5 ? std::log(part) : std::log1p(-rest);
   }
   void add(double weight, double distance, Complex relative_change) {
     const LongComplex change = at_point * LongComplex(relative_change);
@@ -158,107 +152,95 @@ struct FirstIntegrals {
   }
 };
 
-/// Of T_n(2 x - 1), n < count, from the first ones.
-struct SingularMoments {
+/// The same times T_n, n < degrees, but for the last.
+struct PointIntegrals {
   std::vector<LongComplex> logarithm, sign;
 
-  SingularMoments(const PanelBasis& basis, double s, int count) {
-    constexpr Long ln2 = std::numbers::ln2_v<Long>;
+  PointIntegrals(const PanelBasis& basis, double s, int degrees) {
     const Weight weight(basis);
-    const FirstIntegrals first(weight, s);
-    const std::vector<LongComplex> moment = moments(basis, count + 2);
+    const FirstIntegrals first(basis, s);
+    const std::vector<LongComplex> moment = moments(basis, degrees + 2);
     const Long t = 2 * static_cast<Long>(s) - 1, end_factor = 4 * static_cast<Long>(s) * (1 - s);  // 1 - t^2
-    const LongComplex half_principal = first.principal / Long(2);
-    std::vector<LongComplex> principal{half_principal, t * half_principal + moment[0]};
-    for (std::size_t n = 1; principal.size() < static_cast<std::size_t>(count); ++n)
+    // Of 1/(2 x - 1 - t), by T_n+1 = 2 (2 x - 1) T_n - T_n-1.
+    std::vector<LongComplex> principal{first.principal / Long(2), t * first.principal / Long(2) + moment[0]};
+    std::vector<Long> chebyshev{1, t};
+    for (std::size_t n = 1; principal.size() < static_cast<std::size_t>(degrees); ++n) {
       principal.push_back(2 * t * principal[n] - principal[n - 1] + Long(2) * moment[n]);
+      chebyshev.push_back(2 * t * chebyshev[n] - chebyshev[n - 1]);
+    }
     const auto of_logarithm = [&](int degree) {
       const auto n = static_cast<std::size_t>(degree);
       return end_factor * principal[n] - (moment[n + 1] + moment[n == 0 ? 1 : n - 1]) / Long(2) -
              t * moment[n];
     };
     const auto of_sign = [&](int degree) {
-      return end_factor * std::cos(degree * std::acos(t)) * first.at_point;
+      return end_factor * chebyshev[static_cast<std::size_t>(degree)] * first.at_point;
     };
     // ln|x - s| = ln|2 x - 1 - t| - ln 2
-    logarithm = weight.recurrence(first.logarithm + ln2 * moment[0], count, of_logarithm);
-    sign = weight.recurrence(first.sign, count, of_sign);
+    logarithm = weight.recurrence(first.logarithm + ln2 * moment[0], degrees, of_logarithm);
+    sign = weight.recurrence(first.sign, degrees, of_sign);
     for (std::size_t n = 0; n < logarithm.size(); ++n) logarithm[n] -= ln2 * moment[n];
   }
 };
 
-SingularIntegrals make_singular_integrals(const std::pair<PanelBasis, int>& key) {
-  const auto& [basis, points] = key;
-  const int degrees = std::max(degree_of(basis, true, basis.count - 1).degree + 1, 2);
-  const auto fill = [&](PanelBasis::Rows& rows, int row, int count, const std::vector<LongComplex>& values) {
-    const auto set = [&](Eigen::MatrixXd& part, bool odd, bool imaginary) {
-      part.conservativeResize(count, basis.count);
-      for (int k = 0; k < basis.count; ++k) {
-        const auto [degree, sign] = degree_of(basis, odd, k);
-        const LongComplex& value = values[static_cast<std::size_t>(degree)];
-        part(row, k) = sign * static_cast<double>(imaginary ? value.imag() : value.real());
-      }
-    };
-    const bool twisted = basis.at_end && basis.exponent != 0;
-    set(rows.even_real, false, false);
-    if (twisted) set(rows.even_imaginary, false, true);
-    if (basis.is_complex) set(rows.odd_real, true, false);
-    if (basis.is_complex && twisted) set(rows.odd_imaginary, true, true);
+SingularIntegrals make_singular_integrals(const std::tuple<PanelBasis, MatchingPoints, int>& key) {
+  const auto& [basis, points, degrees] = key;
+  const auto set = [&](PanelBasis::Rows& rows, int row, int count, const std::vector<LongComplex>& values) {
+    rows.real.conservativeResize(count, degrees);
+    if (basis.exponent != 0) rows.imaginary.conservativeResize(count, degrees);
+    for (int n = 0; n < degrees; ++n) {
+      rows.real(row, n) = static_cast<double>(values[static_cast<std::size_t>(n)].real());
+      if (basis.exponent != 0)
+        rows.imaginary(row, n) = static_cast<double>(values[static_cast<std::size_t>(n)].imag());
+    }
   };
   SingularIntegrals result;
-  fill(result.one, 0, 1, moments(basis, degrees));
-  for (int number = 0; number < points; ++number) {
-    const SingularMoments here(basis, matching_point(basis, number, points), degrees);
-    fill(result.logarithm, number, points, here.logarithm);
-    fill(result.sign, number, points, here.sign);
+  set(result.one, 0, 1, moments(basis, degrees));
+  for (int number = 0; number < points.points; ++number) {
+    const PointIntegrals here(basis, points.at(number), degrees);
+    set(result.logarithm, number, points.points, here.logarithm);
+    set(result.sign, number, points.points, here.sign);
   }
   return result;
 }
 
 }  // namespace
 
-PanelBasis::Rows PanelBasis::values(const Eigen::ArrayXd& x, const Eigen::ArrayXd& rest) const {
+PanelBasis::Rows PanelBasis::values(const Eigen::ArrayXd& x, const Eigen::ArrayXd& rest, int degrees) const {
   Rows result;
-  Eigen::MatrixXd even, odd;
-  if (about_middle) {
-    const Eigen::ArrayXd t = rest - x;
-    even = chebyshev(t, 0, 2, count);
-    if (is_complex) odd = chebyshev(t, 1, 2, count);
-  } else {
-    even = chebyshev(2 * x - 1, 0, 1, count);
-  }
-  const Eigen::MatrixXd& odd_polynomials = about_middle ? odd : even;
-  if (!at_end) {
-    result.even_real = even;
-    if (is_complex) result.odd_real = odd_polynomials;
-    return result;
-  }
-  Eigen::ArrayXd factor = about_middle ? (2 * (x * rest).sqrt()).eval() : x.sqrt();
+  Eigen::MatrixXd& polynomials = result.real;
+  const Eigen::ArrayXd t = x - rest;
+  polynomials.resize(x.size(), std::max(degrees, 2));
+  polynomials.col(0).setOnes();
+  polynomials.col(1) = t;
+  for (int n = 2; n < degrees; ++n)
+    polynomials.col(n).array() = 2 * t * polynomials.col(n - 1).array() - polynomials.col(n - 2).array();
+  if (!at_end) return result;
+  Eigen::ArrayXd factor = is_whole ? (2 * (x * rest).sqrt()).eval() : x.sqrt();
   if (exponent != 0) {
-    const Eigen::ArrayXd ratio = about_middle ? (x / rest).eval() : x;
+    const Eigen::ArrayXd ratio = is_whole ? (x / rest).eval() : x;
     const Eigen::ArrayXd angle = (ratio > 0).select(exponent * ratio.max(1e-300).log(), 0.0);
-    const Eigen::ArrayXd imaginary = factor * angle.sin();
+    result.imaginary = (factor * angle.sin()).matrix().asDiagonal() * polynomials;
     factor *= angle.cos();
-    result.even_imaginary = imaginary.matrix().asDiagonal() * even;
-    if (is_complex) result.odd_imaginary = imaginary.matrix().asDiagonal() * odd_polynomials;
   }
-  result.even_real = factor.matrix().asDiagonal() * even;
-  if (is_complex) result.odd_real = factor.matrix().asDiagonal() * odd_polynomials;
+  polynomials.array().colwise() *= factor;
   return result;
 }
 
-double matching_point(const PanelBasis& basis, int number, int points) {
-  return internal::shifted_chebyshev_zero(number, basis.about_middle ? 2 * points : points);
+double MatchingPoints::at(int number) const {
+  return internal::shifted_chebyshev_zero(number, about_middle ? 2 * points : points);
 }
 
-std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int count) {
-  static Cache<std::pair<PanelBasis, int>, ProductRule> rules(make_product_rule, 4096);
-  return rules.at({basis, count});
+std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees) {
+  static Cache<std::tuple<PanelBasis, int, int>, ProductRule> rules(make_product_rule, 1024);
+  constexpr int step = 32;  // so that few rules are kept
+  return rules.at({basis, points, (degrees + step - 1) / step * step});
 }
 
-std::shared_ptr<const SingularIntegrals> singular_integrals(const PanelBasis& basis, int points) {
-  static Cache<std::pair<PanelBasis, int>, SingularIntegrals> kept(make_singular_integrals);
-  return kept.at({basis, points});
+std::shared_ptr<const SingularIntegrals> singular_integrals(const PanelBasis& basis,
+                                                            const MatchingPoints& points, int degrees) {
+  static Cache<std::tuple<PanelBasis, MatchingPoints, int>, SingularIntegrals> kept(make_singular_integrals);
+  return kept.at({basis, points, std::max(degrees, 2)});
 }
 
 }  // namespace nipref::fast

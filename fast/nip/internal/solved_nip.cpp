@@ -9,17 +9,13 @@
 namespace nipref::fast {
 namespace {
 
+/// Of another contact than that next to the load, where the search has not passed one.
 constexpr double longer_by = 1e-3;
-/// How far, relatively, a contact that the search has passed may be to tell derivatives.
-constexpr double nearest_neighbour = 1e-5, farthest_neighbour = 1e-2;
+/// How far, relatively, a contact must be to tell derivatives.
+constexpr double nearest_neighbour = 1e-7;
 /// Between refinements: a factor of about a hundred.
 constexpr double nats_of_step = 4.6;
 constexpr double most_nats = 42;
-
-bool is_neighbour(double ratio) {
-  const double difference = std::fabs(ratio - 1);
-  return difference > nearest_neighbour && difference < farthest_neighbour;
-}
 
 }  // namespace
 
@@ -29,11 +25,14 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
       load_(load),
       accuracy_(accuracy),
       near_(half_length),
+      sought_(half_length),
       exponent_(LengthSearch::usual_exponent) {
   // The last of the terms that a panel has beyond its degree are smaller than the accuracy asks.
+  if (load_) search_roughly();
   solve_to(std::max(-std::log(accuracy) - nats_of_step, 1.0));
-  while (shortfall().all > 1 && refine()) {
+  while (shortfall().all > 1 && add_terms()) {
   }
+  if (load_) meet_load();
 }
 
 std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats, double tolerance) const {
@@ -48,34 +47,35 @@ void SolvedNip::solve_to(double nats) {
   nats_ = nats;
   neighbour_.reset();
   length_.reset();
-  if (load_)
-    solve_for_load(nats);
-  else
-    solution_ = solve(near_, nats);
+  solution_ = solve(sought_, nats);
 }
 
-void SolvedNip::solve_for_load(double nats) {
-  constexpr double few_nats = 5, rough = 1e-3;
-  const auto settle = [&](double these_nats, double tolerance, double until, bool lays_out) {
-    for (LengthSearch search(*load_, near_, {until, longest_sought}, exponent_);;) {
-      const double half_length = search.length();
-      // The layout follows only large changes of the length: with each new layout the load jumps.
-      if (lays_out) near_ = half_length;
-      auto before = std::exchange(solution_, solve(half_length, these_nats, tolerance));
-      if (!lays_out && before && is_neighbour(before->half_length() / half_length))
-        neighbour_ = std::move(before);
-      const bool settled = search.settled(solution_->value(solution_->load()));
-      exponent_ = search.exponent();
-      if (settled && !std::isfinite(search.residual()))
-        throw data::BadInput("load", *load_,
-                             "over its unit, must be one for which a contact length is found");
-      if (settled) return;
-    }
-  };
-  if (!solution_) settle(few_nats, 1e-6, rough, true);
-  near_ = last().half_length();
-  solution_.reset();
-  settle(nats, tolerance(), std::max(1e-2 * accuracy_, 1e-15), false);
+/// Each contact with its own layout.
+void SolvedNip::search_roughly() {
+  constexpr double few_nats = 5, tolerance = 1e-6, enough = 1e-3;
+  LengthSearch search(*load_, near_, {enough, longest_sought}, LengthSearch::usual_exponent);
+  do {
+    near_ = sought_ = search.length();
+    solution_ = solve(near_, few_nats, tolerance);
+  } while (!search.settled(solution_->value(solution_->load())));
+  exponent_ = search.exponent();
+}
+
+/// By secants, with one layout: with each new one the load jumps.
+void SolvedNip::meet_load() {
+  constexpr double rounding = 1e-15;
+  LengthSearch search(*load_, last().half_length(), {rounding, longest_sought}, exponent_);
+  while (!search.settled(last().value(last().load()))) {
+    auto before = std::exchange(solution_, solve(search.length(), nats_));
+    if (std::fabs(before->half_length() / last().half_length() - 1) > nearest_neighbour)
+      neighbour_ = std::move(before);
+    length_.reset();
+    if (neighbour_ && curvature() <= std::max(1e-2 * accuracy_, rounding)) break;
+  }
+  exponent_ = search.exponent();
+  sought_ = half_length();
+  if (!std::isfinite(sought_))
+    throw data::BadInput("load", *load_, "over its unit, must be one for which a contact length is found");
 }
 
 const Solution& SolvedNip::neighbour() const {
@@ -94,10 +94,16 @@ const Estimate& SolvedNip::half_length_estimate() const {
       const double rise = growth([](const Solution& solution) { return solution.value(solution.load()); });
       const auto [load, error] = last().estimate(last().load());
       length_->value += (*load_ - load) / rise;
-      length_->error = (error + std::fabs(load - *load_)) / std::fabs(rise);
+      length_->error = error / std::fabs(rise) + curvature() * length_->value;
     }
   }
   return *length_;
+}
+
+double SolvedNip::curvature() const {
+  const double rise = growth([](const Solution& solution) { return solution.value(solution.load()); });
+  const double here = last().half_length(), left = (*load_ - last().value(last().load())) / rise;
+  return 15 * std::fabs(left / here) * std::fabs((here + left - neighbour().half_length()) / here);
 }
 
 double SolvedNip::value(const std::function<double(const Solution&)>& number) const {
@@ -113,7 +119,10 @@ Estimate SolvedNip::estimate(const Number& linearised,
                              const std::function<double(const Solution&)>& number) const {
   Estimate result = last().estimate(linearised(last()));
   result.value = value(number);
-  if (load_) result.error += std::fabs(growth(number)) * half_length_estimate().error;
+  if (!load_) return result;
+  const double rise = std::fabs(growth(number));
+  result.error +=
+      rise * half_length_estimate().error + curvature() * std::max(std::fabs(result.value), rise * half_length());
   return result;
 }
 
@@ -149,12 +158,18 @@ SolvedNip::Shortfall SolvedNip::shortfall() const {
   return largest;
 }
 
-bool SolvedNip::refine() {
+bool SolvedNip::add_terms() {
   const Shortfall now = shortfall();
   if (nats_ >= most_nats || now.all <= 2 * now.rounding) return false;
   const double missing = std::max(now.all > 1 ? std::log(now.all) : 0, nats_of_step);
   solve_to(std::min(nats_ + std::min(missing, 3 * nats_of_step), most_nats));
   return true;
+}
+
+bool SolvedNip::refine() {
+  const bool has_more = add_terms();
+  if (has_more && load_) meet_load();
+  return has_more;
 }
 
 }  // namespace nipref::fast

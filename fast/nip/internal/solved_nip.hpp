@@ -35,12 +35,12 @@ class NipEquations {
 /// The contact of a given length, or of the length that carries a given load: solved with as many terms as the accuracy
 /// needs, once.
 ///
-/// The length for a load is sought with few terms first, then by secants with all of them. A number J of a contact of
-/// given load is corrected by dJ/dA for what the search has left of the load, and has the error of its solution and
-/// |dJ/dA| dA. There dA = dW/(dW/dA), dW the error of the load and all that the search has left of it, which is much more
-/// than what the correction to first order leaves. Derivatives with respect to the half length A are differences from a
-/// contact of another length, one that the search has passed or one that is longer by a thousandth. They are powers of A
-/// nearly, also in a long contact, if places keep their distance from the contact's end.
+/// The length for a load is sought with few terms first, then by secants with all of them. Let A_0 and A_1 be the last two
+/// half lengths, J_0 and J_1 a number of their contacts. For the half length A that the secant of the load shows, the number
+/// is J_1 + (A - A_1) (J_1 - J_0)/(A_1 - A_0) up to (A - A_0) (A - A_1) J''/2. Numbers of a contact are nearly powers of A,
+/// with exponents between -5 and 5 (the load of an incompressible film without slip grows like A^5), so that |J''|/2 is at
+/// most 15 |J|/A^2; that also holds for the length itself. The error of the number is that of its solution, this curvature,
+/// and |dJ/dA| times the error of the length, which is that of the load over dW/dA.
 class SolvedNip {
  public:
   using Number = std::function<Functional(const Solution&)>;
@@ -76,7 +76,9 @@ class SolvedNip {
   [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length, double nats,
                                                       double tolerance = SolvedNip::tolerance()) const;
   void solve_to(double nats);
-  void solve_for_load(double nats);
+  void search_roughly();
+  void meet_load();
+  bool add_terms();
   /// Relative to the accuracy: 1 or less where all targets meet it; and the same of rounding alone.
   struct Shortfall {
     double all, rounding;
@@ -85,11 +87,14 @@ class SolvedNip {
   [[nodiscard]] const Solution& neighbour() const;
   /// A number's difference from the neighbour's, by the half length.
   [[nodiscard]] double growth(const std::function<double(const Solution&)>& value) const;
+  /// What the curvature of a number may add to it in a contact of given load, relative to the number.
+  [[nodiscard]] double curvature() const;
 
   std::shared_ptr<const NipEquations> equations_;
   std::optional<double> load_;
   double accuracy_;
-  double near_;  ///< half length
+  double near_;    ///< the half length of the layout
+  double sought_;  ///< the best half length that is known
   double nats_ = 0;
   double exponent_;  ///< d ln load/d ln length
   std::unique_ptr<Work> work_ = std::make_unique<Work>();

@@ -136,7 +136,8 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
   const Eigen::ArrayXd from_left = array(nodes.e) - panel.left,
                        from_right = panel.about_middle ? (array(nodes.other) - panel.left).eval()
                                                        : (panel.right - array(nodes.e)).eval();
-  const auto basis = this->basis(panel).values(from_left / panel.width(), from_right / panel.width());
+  const auto basis =
+      this->basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
   const Eigen::MatrixXd layers = panel.at_end ? layers_at(nodes.e) : Eigen::MatrixXd();
   Eigen::MatrixXd on_p, on_q;
   std::vector<double> alpha = nodes.alpha;
@@ -172,7 +173,7 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
       std::min(internal::log_of_ellipse(in_panel(4)), internal::log_of_ellipse(in_panel(0))), tolerance);
   if (points > most_points_of_rule) return false;
 
-  const auto rule = product_rule(basis(panel), points);
+  const auto rule = product_rule(basis(panel), points, degrees(panel));
   const double sign = (mirrored != place.trailing) ? -1 : 1;
   const Eigen::ArrayXd alpha = sign * ((panel.left - singular) + width * rule->at);
   Eigen::MatrixXd on_p, on_q;
@@ -191,33 +192,38 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
   const double width = panel.width();
   if (width > widest || (panel.at_end && !layers_.empty())) return false;
   const PanelBasis basis = this->basis(panel);
-  const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance));
-  const auto singular = singular_integrals(basis, points_of(panel));
-  const Eigen::Index nodes = rule->at.size(), points = points_of(panel);
-  Eigen::ArrayXXd alpha(nodes, points);
-  for (Eigen::Index j = 0; j < points; ++j)
-    alpha.col(j) = width * (rule->at - matching_point(basis, static_cast<int>(j), points_of(panel)));
+  const MatchingPoints points = points_of(panel);
+  const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance),
+                                 degrees(panel));
+  const auto singular = singular_integrals(basis, points, degrees(panel));
+  const Eigen::Index nodes = rule->at.size();
+  Eigen::ArrayXXd alpha(nodes, points.points);
+  for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - points.at(j));
   Eigen::MatrixXd on_p, on_q;
   kernel.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+  const int count = panel.terms + left_out;
   const double log_width = std::log(width);
   const auto add = [&](const Eigen::MatrixXd& values, Eigen::Index functional, Eigen::Index of, double sign,
                        int component, const Eigen::MatrixXd PanelBasis::Rows::*part) {
     if ((rule->weight.*part).size() == 0) return;
+    const Degrees degrees = degrees_of(p, component);
+    const auto integrals = [&](const PanelBasis::Rows& all) { return degrees.columns(all.*part, count); };
     const double of_logarithm = kernel.logarithm(functional, of), of_jump = kernel.jump(functional, of);
-    Eigen::MatrixXd sum = values.row(functional).reshaped(nodes, points).transpose() * (rule->weight.*part);
+    Eigen::MatrixXd sum =
+        values.row(functional).reshaped(nodes, points.points).transpose() * integrals(rule->weight);
     if (of_logarithm != 0)
       sum -= of_logarithm / std::numbers::pi *
-             ((singular->logarithm.*part).rowwise() + log_width * (singular->one.*part).row(0));
-    if (of_jump != 0) sum += of_jump * (singular->sign.*part);
-    rows(Eigen::seqN(functional, points, kernel.whole.functionals),
-         Eigen::seqN(column(p, component), sum.cols())) += sign * width * sum;
+             (integrals(singular->logarithm).rowwise() + log_width * integrals(singular->one).row(0));
+    if (of_jump != 0) sum += of_jump * integrals(singular->sign);
+    rows(Eigen::seqN(functional, points.points, kernel.whole.functionals),
+         Eigen::seqN(column(p, component), count)) += sign * degrees.sign * width * sum;
   };
   for (Eigen::Index i = 0; i < kernel.whole.functionals; ++i) {
-    add(on_p, i, 0, 1, 0, &PanelBasis::Rows::even_real);
+    add(on_p, i, 0, 1, 0, &PanelBasis::Rows::real);
     if (!is_complex_) continue;
-    add(on_q, i, 1, 1, 0, &PanelBasis::Rows::even_imaginary);
-    add(on_q, i, 1, 1, 1, &PanelBasis::Rows::odd_real);
-    add(on_p, i, 0, -1, 1, &PanelBasis::Rows::odd_imaginary);
+    add(on_q, i, 1, 1, 0, &PanelBasis::Rows::imaginary);
+    add(on_q, i, 1, 1, 1, &PanelBasis::Rows::real);
+    add(on_p, i, 0, -1, 1, &PanelBasis::Rows::imaginary);
   }
   return true;
 }
@@ -261,7 +267,7 @@ Eigen::MatrixXd Tractions::matching_rows(const SplitKernel& kernel, double toler
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()) * functionals, columns_);
   Eigen::Index row = 0;
   for (std::size_t p = 0, at = 0; p < panels_.size(); ++p) {
-    const int count = points_of(panels_[p]);
+    const int count = points_of(panels_[p]).points;
     const bool is_done = add_own_panel(p, kernel, tolerance, result.middleRows(row, count * functionals));
     for (int i = 0; i < count; ++i, row += functionals)
       add_place({points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,

@@ -30,8 +30,14 @@ std::vector<Complex> Tractions::layer_rates() const {
 }
 
 PanelBasis Tractions::basis(const Panel& panel) const {
-  return {panel.at_end, panel.about_middle, is_complex_, panel.at_end ? exponent_.imag() : 0,
-          panel.terms + left_out};
+  return {panel.at_end, panel.at_end && panel.about_middle, panel.at_end ? exponent_.imag() : 0};
+}
+
+int Tractions::degrees(const Panel& panel) { return (panel.about_middle ? 2 : 1) * (panel.terms + left_out); }
+
+Tractions::Degrees Tractions::degrees_of(std::size_t p, int component) const {
+  if (!panels_[p].about_middle) return {0, 1, 1};
+  return {component, 2, component == 0 ? 1.0 : -1.0};
 }
 
 Eigen::MatrixXd Tractions::layers_at(const std::vector<double>& e) const {
@@ -50,21 +56,22 @@ void Tractions::add_sums(std::size_t p, const PanelBasis::Rows& integrals, const
                          const Eigen::RowVectorXd& of_q,
                          Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const {
   const int count = panels_[p].terms + left_out;
-  auto even = row.segment(column(p, 0), count);
-  even.noalias() += of_p * integrals.even_real;
-  if (!is_complex_) return;
-  auto odd = row.segment(column(p, 1), count);
-  odd.noalias() += of_q * integrals.odd_real;
-  if (integrals.even_imaginary.size() == 0) return;
-  even.noalias() += of_q * integrals.even_imaginary;
-  odd.noalias() -= of_p * integrals.odd_imaginary;
+  for (int component = 0; component < components(); ++component) {
+    const Degrees degrees = degrees_of(p, component);
+    auto sums = row.segment(column(p, component), count);
+    const Eigen::RowVectorXd &same = component == 0 ? of_p : of_q, &other = component == 0 ? of_q : of_p;
+    sums.noalias() += degrees.sign * (same * degrees.columns(integrals.real, count));
+    if (integrals.imaginary.size() == 0 || !is_complex_) continue;
+    const double sign = component == 0 ? degrees.sign : -degrees.sign;
+    sums.noalias() += sign * (other * degrees.columns(integrals.imaginary, count));
+  }
 }
 
 std::vector<double> Tractions::matching_points() const {
   std::vector<double> points;
   for (const Panel& panel : panels_) {
-    for (int i = 0; i < points_of(panel); ++i)
-      points.push_back(panel.left + panel.width() * matching_point(basis(panel), i, points_of(panel)));
+    for (int i = 0; i < points_of(panel).points; ++i)
+      points.push_back(panel.left + panel.width() * points_of(panel).at(i));
   }
   return points;
 }
@@ -80,7 +87,7 @@ Eigen::MatrixXd Tractions::values(double e) const {
   const Panel& panel = panels_[p];
   const double right = panel.about_middle ? 2 * half_length_ - panel.left : panel.right;
   const auto at = [&](double distance) { return Eigen::ArrayXd::Constant(1, distance / panel.width()); };
-  const PanelBasis::Rows basis = this->basis(panel).values(at(e - panel.left), at(right - e));
+  const PanelBasis::Rows basis = this->basis(panel).values(at(e - panel.left), at(right - e), degrees(panel));
   const Eigen::RowVectorXd one = Eigen::RowVectorXd::Ones(1), none = Eigen::RowVectorXd::Zero(1);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2, columns_);
   add_sums(p, basis, one, none, result.row(0));
@@ -124,7 +131,7 @@ Eigen::MatrixXd Tractions::integrals() const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2, columns_);
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
-    const auto rule = product_rule(basis(panel), 2);
+    const auto rule = product_rule(basis(panel), 2, degrees(panel));
     const double twice = panel.about_middle ? 1 : 2;
     const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Constant(rule->at.size(), twice * panel.width()),
                              none = Eigen::RowVectorXd::Zero(rule->at.size());

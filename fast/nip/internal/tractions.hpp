@@ -103,7 +103,23 @@ class Tractions {
                     double tolerance, Nodes& nodes) const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
   [[nodiscard]] Eigen::MatrixXd layers_at(const std::vector<double>& e) const;
-  [[nodiscard]] int points_of(const Panel& panel) const { return panel.terms + (panel.at_end ? 1 : 0); }
+  /// Up to which the panel's terms and those left out go.
+  [[nodiscard]] static int degrees(const Panel& panel);
+  /// Which degrees of T_n(2 x - 1), times a sign, are a component's terms: about the middle t = 1 - 2 x.
+  struct Degrees {
+    int first, step;
+    double sign;
+
+    [[nodiscard]] auto columns(const Eigen::MatrixXd& matrix, int count) const {
+      using Strided = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+      return Strided(matrix.data() + first * matrix.rows(), matrix.rows(), count,
+                     Eigen::OuterStride<>(step * matrix.rows()));
+    }
+  };
+  [[nodiscard]] Degrees degrees_of(std::size_t panel, int component) const;
+  [[nodiscard]] static MatchingPoints points_of(const Panel& panel) {
+    return {panel.about_middle, panel.terms + (panel.at_end ? 1 : 0)};
+  }
   void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
                 Eigen::Ref<Eigen::MatrixXd> rows) const;
   /// Adds sums over the rows of `integrals` with weights p and q.
