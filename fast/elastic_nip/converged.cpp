@@ -32,12 +32,7 @@ Functional traction_at(const Solution& solution, Component component, double e) 
   return solution.of_tractions(std::move(row));
 }
 
-double shear_at(const Solution& solution, double e) {
-  if (!(e > 0)) return 0;
-  const bool beyond = e > solution.half_length();
-  const double shear = solution.traction(beyond ? std::max(0.0, 2 * solution.half_length() - e) : e).imag();
-  return beyond ? -shear : shear;
-}
+double shear_at(const SolvedNip& nip, double e) { return e > 0 ? nip.traction(e).imag() : 0; }
 
 }  // namespace
 
@@ -73,7 +68,7 @@ struct ConvergedElasticNip::Implementation {
       return half_length() * std::pow(std::sin(std::numbers::pi / 2 * std::min(i / samples, 1.0)), 2);
     };
     const auto size = [&](double i) {
-      const std::complex<double> g = solved.last().traction(place(i));
+      const std::complex<double> g = solved.traction(place(i));
       return std::fabs(component == pressure_row ? g.real() : g.imag());
     };
     const double best = internal::place_of_sampled_maximum(size, samples);
@@ -214,16 +209,16 @@ Estimate ConvergedElasticNip::peak_shear() const {
 Estimate ConvergedElasticNip::peak_shear_position() const {
   const Implementation& nip = *implementation_;
   nip.check_shears();
-  const Solution& last = nip.solved.last();
-  const auto size = [&](double e) { return std::fabs(shear_at(last, e)); };
+  const SolvedNip& solved = nip.solved;
+  const auto size = [&](double e) { return std::fabs(shear_at(solved, e)); };
   const auto reach = [](double e) { return std::min(e / 4, 0.5); };
   const LocalSlope local_slope;
   const PlaceFunction slope{[&](double e) {
-                              return std::copysign(1, shear_at(last, e)) *
-                                     local_slope([&](double at) { return shear_at(last, at); }, e, reach(e));
+                              return std::copysign(1, shear_at(solved, e)) *
+                                     local_slope([&](double at) { return shear_at(solved, at); }, e, reach(e));
                             },
                             [&](double e) {
-                              return nip.solved.estimate([&](const Solution& solution) {
+                              return solved.estimate([&](const Solution& solution) {
                                 const auto shear = [&](double at) -> Eigen::RowVectorXd {
                                   return traction_at(solution, shear_row, at).on_tractions;
                                 };
@@ -242,7 +237,7 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
 std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
   const Implementation& nip = *implementation_;
   nip.check_shears();
-  const PlaceFunction shear{[&](double e) { return shear_at(nip.solved.last(), e); },
+  const PlaceFunction shear{[&](double e) { return shear_at(nip.solved, e); },
                             [&](double e) { return nip.traction(shear_row, e); }};
   std::vector<Estimate> zeros;
   for (const Estimate& zero : places_of_sure_zeros(shear, nip.shear_places()))

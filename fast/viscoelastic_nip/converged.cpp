@@ -70,11 +70,10 @@ Functional pressure_at(const Solution& solution, const ContactPlace& place) {
   return solution.of_tractions(both.row(0) + (trailing ? -1 : 1) * both.row(1));
 }
 
-double pressure_of(const Solution& solution, const ContactPlace& place) {
+double pressure_of(const SolvedNip& nip, const ContactPlace& place) {
   if (!(place.e > 0)) return 0;
-  const auto [trailing, e] = place.in(solution);
-  const std::complex<double> g = solution.traction(e);
-  return trailing ? g.real() - g.imag() : g.real() + g.imag();
+  const std::complex<double> g = nip.traction(place.e);
+  return place.trailing ? g.real() - g.imag() : g.real() + g.imag();
 }
 
 }  // namespace
@@ -283,7 +282,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
   const auto pressure = [&](double i) {
     const auto before = static_cast<std::size_t>(i);
     const double part = i - std::floor(i), next = places[std::min(before + 1, places.size() - 1)];
-    return pressure_of(nip.solved.last(), nip.place((1 - part) * places[before] + part * next));
+    return pressure_of(nip.solved, nip.place((1 - part) * places[before] + part * next));
   };
   const double best = internal::place_of_sampled_maximum(pressure, static_cast<int>(places.size()) - 1);
   const auto before = static_cast<std::size_t>(best);
@@ -297,7 +296,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
 Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   const Implementation& nip = *implementation_;
   const Solution& last = nip.solved.last();
-  const auto value = [&](double y) { return pressure_of(last, nip.place(y)); };
+  const auto value = [&](double y) { return pressure_of(nip.solved, nip.place(y)); };
   const LocalSlope local_slope(32);
   const auto reach = [&](double y) {
     const double e = std::max(nip.place(y).e, 1e-9 * nip.half_length());

@@ -11,8 +11,8 @@ namespace {
 
 /// On the leading half with e from its end, or on the other. Without symmetry g is the even and the odd part of the
 /// pressure.
-FaceTraction face_traction(const Solution& solution, bool is_symmetric, bool right, double e) {
-  const std::complex<double> g = solution.traction(std::min(e, solution.half_length()));
+FaceTraction face_traction(const SolvedNip& nip, bool is_symmetric, bool right, double e) {
+  const std::complex<double> g = nip.traction(e);
   if (is_symmetric) return {g.real(), right ? g.imag() : -g.imag()};
   return {right ? g.real() + g.imag() : g.real() - g.imag(), 0};
 }
@@ -44,11 +44,10 @@ std::pair<double, double> peak_and_error(const SolvedNip& nip) {
 ContactField::ContactField(const SolvedNip& nip, bool is_symmetric, double middle, double ends)
     : is_symmetric_(is_symmetric),
       middle_(middle),
-      // The tractions are those of the last solution, whose halves fit together in its own middle.
-      half_length_(nip.last().half_length()),
+      half_length_(nip.half_length()),
       ends_(ends),
       field_(half_length_, is_symmetric,
-             [&](bool right, double e) { return face_traction(nip.last(), is_symmetric, right, e); }) {
+             [&](bool right, double e) { return face_traction(nip, is_symmetric, right, e); }) {
   std::tie(peak_, traction_error_) = peak_and_error(nip);
 }
 

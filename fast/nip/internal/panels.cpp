@@ -10,8 +10,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Up to here one expansion over the whole contact needs fewer terms than panels.
-constexpr double longest_whole = 3;
+/// One expansion over the whole contact needs fewer terms than panels, but wider ones cost more.
+constexpr double longest_whole = Tractions::widest_with_logarithm / 2;
 /// Radians and nats over the whole contact that its one expansion holds.
 constexpr double most_over_whole = 8;
 /// Of the first panel, half-thicknesses.

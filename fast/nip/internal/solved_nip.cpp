@@ -111,6 +111,17 @@ double SolvedNip::value(const std::function<double(const Solution&)>& number) co
   return number(last()) + growth(number) * (half_length() - last().half_length());
 }
 
+std::complex<double> SolvedNip::traction(double e) const {
+  const auto of = [e](const Solution& solution) {
+    if (e <= solution.half_length()) return solution.traction(e);
+    return std::conj(solution.traction(std::max(0.0, 2 * solution.half_length() - e)));
+  };
+  if (!load_) return of(last());
+  const double left = half_length() - last().half_length(),
+               step = neighbour().half_length() - last().half_length();
+  return of(last()) + left / step * (of(neighbour()) - of(last()));
+}
+
 Estimate SolvedNip::estimate(const Number& number) const {
   return estimate(number, [&](const Solution& solution) { return solution.value(number(solution)); });
 }

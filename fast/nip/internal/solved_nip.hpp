@@ -54,6 +54,8 @@ class SolvedNip {
   [[nodiscard]] const Estimate& half_length_estimate() const;
   /// `number` gives a number of a solution; the value is that of the contact of half_length().
   [[nodiscard]] double value(const std::function<double(const Solution&)>& number) const;
+  /// g at e >= 0, see Tractions; beyond the middle that of the other half.
+  [[nodiscard]] std::complex<double> traction(double e) const;
   /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
   [[nodiscard]] Estimate estimate(const Number& number) const;
   /// The same for a number that is a function of linear ones.

@@ -186,11 +186,9 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
 /// The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
 bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double tolerance,
                               Eigen::Ref<Eigen::MatrixXd> rows) const {
-  // In a wider panel the logarithm is much larger than the kernel, and cancels.
-  constexpr double widest = 3;
   const Panel& panel = panels_[p];
   const double width = panel.width();
-  if (width > widest || (panel.at_end && !layers_.empty())) return false;
+  if (width > widest_with_logarithm || (panel.at_end && !layers_.empty())) return false;
   const PanelBasis basis = this->basis(panel);
   const MatchingPoints points = points_of(panel);
   const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance),

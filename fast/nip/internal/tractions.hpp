@@ -40,6 +40,10 @@ class Tractions {
   /// leaving them out is.
   static constexpr int left_out = 2;
 
+  /// Of the panels whose own logarithm is integrated in closed form: in wider ones it is much larger than the kernel, and
+  /// cancels.
+  static constexpr double widest_with_logarithm = 3;
+
   [[nodiscard]] double half_length() const { return half_length_; }
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
   [[nodiscard]] std::vector<std::complex<double>> layer_rates() const;

@@ -8,7 +8,7 @@ using namespace nipref::fast;
 
 TEST_CASE(
     "panels cover a contact without a gap, each at least a quarter as wide as the one before, one if it is short") {
-  for (const double half_length : {1e-8, 0.3, 2.9, 3.1, 20.0, 1e4}) {
+  for (const double half_length : {1e-8, 0.3, 1.4, 1.6, 20.0, 1e4}) {
     for (const std::complex<double> rate : {0.0, 1e-3, 2.0, 1e5}) {
       for (const double decay : {0.0, 0.8, std::numbers::pi}) {
         CAPTURE(half_length);
@@ -24,7 +24,7 @@ TEST_CASE(
           CHECK(!cut[i - 1].about_middle);
           if (i > 1) CHECK(cut[i].width() >= cut[i - 1].width() / 4);
         }
-        if (half_length < 3 && std::abs(rate) * half_length < 4) CHECK(cut.size() == 1);
+        if (half_length < 1.5 && std::abs(rate) * half_length < 4) CHECK(cut.size() == 1);
         CHECK(is_layer(rate, cut) == (cut.size() > 1 && std::abs(rate) * cut.front().right > 1));
       }
     }
@@ -34,7 +34,7 @@ TEST_CASE(
 TEST_CASE("more terms where the singularities are nearer, fewer where the ends are forgotten") {
   const auto terms = [](double half_length) { return panels(half_length, {23, 3.14, 2, {}}).front().terms; };
   CHECK(terms(0.1) < terms(1));
-  CHECK(terms(1) < terms(2.9));
+  CHECK(terms(1) < terms(1.4));
   const auto cut = panels(1000, {23, 3.14, 2, {}});
   REQUIRE(cut.size() > 3);
   CHECK(cut[cut.size() - 2].terms < cut[1].terms);
