@@ -107,22 +107,16 @@ struct ConvergedElasticNip::Implementation {
     return grips() ? solution.of_unknown(ElasticEquations::creep) : sliding_creep(solution);
   }
   /// Without friction, the surface's strain, less the creep if that is asked for.
-  [[nodiscard]] Functional sliding_strain(const Solution& solution, double e, bool beyond_creep) const {
-    Functional strain = at_surface(solution, equations->strain(), e, false);
-    strain.cancelled = solution.traction(solution.half_length()).real();
-    strain.on_tractions -= equations->beta() * traction_at(solution, pressure_row, e).on_tractions;
-    if (beyond_creep) {
-      const Functional creep = sliding_creep(solution);
-      strain.on_tractions -= creep.on_tractions;
-      strain.cancelled += creep.cancelled;
-    }
-    return strain;
-  }
-  [[nodiscard]] Estimate sliding_strain_estimate(double y, bool beyond_creep) const {
-    return times(units.creep,
-                 solved.at_place(from_end(y), unsure_end(), [&](const Solution& solution, double e) {
-                   return sliding_strain(solution, e, beyond_creep);
-                 }));
+  [[nodiscard]] Estimate sliding_strain(double y, bool beyond_creep) const {
+    const auto strain = [&](const Solution& solution, double e) {
+      Functional result = at_surface(solution, equations->strain(), e, false);
+      result.cancelled = solution.traction(solution.half_length()).real();
+      result.on_tractions -= equations->beta() * traction_at(solution, pressure_row, e).on_tractions;
+      return result;
+    };
+    std::optional<SolvedNip::Number> creep;
+    if (beyond_creep) creep = [&](const Solution& solution) { return sliding_creep(solution); };
+    return times(units.creep, solved.at_place(from_end(y), unsure_end(), strain, creep));
   }
   /// Made when it is asked for first.
   [[nodiscard]] const ContactField& field() const {
@@ -215,7 +209,8 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
   const LocalSlope local_slope;
   const PlaceFunction slope{[&](double e) {
                               return std::copysign(1, shear_at(solved, e)) *
-                                     local_slope([&](double at) { return shear_at(solved, at); }, e, reach(e));
+                                     local_slope([&](double at) { return shear_at(solved, at); }, e,
+                                                 reach(e));
                             },
                             [&](double e) {
                               return solved.estimate([&](const Solution& solution) {
@@ -288,7 +283,7 @@ Estimate ConvergedElasticNip::surface_strain(double y) const {
   check_position(y);
   const Implementation& nip = *implementation_;
   const double position = std::fabs(y), from_end = nip.from_end(position);
-  if (!nip.grips()) return nip.sliding_strain_estimate(position, false);
+  if (!nip.grips()) return nip.sliding_strain(position, false);
   if (from_end < 0)
     return times(nip.units.creep / 2, nip.field().at({{position / nip.units.length, 1}}).front().along);
   Estimate creep = creep_ratio();
@@ -303,7 +298,7 @@ Estimate ConvergedElasticNip::slip(double y) const {
   check_position(y);
   const Implementation& nip = *implementation_;
   const double position = std::fabs(y);
-  if (!nip.grips()) return nip.sliding_strain_estimate(position, true);
+  if (!nip.grips()) return nip.sliding_strain(position, true);
   if (nip.from_end(position) >= nip.unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
   return {strain.value - creep.value, strain.error + creep.error};

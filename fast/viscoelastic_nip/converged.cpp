@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
@@ -76,6 +78,19 @@ double pressure_of(const SolvedNip& nip, const ContactPlace& place) {
   return place.trailing ? g.real() - g.imag() : g.real() + g.imag();
 }
 
+/// A functional, made once for each solution.
+class KeptFunctional {
+ public:
+  template <class Make>
+  Functional of(const Solution& solution, const Make& make) {
+    const auto found = kept_.find(&solution);
+    return found != kept_.end() ? found->second : kept_.emplace(&solution, make()).first->second;
+  }
+
+ private:
+  std::map<const Solution*, Functional> kept_;
+};
+
 }  // namespace
 
 struct ConvergedViscoelasticNip::Implementation {
@@ -90,6 +105,8 @@ struct ConvergedViscoelasticNip::Implementation {
   double roller_radius;
   std::shared_ptr<const RollingEquations> equations;
   SolvedNip solved;
+  mutable KeptFunctional at_origin, mean_strain;
+  mutable std::optional<double> origin_shift;
 
   [[nodiscard]] double half_length() const { return solved.half_length(); }
   [[nodiscard]] double offset() const {
@@ -111,15 +128,11 @@ struct ConvergedViscoelasticNip::Implementation {
     const double y = position - offset();
     return {y < 0, half_length() - std::fabs(y)};
   }
-  /// A number of a place that is known as well as the contact's ends.
+  /// A number of a place that is known as well as the contact's ends, less one of no place, if there is one.
   template <class AtPlace>
-  [[nodiscard]] Estimate at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
-    return solved.at_place(place.e, unsure_end(), at_distance(place, at));
-  }
-  /// How much a number may change because the place is no better known than the ends.
-  template <class AtPlace>
-  [[nodiscard]] double shift(const ContactPlace& place, const AtPlace& at) const {
-    return solved.shift(place.e, unsure_end(), at_distance(place, at));
+  [[nodiscard]] Estimate at_unsure_place(const ContactPlace& place, const AtPlace& at,
+                                         const std::optional<SolvedNip::Number>& less = {}) const {
+    return solved.at_place(place.e, unsure_end(), at_distance(place, at), less);
   }
   template <class AtPlace>
   [[nodiscard]] static SolvedNip::AtPlace at_distance(const ContactPlace& place, const AtPlace& at) {
@@ -140,26 +153,34 @@ struct ConvergedViscoelasticNip::Implementation {
     result.cancelled = solution.value(solution.of_tractions(rows.row(1)));
     return result;
   }
-  /// The displacement along the sheet at a place less that at another.
-  [[nodiscard]] Functional stretch(const Solution& solution, const RollingKernels& kernels,
-                                   const ContactPlace& place, const ContactPlace& reference) const {
-    const Tractions::Kernel tangential = kernels.tangential();
-    Functional result = acting(solution, tangential, place);
-    const Functional from = acting(solution, tangential, reference);
-    result.on_tractions -= from.on_tractions;
-    result.cancelled += from.cancelled;
-    return result;
+  /// The displacement along the sheet beside that far ahead, and its mean slope in the contact. What belongs to no place is
+  /// kept for each solution.
+  [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place) const {
+    return acting(solution, equations->kernels().tangential(), place);
   }
-  /// Mean strain of the surface in the contact.
-  [[nodiscard]] Functional creep(const Solution& solution, const RollingKernels& kernels) const {
-    Functional result = stretch(solution, kernels, {false, 0}, {true, 0});
-    result.on_tractions /= 2 * solution.half_length();
-    result.cancelled /= 2 * solution.half_length();
-    return result;
+  [[nodiscard]] Functional tangential_at_origin(const Solution& solution) const {
+    return at_origin.of(solution, [&] { return tangential(solution, place(0)); });
+  }
+  [[nodiscard]] Functional creep(const Solution& solution) const {
+    return mean_strain.of(solution, [&] {
+      Functional result = tangential(solution, {false, 0}) - tangential(solution, {true, 0});
+      result.on_tractions /= 2 * solution.half_length();
+      result.cancelled /= 2 * solution.half_length();
+      return result;
+    });
+  }
+  [[nodiscard]] double shift_of_origin() const {
+    if (!origin_shift) {
+      const auto at = [&](const Solution& solution, const ContactPlace& there) {
+        return tangential(solution, there);
+      };
+      const ContactPlace origin = place(0);
+      origin_shift = solved.shift(origin.e, unsure_end(), at_distance(origin, at));
+    }
+    return *origin_shift;
   }
   [[nodiscard]] Estimate strain(double y, bool beyond_creep) const {
-    const RollingKernels kernels(equations->sheet());
-    const Tractions::Kernel strain = kernels.strain();
+    const Tractions::Kernel strain = equations->kernels().strain();
     const auto at = [&](const Solution& solution, const ContactPlace& place) {
       Functional here = acting(solution, strain, place);
       const Functional pressure = pressure_at(solution, place);
@@ -167,20 +188,14 @@ struct ConvergedViscoelasticNip::Implementation {
       here.cancelled += std::fabs(equations->sheet().theta2_at_once * solution.value(pressure));
       return here;
     };
-    const ContactPlace here = place(position(y));
-    Estimate result = at_unsure_place(here, at);
-    if (beyond_creep) {
-      const double shifted = result.error;
-      result = solved.estimate([&](const Solution& solution) {
-        Functional both = at(solution, here);
-        const Functional mean = creep(solution, kernels);
-        both.on_tractions -= mean.on_tractions;
-        both.cancelled += mean.cancelled;
-        return both;
-      });
-      result.error += shifted;
-    }
-    return times(units.creep, result);
+    std::optional<SolvedNip::Number> mean;
+    if (beyond_creep) mean = [&](const Solution& solution) { return creep(solution); };
+    return times(units.creep, at_unsure_place(place(position(y)), at, mean));
+  }
+  /// What is kept of solutions that are no more.
+  void forget() {
+    at_origin = mean_strain = {};
+    origin_shift.reset();
   }
   [[nodiscard]] ContactField field() const { return {solved, false, offset(), unsure_end()}; }
   /// Where the pressure is looked at, rising Y in half-thicknesses.
@@ -333,9 +348,8 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
   const Implementation& nip = *implementation_;
-  const RollingKernels kernels(nip.equations->sheet());
   return times(nip.units.creep,
-               nip.solved.estimate([&](const Solution& solution) { return nip.creep(solution, kernels); }));
+               nip.solved.estimate([&](const Solution& solution) { return nip.creep(solution); }));
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
@@ -343,8 +357,7 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const double position = nip.position(y);
   const ContactPlace place = nip.place(position);
   if (place.e >= 0) return times(nip.units.displacement, roller_displacement(nip.solved, position));
-  const RollingKernels kernels(nip.equations->sheet());
-  const Tractions::Kernel normal = kernels.normal();
+  const Tractions::Kernel normal = nip.equations->kernels().normal();
   return times(nip.units.displacement,
                nip.at_unsure_place(place, [&](const Solution& solution, const ContactPlace& at) {
                  return nip.acting(solution, normal, at);
@@ -355,16 +368,12 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const Implementation& nip = *implementation_;
   const double position = nip.position(y);
   if (position == 0) return {0, 0};
-  const RollingKernels kernels(nip.equations->sheet());
-  const ContactPlace origin = nip.place(0), here = nip.place(position);
-  const auto from_origin = [&](const Solution& solution, const ContactPlace& at) {
-    return nip.stretch(solution, kernels, at, origin);
+  const auto at = [&](const Solution& solution, const ContactPlace& place) {
+    return nip.tangential(solution, place);
   };
-  const auto to_here = [&](const Solution& solution, const ContactPlace& at) {
-    return nip.stretch(solution, kernels, here, at);
-  };
-  Estimate displacement = nip.at_unsure_place(here, from_origin);
-  displacement.error += nip.shift(origin, to_here);
+  const auto origin = [&](const Solution& solution) { return nip.tangential_at_origin(solution); };
+  Estimate displacement = nip.at_unsure_place(nip.place(position), at, origin);
+  displacement.error += nip.shift_of_origin();
   return times(nip.units.creep * nip.units.length, displacement);
 }
 
@@ -390,7 +399,10 @@ GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
   return {times(nip.units.pressure, value), times(nip.units.length, y), depth};
 }
 
-bool ConvergedViscoelasticNip::refine() { return implementation_->solved.refine(); }
+bool ConvergedViscoelasticNip::refine() {
+  implementation_->forget();
+  return implementation_->solved.refine();
+}
 
 Work ConvergedViscoelasticNip::work() const { return implementation_->solved.work(); }
 

@@ -27,6 +27,14 @@ struct Functional {
   Eigen::RowVectorXd on_tractions, on_unknowns;
   double constant = 0;
   double cancelled = 0;  ///< size of what cancels in it for this solution, for its rounding
+
+  friend Functional operator-(Functional a, const Functional& b) {
+    a.on_tractions -= b.on_tractions;
+    a.on_unknowns -= b.on_unknowns;
+    a.constant -= b.constant;
+    a.cancelled += b.cancelled;
+    return a;
+  }
 };
 
 /// The solution x of M x = r by elimination, refined once.

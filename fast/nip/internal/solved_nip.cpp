@@ -83,15 +83,19 @@ const Solution& SolvedNip::neighbour() const {
   return *neighbour_;
 }
 
-double SolvedNip::growth(const std::function<double(const Solution&)>& value) const {
-  return (value(neighbour()) - value(last())) / (neighbour().half_length() - last().half_length());
+double SolvedNip::growth(double here, double there) const {
+  return (there - here) / (neighbour().half_length() - last().half_length());
+}
+
+double SolvedNip::load_growth() const {
+  return growth(last().value(last().load()), neighbour().value(neighbour().load()));
 }
 
 const Estimate& SolvedNip::half_length_estimate() const {
   if (!length_) {
     length_ = {last().half_length(), 0};
     if (load_) {
-      const double rise = growth([](const Solution& solution) { return solution.value(solution.load()); });
+      const double rise = load_growth();
       const auto [load, error] = last().estimate(last().load());
       length_->value += (*load_ - load) / rise;
       length_->error = error / std::fabs(rise) + curvature() * length_->value;
@@ -101,14 +105,20 @@ const Estimate& SolvedNip::half_length_estimate() const {
 }
 
 double SolvedNip::curvature() const {
-  const double rise = growth([](const Solution& solution) { return solution.value(solution.load()); });
-  const double here = last().half_length(), left = (*load_ - last().value(last().load())) / rise;
+  const double here = last().half_length(), left = (*load_ - last().value(last().load())) / load_growth();
   return 15 * std::fabs(left / here) * std::fabs((here + left - neighbour().half_length()) / here);
 }
 
+Estimate SolvedNip::extrapolated(double here, double error, const std::function<double()>& there) const {
+  if (!load_) return {here, error};
+  const double rise = growth(here, there());
+  const double value = here + rise * (half_length() - last().half_length());
+  return {value, error + std::fabs(rise) * half_length_estimate().error +
+                     curvature() * std::max(std::fabs(value), std::fabs(rise) * half_length())};
+}
+
 double SolvedNip::value(const std::function<double(const Solution&)>& number) const {
-  if (!load_) return number(last());
-  return number(last()) + growth(number) * (half_length() - last().half_length());
+  return extrapolated(number(last()), 0, [&] { return number(neighbour()); }).value;
 }
 
 std::complex<double> SolvedNip::traction(double e) const {
@@ -123,31 +133,38 @@ std::complex<double> SolvedNip::traction(double e) const {
 }
 
 Estimate SolvedNip::estimate(const Number& number) const {
-  return estimate(number, [&](const Solution& solution) { return solution.value(number(solution)); });
+  const auto [here, error] = last().estimate(number(last()));
+  return extrapolated(here, error, [&] { return neighbour().value(number(neighbour())); });
 }
 
 Estimate SolvedNip::estimate(const Number& linearised,
                              const std::function<double(const Solution&)>& number) const {
-  Estimate result = last().estimate(linearised(last()));
-  result.value = value(number);
-  if (!load_) return result;
-  const double rise = std::fabs(growth(number));
-  result.error +=
-      rise * half_length_estimate().error + curvature() * std::max(std::fabs(result.value), rise * half_length());
+  return extrapolated(number(last()), last().estimate(linearised(last())).error,
+                      [&] { return number(neighbour()); });
+}
+
+Estimate SolvedNip::at_place(double e, double unsure, const AtPlace& number,
+                             const std::optional<Number>& less) const {
+  const auto beyond = [&](const Solution& solution, const Functional& at_e) {
+    return less ? at_e - (*less)(solution) : at_e;
+  };
+  const Functional at_e = number(last(), e);
+  const auto [here, error] = last().estimate(beyond(last(), at_e));
+  Estimate result = extrapolated(
+      here, error, [&] { return neighbour().value(beyond(neighbour(), number(neighbour(), e))); });
+  result.error += shift(last().value(at_e), e, unsure, number);
   return result;
 }
 
-Estimate SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
-  Estimate here = estimate([&](const Solution& solution) { return number(solution, e); });
-  here.error += shift(e, unsure, number);
-  return here;
+double SolvedNip::shift(double e, double unsure, const AtPlace& number) const {
+  return shift(last().value(number(last(), e)), e, unsure, number);
 }
 
-double SolvedNip::shift(double e, double unsure, const AtPlace& number) const {
-  const double reach = unsure + 0x1p-52 * std::fabs(e), value = last().value(number(last(), e));
+double SolvedNip::shift(double here, double e, double unsure, const AtPlace& number) const {
+  const double reach = unsure + 0x1p-52 * std::fabs(e);
   double largest = 0;
   for (const double moved : {e - reach, e + reach})
-    largest = std::max(largest, std::fabs(last().value(number(last(), moved)) - value));
+    largest = std::max(largest, std::fabs(last().value(number(last(), moved)) - here));
   return largest;
 }
 

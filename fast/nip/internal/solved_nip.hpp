@@ -63,7 +63,9 @@ class SolvedNip {
                                   const std::function<double(const Solution&)>& number) const;
   /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
   using AtPlace = std::function<Functional(const Solution&, double e)>;
-  [[nodiscard]] Estimate at_place(double e, double unsure, const AtPlace& number) const;
+  /// Less a number of no place, if there is one.
+  [[nodiscard]] Estimate at_place(double e, double unsure, const AtPlace& number,
+                                  const std::optional<Number>& less = {}) const;
   /// How much such a number may change because the place is not known better.
   [[nodiscard]] double shift(double e, double unsure, const AtPlace& number) const;
   /// Solves with more terms; false where rounding rules, so that more do not help.
@@ -87,8 +89,12 @@ class SolvedNip {
   };
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] const Solution& neighbour() const;
+  /// A number of the contact of half_length() by its values in last() and the neighbour, and an error of it in last().
+  [[nodiscard]] Estimate extrapolated(double here, double error, const std::function<double()>& there) const;
   /// A number's difference from the neighbour's, by the half length.
-  [[nodiscard]] double growth(const std::function<double(const Solution&)>& value) const;
+  [[nodiscard]] double growth(double here, double there) const;
+  [[nodiscard]] double load_growth() const;
+  [[nodiscard]] double shift(double here, double e, double unsure, const AtPlace& number) const;
   /// What the curvature of a number may add to it in a contact of given load, relative to the number.
   [[nodiscard]] double curvature() const;
 

@@ -31,7 +31,7 @@ Complex faded_power(int power, Complex z) {
 
 }  // namespace
 
-RollingEquations::RollingEquations(RollingSheet sheet) : sheet_(std::move(sheet)) {}
+RollingEquations::RollingEquations(RollingSheet sheet) : sheet_(std::move(sheet)), kernels_(sheet_) {}
 
 Resolution RollingEquations::resolution(double nats) const {
   std::vector<Complex> rates;
@@ -50,6 +50,13 @@ std::vector<RollingEquations::Mode> RollingEquations::modes(const std::vector<Pa
     unknown += columns;
   }
   return result;
+}
+
+double RollingEquations::stiffness_of_layers(const std::vector<Mode>& modes) const {
+  std::size_t layers = 0;
+  for (const Mode& mode : modes)
+    if (mode.layer >= 0) layers = mode.number + static_cast<std::size_t>(mode.columns);
+  return sheet_.normal.stiffness[layers];
 }
 
 bool RollingEquations::has_faded(const Mode& mode, double half_length) {
@@ -97,6 +104,7 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
                  there = fading_response(modes, half_length, trailing);
   const Response parts[] = {lasting_response(modes, half_length) + 0.5 * (here + there),
                             0.5 * (here + -1 * there)};
+  const double scale = stiffness_of_layers(modes);
   for (const bool odd : {false, true}) {
     const double sign = odd ? -1 : 1;
     const auto& [stiffness, first, second] = parts[odd ? 1 : 0];
@@ -107,7 +115,12 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
       equations.on_unknowns(row + odd, unknown) = -coefficient.value;
       equations.size_on_unknowns(row + odd, unknown) = coefficient.size;
     };
-    set(middle_displacement, stiffness);
+    if (!has_layers(modes))
+      set(middle_displacement, stiffness);
+    else if (scale > 0)
+      set(static_cast<int>(equations.on_unknowns.cols()) - 1, 1 / scale * stiffness);
+    else
+      set(static_cast<int>(equations.on_unknowns.cols()) - 1, {odd ? 0.0 : 1.0, odd ? 0.0 : 1.0});
     set(offset, of_offset);
     equations.right(row + odd) = constant.value;
     equations.size_right(row + odd) = constant.size;
@@ -118,6 +131,22 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
       if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * exponential.imag();
     }
   }
+}
+
+/// Next to the leading end u = N(D) f.
+void RollingEquations::add_middle_displacement(const Tractions& tractions, const Tractions::Kernel& elastic,
+                                               double tolerance, Equations& equations) const {
+  const double leading_end[] = {0.0}, half_length = tractions.half_length();
+  const Eigen::Index row = equations.right.size() - 1;
+  equations.on_tractions.row(row) = -tractions.rows(leading_end, false, elastic, tolerance);
+  for (std::size_t k = 0; k < sheet_.normal.terms.size(); ++k) {
+    const auto& [amplitude, rate] = sheet_.normal.terms[k];
+    const Eigen::MatrixXd memory = tractions.rows(leading_end, false, kernels_.ahead(k), tolerance);
+    equations.on_tractions.row(row) -= amplitude.real() * memory.row(0) - amplitude.imag() * memory.row(1);
+  }
+  equations.on_unknowns(row, middle_displacement) = 1;
+  equations.on_unknowns(row, offset) = -2 * half_length;
+  equations.right(row) = half_length * half_length;
 }
 
 /// The coefficient of a layer is that of its exponential.
@@ -132,7 +161,6 @@ void RollingEquations::add_layers(const std::vector<Mode>& modes, Equations& equ
 /// The rows that determine the coefficients of the exponentials.
 void RollingEquations::add_closure(const std::vector<Mode>& modes, const Tractions& tractions,
                                    double tolerance, Equations& equations) const {
-  const RollingKernels rolling(sheet_);
   const double leading_end[] = {0.0};
   const Eigen::Index first = equations.right.size() - equations.on_unknowns.cols();
   const auto is_layer = [](const Mode& mode) { return mode.layer >= 0; };
@@ -147,8 +175,8 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, const Tractio
   };
   for (std::size_t k = 0; k < sheet_.normal.terms.size(); ++k) {
     Eigen::MatrixXd memory, slope;
-    if (!std::ranges::all_of(modes, is_layer)) memory = rows(rolling.ahead(k));
-    if (std::ranges::any_of(modes, is_layer)) slope = rows(rolling.slope_ahead(k));
+    if (!std::ranges::all_of(modes, is_layer)) memory = rows(kernels_.ahead(k));
+    if (std::ranges::any_of(modes, is_layer)) slope = rows(kernels_.slope_ahead(k));
     for (const Mode& mode : modes) {
       const Complex factor = sheet_.normal.closure[mode.number][k];
       add(mode, is_layer(mode) ? factor / mode.memory.rate : factor, is_layer(mode) ? slope : memory);
@@ -181,7 +209,8 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   const Eigen::MatrixXd ahead = tractions.matching_rows(elastic, tolerance);
 
   const auto matching = 2 * static_cast<Eigen::Index>(points.size());
-  const auto unknowns = static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size());
+  const auto unknowns =
+      static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size() + (has_layers(modes) ? 1 : 0));
   const auto of_layers = static_cast<Eigen::Index>(2 * layers.size());
   Equations equations{Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
                       Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
@@ -209,6 +238,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   }
   add_layers(modes, equations);
   add_closure(modes, tractions, tolerance, equations);
+  if (has_layers(modes)) add_middle_displacement(tractions, elastic.whole, tolerance, equations);
   equations.memories = static_cast<int>(unknowns - 2);
   return {tractions, equations};
 }

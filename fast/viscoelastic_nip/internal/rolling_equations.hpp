@@ -25,12 +25,18 @@ namespace nipref::fast {
 /// a polynomial and h_j e^(-r_j x), so that nothing large cancels: by parts, with sum_k n_k/(r_j - s_k) = 1,
 ///     h_j = m_j/r_j sum_k n_k/(r_j - s_k) (s_k f_k - f(0)) + 2 m_j (offset + A + 1/r_j)/r_j^2,
 ///     s_k f_k - f(0) = int_0^inf e^(-s_k x) d/dx f(-x) dx.
+/// By the layers' memories u_m acts on f less and less as the sheet is softer, and not at all if it flows. So with layers
+/// the product of u_m and the stiffness that the layers have left is the unknown of these equations, and
+///     u_m = A^2 + 2 offset A + f(0) + sum_k n_k f_k.
 class RollingEquations : public NipEquations {
  public:
   explicit RollingEquations(RollingSheet sheet);
+  RollingEquations(const RollingEquations&) = delete;  // the kernels refer to the sheet
+  RollingEquations& operator=(const RollingEquations&) = delete;
 
   static constexpr int middle_displacement = 0, offset = 1;  ///< numbers of the unknowns
   [[nodiscard]] const RollingSheet& sheet() const { return sheet_; }
+  [[nodiscard]] const RollingKernels& kernels() const { return kernels_; }
 
   [[nodiscard]] Resolution resolution(double nats) const override;
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
@@ -63,6 +69,12 @@ class RollingEquations : public NipEquations {
       return {factor * a.stiffness, factor * a.first, factor * a.second};
     }
   };
+  /// Layers come first, as their rates are the largest.
+  [[nodiscard]] static bool has_layers(const std::vector<Mode>& modes) {
+    return !modes.empty() && modes.front().layer >= 0;
+  }
+  /// 1 + sum m_j/r_j of the layers: what their memories have left of the stiffness where they have faded.
+  [[nodiscard]] double stiffness_of_layers(const std::vector<Mode>& modes) const;
   /// Whether a memory counts as the stiffness m/r that it leaves and the rest, -m/r e^(-r x), rather than as a whole. Where
   /// the sheet only creeps none of these cancel, since all m_j are negative and 1 + sum m_j/r_j is not.
   [[nodiscard]] static bool has_faded(const Mode& mode, double half_length);
@@ -72,10 +84,13 @@ class RollingEquations : public NipEquations {
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;
+  void add_middle_displacement(const Tractions& tractions, const Tractions::Kernel& elastic, double tolerance,
+                               Equations& equations) const;
   void add_closure(const std::vector<Mode>& modes, const Tractions& tractions, double tolerance,
                    Equations& equations) const;
 
   RollingSheet sheet_;
+  RollingKernels kernels_;
 };
 
 /// R/b times the coefficient of rolling resistance: the distance of the pressure's resultant from the line through the

@@ -152,7 +152,9 @@ TEST_CASE("on a face the stress across is the pressure to a few units, wherever 
     for (const double part : {0.0, 0.073, 0.26, 0.4999, 0.93}) {
       const double y = part * length / 2;
       const auto inside = contact.inner_stresses(std::vector<fast::InnerPoint>{{y, 1}}).front();
-      CHECK(std::fabs(inside.across.value + contact.pressure(y).value) < 2e-14 * peak);
+      // A panel's pressure at its end is that of the next one up to its error.
+      const Estimate pressure = contact.pressure(y);
+      CHECK(std::fabs(inside.across.value + pressure.value) < 5e-15 * peak + pressure.error);
     }
   }
 }

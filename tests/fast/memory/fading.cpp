@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <nipref/fast/memory/internal/fading.hpp>
-#include <nipref/fast/number/internal/exponential_integrals.hpp>
 
 namespace nipref::fast::internal {
 namespace {
@@ -49,27 +48,6 @@ TEST_CASE("the memory of a slope is the kernel's memory times the rate less the 
       const Fade kept = fade(Two{rate, 0}, {Kernel::I1, Kernel::I3}, Accuracy());
       check(Kernel::I3, w, kept, rate);
       if (w > 0) check(Kernel::I1, w, kept, rate);
-    }
-  }
-}
-
-TEST_CASE(
-    "the exponential integral Ei of complex arguments: its equation, and values of tables on the real axis") {
-  CHECK(scaled_Ei(1.0).real() == doctest::Approx(std::exp(-1) * 1.8951178163559368).scale(0).epsilon(1e-14));
-  CHECK(scaled_Ei(10.0).real() ==
-        doctest::Approx(std::exp(-10) * 2492.2289762418777).scale(0).epsilon(1e-14));
-  for (const double size : {0.4, 2.4, 2.6, 12.0, 49.0, 51.0, 300.0}) {
-    for (const double angle : {-1.5, -0.5, 0.1, 0.3, 1.2}) {
-      CAPTURE(size);
-      CAPTURE(angle);
-      // f = e^-z Ei z obeys f' = 1/z - f.
-      const Complex z = std::polar(size, angle);
-      const double step = 0.003;
-      const Complex slope = (45.0 * (scaled_Ei(z + step) - scaled_Ei(z - step)) -
-                             9.0 * (scaled_Ei(z + 2 * step) - scaled_Ei(z - 2 * step)) +
-                             (scaled_Ei(z + 3 * step) - scaled_Ei(z - 3 * step))) /
-                            (60 * step);
-      CHECK(std::abs(slope - (1.0 / z - scaled_Ei(z))) < 1e-9);
     }
   }
 }
