@@ -65,18 +65,17 @@ Tractions::Kernel ElasticEquations::tangential(CountedKernels& kernels) const {
 
 /// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
 Tractions::Kernel ElasticEquations::strain() const {
-  return {
-      1, !grips_, {}, [this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-        constexpr double nearest = 1e-299;  // the field's own domain
-        on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
-        on_q.resize(1, on_p.cols());
-        for (std::size_t i = 0; i < alpha.size(); ++i) {
-          const double place = std::copysign(std::max(std::fabs(alpha[i]), nearest), alpha[i]);
-          on_p(static_cast<Eigen::Index>(i)) = sheet_stresses(place, 1, data::SheetLoad::normal).along / 2;
-          if (grips_)
-            on_q(static_cast<Eigen::Index>(i)) = sheet_stresses(place, 1, data::SheetLoad::shear).along / 2;
-        }
-      }};
+  return {1, !grips_, {}, [this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resize(1, on_p.cols());
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              on_p(static_cast<Eigen::Index>(i)) =
+                  sheet_stresses(alpha[i], 1, data::SheetLoad::normal).along / 2;
+              if (grips_)
+                on_q(static_cast<Eigen::Index>(i)) =
+                    sheet_stresses(alpha[i], 1, data::SheetLoad::shear).along / 2;
+            }
+          }};
 }
 
 /// Both displacements at once.

@@ -78,6 +78,8 @@ void Tractions::Nodes::grow(std::size_t count) {
 void Tractions::append_piece(double from, double to, double singular, bool mirrored,
                              const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const {
   const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
+  // Nearer than any node that counts, the kernels' logarithms would overflow.
+  constexpr double nearest = 1e-299;
   std::size_t i = nodes.e.size();
   const auto append = [&](double from_left, double from_right, double weight) {
     const double distance =
@@ -85,7 +87,7 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
     nodes.e[i] = from + width * from_left;
     nodes.other[i] = beyond + width * from_right;
     nodes.weight[i] = width * weight;
-    nodes.alpha[i] = sign * distance;
+    nodes.alpha[i] = std::copysign(std::max(std::fabs(distance), nearest), sign * distance);
     ++i;
   };
   if (std::min({from, beyond, std::max(from - singular, singular - to)}) >= width && width <= 8) {

@@ -31,11 +31,7 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const AtAlpha& at) 
           }};
 }
 
-/// Nearer than any node that counts, the kernels' logarithms would overflow.
-internal::SurfacePoint point(double alpha) {
-  constexpr double nearest = 1e-299;
-  return internal::surface_point({std::copysign(std::max(std::fabs(alpha), nearest), alpha), 0}, Accuracy());
-}
+internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
 
 }  // namespace
 
