@@ -253,12 +253,12 @@ namespace {
 /// u at Y, in the contact: u_m - Y^2 + offset^2.
 Estimate roller_displacement(const SolvedNip& solved, double position) {
   const auto linearised = [](const Solution& solution) {
-    Functional result = solution.of_unknown(RollingEquations::middle_displacement);
+    Functional result = solution.of_unknown(RollingEquations::middle_displacement(solution));
     result.on_unknowns(RollingEquations::offset) = 2 * solution.unknown(RollingEquations::offset);
     return result;
   };
   return solved.estimate(linearised, [position](const Solution& solution) {
-    return solution.unknown(RollingEquations::middle_displacement) +
+    return solution.unknown(RollingEquations::middle_displacement(solution)) +
            (std::pow(solution.unknown(RollingEquations::offset), 2) - position * position);
   });
 }
@@ -266,7 +266,7 @@ Estimate roller_displacement(const SolvedNip& solved, double position) {
 /// u at an end, where y is A or -A.
 Estimate end_displacement(const SolvedNip& solved, double sign) {
   return solved.estimate([sign](const Solution& solution) {
-    Functional result = solution.of_unknown(RollingEquations::middle_displacement);
+    Functional result = solution.of_unknown(RollingEquations::middle_displacement(solution));
     result.on_unknowns(RollingEquations::offset) = -2 * sign * solution.half_length();
     result.constant = -solution.half_length() * solution.half_length();
     return result;

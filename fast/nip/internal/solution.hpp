@@ -60,6 +60,7 @@ class Solution {
 
   [[nodiscard]] const Tractions& tractions() const { return tractions_; }
   [[nodiscard]] double half_length() const { return tractions_.half_length(); }
+  [[nodiscard]] int unknowns() const { return static_cast<int>(unknowns_.size()); }
   [[nodiscard]] double unknown(int number) const { return unknowns_(number); }
   /// The integrals of Re g and of y Im g over the contact: the load and, in rolling, the moment.
   [[nodiscard]] Functional load() const { return of_tractions(integrals_.row(0)); }

@@ -116,11 +116,11 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
       equations.size_on_unknowns(row + odd, unknown) = coefficient.size;
     };
     if (!has_layers(modes))
-      set(middle_displacement, stiffness);
+      set(stiff_part, stiffness);
     else if (scale > 0)
-      set(static_cast<int>(equations.on_unknowns.cols()) - 1, 1 / scale * stiffness);
+      set(stiff_part, 1 / scale * stiffness);
     else
-      set(static_cast<int>(equations.on_unknowns.cols()) - 1, {odd ? 0.0 : 1.0, odd ? 0.0 : 1.0});
+      set(stiff_part, {odd ? 0.0 : 1.0, odd ? 0.0 : 1.0});
     set(offset, of_offset);
     equations.right(row + odd) = constant.value;
     equations.size_right(row + odd) = constant.size;
@@ -133,7 +133,8 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
   }
 }
 
-/// Next to the leading end u = N(D) f.
+/// Next to the leading end u = N(D) f. The equation is scaled down so that the elimination takes it for this unknown only:
+/// else its rounding would mix even and odd parts, one of which may be much smaller than the other.
 void RollingEquations::add_middle_displacement(const Tractions& tractions, const Tractions::Kernel& elastic,
                                                double tolerance, Equations& equations) const {
   const double leading_end[] = {0.0}, half_length = tractions.half_length();
@@ -144,9 +145,13 @@ void RollingEquations::add_middle_displacement(const Tractions& tractions, const
     const Eigen::MatrixXd memory = tractions.rows(leading_end, false, kernels_.ahead(k), tolerance);
     equations.on_tractions.row(row) -= amplitude.real() * memory.row(0) - amplitude.imag() * memory.row(1);
   }
-  equations.on_unknowns(row, middle_displacement) = 1;
+  equations.on_unknowns(row, equations.on_unknowns.cols() - 1) = 1;
   equations.on_unknowns(row, offset) = -2 * half_length;
   equations.right(row) = half_length * half_length;
+  constexpr double scale = 0x1p-600;
+  equations.on_tractions.row(row) *= scale;
+  equations.on_unknowns.row(row) *= scale;
+  equations.right(row) *= scale;
 }
 
 /// The coefficient of a layer is that of its exponential.
@@ -245,9 +250,10 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
 
 std::vector<AccuracyTarget> RollingEquations::accuracy_targets(const Solution& solution) const {
   const double half_length = solution.half_length(), middle = solution.traction(half_length).real();
-  std::vector<AccuracyTarget> targets{{solution.of_unknown(middle_displacement), half_length * half_length},
-                                      {solution.of_unknown(offset), 0.1 * half_length},
-                                      {linearised_eccentricity(solution), 1e-4 * half_length}};
+  std::vector<AccuracyTarget> targets{
+      {solution.of_unknown(middle_displacement(solution)), half_length * half_length},
+      {solution.of_unknown(offset), 0.1 * half_length},
+      {linearised_eccentricity(solution), 1e-4 * half_length}};
   for (const Panel& panel : solution.tractions().panels()) {
     const double at = panel.about_middle && !panel.at_end ? half_length : panel.left + 0.2 * panel.width();
     const Eigen::MatrixXd both = solution.tractions().values(at);

@@ -34,7 +34,11 @@ class RollingEquations : public NipEquations {
   RollingEquations(const RollingEquations&) = delete;  // the kernels refer to the sheet
   RollingEquations& operator=(const RollingEquations&) = delete;
 
-  static constexpr int middle_displacement = 0, offset = 1;  ///< numbers of the unknowns
+  static constexpr int offset = 1;  ///< number of the unknown
+  /// The number of u_m among the unknowns.
+  [[nodiscard]] static int middle_displacement(const Solution& solution) {
+    return solution.tractions().layer_rates().empty() ? stiff_part : solution.unknowns() - 1;
+  }
   [[nodiscard]] const RollingSheet& sheet() const { return sheet_; }
   [[nodiscard]] const RollingKernels& kernels() const { return kernels_; }
 
@@ -47,6 +51,9 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] double softening_over(double half_length) const;
 
  private:
+  /// u_m, or with layers its product with the stiffness that they have left. It comes before the exponentials, and u_m after
+  /// them, so that the elimination finds the exponentials by their own equations.
+  static constexpr int stiff_part = 0;
   /// One rate of the inverse, or a conjugate pair by that with Im > 0.
   struct Mode {
     Memory memory;

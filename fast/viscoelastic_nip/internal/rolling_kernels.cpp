@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <nipref/fast/memory/internal/smooth_part.hpp>
-#include <nipref/fast/nip/internal/stretch.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/sized.hpp>
 
@@ -98,7 +98,7 @@ Tractions::Kernel RollingKernels::strain() const {
   return for_both_parts(rates(), [this](double alpha) {
     const internal::SurfacePoint at = point(alpha);
     Sized sum;
-    sum.add(pi * stretch_over_pi(alpha));
+    sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
     add_terms(sum, [&](const auto& fade) {
       return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
     });

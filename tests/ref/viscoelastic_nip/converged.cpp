@@ -216,6 +216,7 @@ TEST_CASE("ref rolling contact: fluids, and theta2 with nothing at once, are cov
     const auto computed = fast::converged_for_length(nip, length, 1e-10);
     check_covered(truth, computed, length);
     CHECK(computed.load().error <= 1e-10 * computed.load().value);
+    CHECK(computed.indentation().error <= 1e-10 * computed.indentation().value);
   }
 }
 
