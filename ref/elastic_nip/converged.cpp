@@ -51,7 +51,8 @@ class ElasticModel {
       : sheet_(friction == data::Friction::full, to_float(Exact(units.beta))) {}
 
   [[nodiscard]] bool grips() const { return sheet_.grips; }
-  [[nodiscard]] double decay() const { return sheet_.decay; }
+  [[nodiscard]] Resolution resolution() const { return sheet_.resolution(); }
+  [[nodiscard]] static int lost_digits() { return 0; }
   [[nodiscard]] int unknowns(const std::vector<TractionPanel>& panels) const {
     int terms = 0;
     for (const TractionPanel& panel : panels) terms += panel.terms;
@@ -157,7 +158,7 @@ struct ConvergedElasticNip::Implementation {
   [[nodiscard]] Float size() const { return fine().half_length(); }
   [[nodiscard]] Float square() const { return size() * size(); }
   [[nodiscard]] Float middle_pressure() const { return fine().tractions(size()).pressure; }
-  [[nodiscard]] int working_digits() const { return SolvedElasticNip::working_digits(solved.digits()); }
+  [[nodiscard]] int working_digits() const { return SolvedElasticNip::working_digits(solved.digits(), 0); }
 
   /// The estimate of a functional whose scale is its value, or `least` if that is larger.
   [[nodiscard]] Estimate number(const mpq_class& unit, const SolvedElasticNip::Functional& functional,
@@ -366,7 +367,7 @@ Float half_length_of(const data::ElasticNip& nip, double contact_length) {
 int elastic_unknowns(const data::ElasticNip& nip, data::Friction friction, double contact_length,
                      int digits) {
   check_elastic_length(nip, contact_length, digits);
-  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits, 0));
   return SolvedElasticNip::first_unknowns(ElasticModel(NipUnits(nip), friction),
                                           half_length_of(nip, contact_length), digits);
 }
@@ -374,7 +375,7 @@ int elastic_unknowns(const data::ElasticNip& nip, data::Friction friction, doubl
 ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,
                                          double contact_length, int digits) {
   check_elastic_length(nip, contact_length, digits);
-  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits, 0));
   const NipUnits units(nip);
   return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
       units, contact_length,
@@ -398,7 +399,7 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Fricti
   const auto check = [&](double half_length) {
     if (!(half_length > 0.1 * shortest_elastic && half_length < 8 * most)) refuse();
   };
-  const WorkingDigits working(SolvedElasticNip::working_digits(digits));
+  const WorkingDigits working(SolvedElasticNip::working_digits(digits, 0));
   auto solved =
       SolvedElasticNip::of_load(ElasticModel(units, friction), to_float(wanted), guess, digits, check);
   const auto length = static_cast<double>(solved.fine().half_length()) * nip.sheet_thickness;

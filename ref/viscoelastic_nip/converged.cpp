@@ -1,15 +1,21 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
+#include <memory>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/nip/internal/solved_nip.hpp>
 #include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -80,83 +86,144 @@ struct RollingUnits {
         lever(length / nip.roller_radius) {}
 };
 
-/// To more than the results' digits; what memories' parts lose as they cancel they do not lose of it.
-RollingMaterial material_to(int digits, const data::ViscoelasticNip& nip) {
-  const WorkingDigits working(digits + 14);
-  return rolling_material(nip);
+/// A guess at the half length that carries a load, a few tens of per cent off at most where memories are long or short:
+/// between a half-space and springs, with the compliance that the contact meets.
+double guessed_half_length(double load, const std::vector<RollingMemory>& memory) {
+  double size = 1;
+  for (int i = 0; i < 60; ++i) {
+    double softness = 1;
+    for (const RollingMemory& term : memory)
+      softness += static_cast<double>((term.amplitude / (term.rate + ComplexFloat(1 / size))).re);
+    size = std::sqrt(size * std::sqrt(load * softness / (std::numbers::pi + 8 * size / 3)));
+  }
+  return size;
 }
 
-FieldSource field_source(const RollingPressure& contact) {
+/// The rolling nip for SolvedNip.
+class RollingModel {
+ public:
+  using Solution = RollingSolution;
+
+  explicit RollingModel(RollingMaterial material)
+      : sheet_(std::make_shared<const RollingSheet>(std::move(material))) {}
+
+  [[nodiscard]] const RollingSheet& sheet() const { return *sheet_; }
+  [[nodiscard]] int lost_digits() const { return sheet_->lost_digits(); }
+  [[nodiscard]] Resolution resolution() const { return sheet_->resolution(); }
+  [[nodiscard]] int unknowns(const std::vector<TractionPanel>& panels) const {
+    int terms = 1;
+    for (const TractionPanel& panel : panels) terms += panel.terms;
+    return 2 * terms + 2 + 2 * static_cast<int>(sheet_->inverse.size());
+  }
+  [[nodiscard]] std::unique_ptr<Solution> solved(const Float& half_length, std::vector<TractionPanel> panels,
+                                                 double nats, SheetKernels& kernels) const {
+    return std::make_unique<Solution>(sheet_, Tractions(half_length, std::move(panels), 0, false, nats), nats,
+                                      kernels);
+  }
+
+ private:
+  std::shared_ptr<const RollingSheet> sheet_;
+};
+
+using SolvedRollingNip = SolvedNip<RollingModel>;
+
+/// From the leading end, to all digits: the zero of the pressure's slope between the neighbours of the largest sample.
+Float place_of_peak(const RollingSolution& contact) {
+  constexpr int samples = 200;
+  const Float end = 2 * contact.half_length();
+  const auto place = [&](int i) -> Float { return end * (1 - cos(pi() * i / samples)) / 2; };
+  int best = 1;
+  Float largest = 0;
+  for (int i = 1; i < samples; ++i) {
+    const Float here = contact.pressure(place(i));
+    if (here > largest) largest = here, best = i;
+  }
+  const auto pressure = [&](const Float& x) { return contact.pressure(x); };
+  const auto slope = [&](const Float& x) -> Float {
+    return local_slope(pressure, x, std::min({Float(x / 5), Float((end - x) / 5), Float(1)}));
+  };
+  // Not at the ends themselves, where the slope is infinite.
+  const Float near = place(best), low = std::max(place(best - 1), Float(near / 16)),
+              high = std::min(place(best + 1), Float(end - (end - near) / 16));
+  const auto zero =
+      bracketed_root<Float>(slope, low, high, end * std::numeric_limits<Float>::epsilon() * 1e4);
+  return zero ? *zero : near;
+}
+
+FieldSource field_source(const RollingSolution& contact) {
   const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
     return {contact.pressure(right, left), 0};
   };
   return {contact.offset(), contact.half_length(), tractions};
 }
 
-Estimate estimated_of(const Float& unit, const data::WithError<Float>& estimate, int digits) {
-  return {unit * estimate.value, unit * estimate.error, digits};
-}
-
 }  // namespace
 
 struct ConvergedViscoelasticNip::Implementation {
   RollingUnits units;
-  RollingContact contact;
-  mutable std::map<const RollingPressure*, Float> at_middle = {};
+  SolvedRollingNip solved;
+  mutable std::map<const RollingSolution*, Float> at_middle = {};
 
-  [[nodiscard]] const Float& size() const { return contact.fine().half_length(); }
-  [[nodiscard]] Estimate estimated(const Float& unit, const RollingContact::Functional& functional,
-                                   const std::function<Float(const RollingPressure&)>& scale) const {
-    const WorkingDigits working(contact.working_digits());
-    return estimated_of(unit, contact.estimate(functional, scale(contact.fine())), contact.digits());
+  [[nodiscard]] const RollingSolution& fine() const { return solved.fine(); }
+  [[nodiscard]] const Float& size() const { return fine().half_length(); }
+  [[nodiscard]] Float mean_pressure() const { return fine().load() / size(); }
+  [[nodiscard]] int working_digits() const {
+    return SolvedRollingNip::working_digits(solved.digits(), solved.model().lost_digits());
   }
-  [[nodiscard]] Estimate length(const RollingContact::Functional& functional) const {
-    return estimated(units.length, functional, std::mem_fn(&RollingPressure::half_length));
+  /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
+  [[nodiscard]] Estimate number(const Float& unit, const SolvedRollingNip::Functional& functional,
+                                const Float& least = 0, const Float& beside = 0) const {
+    const WorkingDigits working(working_digits());
+    const data::WithError<Float> estimate = solved.estimate(functional, least);
+    return {unit * estimate.value, unit * (estimate.error + beside), solved.digits()};
   }
-  [[nodiscard]] Estimate displacement(const RollingContact::Functional& functional) const {
-    return estimated(units.displacement, functional, [](const RollingPressure& contact_here) {
-      return contact_here.half_length() * contact_here.half_length();
-    });
+  [[nodiscard]] Estimate length(const SolvedRollingNip::Functional& functional) const {
+    return number(units.length, functional, size());
+  }
+  [[nodiscard]] Estimate displacement(const SolvedRollingNip::Functional& functional) const {
+    const WorkingDigits working(working_digits());
+    return number(units.displacement, functional, size() * size());
   }
   void check_place(double y) const {
     if (!std::isfinite(y) || abs(y / units.length) > farthest_rolling)
       throw BadInput("y", y, "must be within 300 sheet thicknesses of the middle on the reference path");
   }
   [[nodiscard]] ContactField field() const {
-    const RollingPressure& fine = contact.fine();
-    if (fine.half_length() > longest_inside) {
-      throw BadInput("contact_length", static_cast<double>(2 * fine.half_length() * units.length),
+    if (size() > longest_inside) {
+      throw BadInput("contact_length", static_cast<double>(2 * size() * units.length),
                      "must be at most 10 sheet thicknesses for stresses inside on the reference path");
     }
-    const Float scale = fine.load() / fine.half_length();
-    return {field_source(contact.coarse()), field_source(fine), scale, scale * contact.difference(),
-            contact.digits()};
+    const Float scale = mean_pressure();
+    return {field_source(solved.coarse()), field_source(fine()), scale, scale * solved.difference(),
+            solved.digits()};
+  }
+  /// Of Y, from the leading end.
+  [[nodiscard]] Float behind(const RollingSolution& contact, double y) const {
+    return contact.half_length() + contact.offset() - y / units.length;
   }
   /// Of where the leading end is.
   [[nodiscard]] Float end_error() const {
-    return contact.estimate([&](const RollingPressure& of) { return downstream(of, 0); }, size()).error;
+    return solved.estimate([&](const RollingSolution& contact) { return behind(contact, 0); }, size()).error;
   }
-  /// Of the pressure at d: nothing where the contact surely is not.
-  [[nodiscard]] Float pressure_scale(const Float& d) const {
+  /// Of the pressure at x: nothing where the contact surely is not.
+  [[nodiscard]] Float pressure_scale(const Float& x) const {
     const Float known = end_error();
-    return d > -known && d < 2 * size() + known ? contact.fine().load() / size() : Float(0);
+    return x > -known && x < 2 * size() + known ? mean_pressure() : Float(0);
   }
-  /// What the pressure at d may miss as the ends do: where it is as steep as a square root they count for as much as
-  /// they are known.
-  [[nodiscard]] Float pressure_by_ends(const Float& d) const {
-    const RollingPressure& fine = contact.fine();
-    const Float known = end_error(), here = fine.pressure(d);
-    return abs(fine.pressure(d + known) - here) + abs(fine.pressure(d - known) - here);
+  /// What the pressure at x may miss as the ends do: where it is as steep as a square root they count for as much as they
+  /// are known.
+  [[nodiscard]] Float pressure_by_ends(const Float& x) const {
+    const Float known = end_error(), here = fine().pressure(x);
+    return abs(fine().pressure(x + known) - here) + abs(fine().pressure(x - known) - here);
   }
-  /// Of v at Y = 0.
-  [[nodiscard]] const Float& tangential_at_middle(const RollingPressure& of) const {
-    const auto [place, is_new] = at_middle.try_emplace(&of);
-    if (is_new) place->second = of.response(downstream(of, 0), contact.tangential_kernel());
+  /// v at Y, up to a constant.
+  [[nodiscard]] Float tangential(const RollingSolution& contact, double y) const {
+    return contact.tangential(behind(contact, y), solved.kernels());
+  }
+  [[nodiscard]] const Float& tangential_at_middle(const RollingSolution& contact) const {
+    const auto [place, is_new] = at_middle.try_emplace(&contact);
+    if (is_new) place->second = tangential(contact, 0);
     return place->second;
-  }
-  /// Of Y, from the leading end.
-  [[nodiscard]] Float downstream(const RollingPressure& of, double y) const {
-    return of.half_length() + of.offset() - y / units.length;
   }
 };
 
@@ -166,128 +233,121 @@ ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) n
 ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
 Estimate ConvergedViscoelasticNip::contact_length() const {
-  return implementation_->length([](const RollingPressure& of) { return 2 * of.half_length(); });
+  return implementation_->length([](const RollingSolution& of) -> Float { return 2 * of.half_length(); });
 }
 
 Estimate ConvergedViscoelasticNip::leading_length() const {
-  return implementation_->length([](const RollingPressure& of) { return of.half_length() + of.offset(); });
+  return implementation_->length(
+      [](const RollingSolution& of) -> Float { return of.half_length() + of.offset(); });
 }
 
 Estimate ConvergedViscoelasticNip::trailing_length() const {
-  return implementation_->length([](const RollingPressure& of) { return of.half_length() - of.offset(); });
+  return implementation_->length(
+      [](const RollingSolution& of) -> Float { return of.half_length() - of.offset(); });
 }
 
 Estimate ConvergedViscoelasticNip::load() const {
-  const WorkingDigits working(implementation_->contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
   const RollingUnits& units = implementation_->units;
-  return implementation_->estimated(units.pressure * units.length, std::mem_fn(&RollingPressure::load),
-                                    std::mem_fn(&RollingPressure::load));
+  return implementation_->number(units.pressure * units.length, std::mem_fn(&RollingSolution::load));
 }
 
 Estimate ConvergedViscoelasticNip::indentation() const {
-  return implementation_->displacement([](const RollingPressure& of) {
+  return implementation_->displacement([](const RollingSolution& of) -> Float {
     const Float leading = of.half_length() + of.offset();
     return of.edge_displacement() + leading * leading;
   });
 }
 
 Estimate ConvergedViscoelasticNip::leading_displacement() const {
-  return implementation_->displacement(std::mem_fn(&RollingPressure::edge_displacement));
+  return implementation_->displacement(std::mem_fn(&RollingSolution::edge_displacement));
 }
 
 Estimate ConvergedViscoelasticNip::trailing_displacement() const {
-  return implementation_->displacement(
-      [](const RollingPressure& of) { return of.edge_displacement() + 4 * of.offset() * of.half_length(); });
+  return implementation_->displacement([](const RollingSolution& of) -> Float {
+    return of.edge_displacement() + 4 * of.offset() * of.half_length();
+  });
 }
 
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
-  return implementation_->estimated(
+  return implementation_->number(
       implementation_->units.lever,
-      [](const RollingPressure& of) { return of.offset() + of.moment() / of.load(); },
-      std::mem_fn(&RollingPressure::half_length));
+      [](const RollingSolution& of) -> Float { return of.offset() + of.moment() / of.load(); },
+      implementation_->size());
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {
-  return implementation_->estimated(implementation_->units.pressure,
-                                    std::mem_fn(&RollingPressure::peak_pressure),
-                                    std::mem_fn(&RollingPressure::peak_pressure));
+  return implementation_->number(implementation_->units.pressure,
+                                 [](const RollingSolution& of) { return of.pressure(place_of_peak(of)); });
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   return implementation_->length(
-      [](const RollingPressure& of) { return of.half_length() + of.offset() - of.place_of_peak(); });
+      [](const RollingSolution& of) -> Float { return of.half_length() + of.offset() - place_of_peak(of); });
 }
 
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  const WorkingDigits working(implementation_->contact.working_digits());
-  const auto& [units, contact, at_middle] = *implementation_;
-  const Float d = implementation_->downstream(contact.fine(), y);
-  data::WithError<Float> result = contact.estimate(
-      [&](const RollingPressure& of) { return of.pressure(implementation_->downstream(of, y)); },
-      implementation_->pressure_scale(d));
-  result.error += implementation_->pressure_by_ends(d);
-  return estimated_of(units.pressure, result, contact.digits());
+  const WorkingDigits working(implementation_->working_digits());
+  const Float x = implementation_->behind(implementation_->fine(), y);
+  return implementation_->number(
+      implementation_->units.pressure,
+      [&](const RollingSolution& of) { return of.pressure(implementation_->behind(of, y)); },
+      implementation_->pressure_scale(x), implementation_->pressure_by_ends(x));
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
-  const WorkingDigits working(implementation_->contact.working_digits());
-  RollingKernel& kernel = implementation_->contact.tangential_kernel();
-  return implementation_->estimated(
+  const WorkingDigits working(implementation_->working_digits());
+  return implementation_->number(
       implementation_->units.lever / 2,
-      [&](const RollingPressure& of) {
+      [&](const RollingSolution& of) -> Float {
+        SheetKernels& kernels = implementation_->solved.kernels();
         const Float length = 2 * of.half_length();
-        return (of.response(0, kernel) - of.response(length, kernel)) / length;
+        return (of.tangential(0, kernels) - of.tangential(length, kernels)) / length;
       },
-      std::mem_fn(&RollingPressure::half_length));
+      implementation_->size());
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
-  const WorkingDigits working(implementation_->contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
   implementation_->check_place(y);
-  if (y == 0) return exact_zero(implementation_->contact.digits());
-  RollingKernel& kernel = implementation_->contact.tangential_kernel();
-  const Float& size = implementation_->size();
+  if (y == 0) return exact_zero(implementation_->solved.digits());
   const Float way = abs(y / implementation_->units.length);
-  return implementation_->estimated(
+  return implementation_->number(
       implementation_->units.displacement,
-      [&](const RollingPressure& of) {
-        return of.response(implementation_->downstream(of, y), kernel) -
-               implementation_->tangential_at_middle(of);
+      [&](const RollingSolution& of) -> Float {
+        return implementation_->tangential(of, y) - implementation_->tangential_at_middle(of);
       },
-      [&](const RollingPressure&) { return size * std::min(size, way); });
+      implementation_->size() * std::min(implementation_->size(), way));
 }
 
 Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
-  const WorkingDigits working(implementation_->contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
   implementation_->check_place(y);
-  const auto& [units, contact, at_middle] = *implementation_;
-  StretchRollingKernel& kernel = contact.stretch_kernel();
-  const Float at = implementation_->downstream(contact.fine(), y);
-  // No surer than the pressure that stretches the surface at once.
-  data::WithError<Float> result = contact.estimate(
-      [&](const RollingPressure& of) -> Float {
-        const Float d = implementation_->downstream(of, y);
-        return -(of.response(d, kernel) + kernel.jump() * of.pressure(d));
+  const Float x = implementation_->behind(implementation_->fine(), y);
+  // It is no surer than the pressure that stretches the surface at once.
+  const Float& at_once = implementation_->solved.model().sheet().material.theta2_at_once;
+  return implementation_->number(
+      implementation_->units.lever / 2,
+      [&](const RollingSolution& of) {
+        return of.strain(implementation_->behind(of, y), implementation_->solved.kernels());
       },
-      implementation_->size() + kernel.jump() * implementation_->pressure_scale(at));
-  result.error += kernel.jump() * implementation_->pressure_by_ends(at);
-  return estimated_of(units.lever / 2, result, contact.digits());
+      implementation_->size() + at_once * implementation_->pressure_scale(x),
+      at_once * implementation_->pressure_by_ends(x));
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
-  const WorkingDigits working(implementation_->contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
   implementation_->check_place(y);
-  return implementation_->displacement([&](const RollingPressure& of) {
-    return of.normal_displacement(implementation_->downstream(of, y),
-                                  implementation_->contact.normal_kernel());
+  return implementation_->displacement([&](const RollingSolution& of) {
+    return of.normal(implementation_->behind(of, y), implementation_->solved.kernels());
   });
 }
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
     std::span<const InnerPoint> points) const {
-  const auto& [units, contact, at_middle] = *implementation_;
-  const WorkingDigits working(contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
+  const RollingUnits& units = implementation_->units;
   const ContactField field = implementation_->field();
   std::vector<InnerStresses> stresses;
   for (const InnerPoint& point : points)
@@ -296,30 +356,43 @@ std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
 }
 
 GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
-  const WorkingDigits working(implementation_->contact.working_digits());
+  const WorkingDigits working(implementation_->working_digits());
   const RollingUnits& units = implementation_->units;
   return implementation_->field().greatest(false, units.pressure, units.length);
 }
 
-int ConvergedViscoelasticNip::unknowns() const { return implementation_->contact.fine().unknowns(); }
-long ConvergedViscoelasticNip::normal_kernel_values() const {
-  return implementation_->contact.normal_kernel().kernel_values();
+int ConvergedViscoelasticNip::unknowns() const { return implementation_->fine().unknowns(); }
+long ConvergedViscoelasticNip::normal_values() const {
+  return implementation_->solved.kernels().normal_values();
 }
-long ConvergedViscoelasticNip::tangential_kernel_values() const {
-  const RollingContact& contact = implementation_->contact;
-  return contact.tangential_kernel().kernel_values() + contact.stretch_kernel().kernel_values();
-}
-long ConvergedViscoelasticNip::kernel_evaluations() const {
-  const RollingContact& contact = implementation_->contact;
-  return contact.normal_kernel().evaluations() + contact.tangential_kernel().evaluations() +
-         contact.stretch_kernel().evaluations();
+long ConvergedViscoelasticNip::coupling_values() const {
+  return implementation_->solved.kernels().coupling_values();
 }
 
 namespace {
 
+int rolling_working_digits(const RollingModel& model, int digits) {
+  return SolvedRollingNip::working_digits(digits, model.lost_digits());
+}
+
+/// The sheet to more than the results' digits; what memories' parts lose as they cancel they do not lose of it.
+RollingMaterial material_to(int digits, const data::ViscoelasticNip& nip) {
+  const WorkingDigits working(SolvedRollingNip::working_digits(digits, 0));
+  RollingMaterial material = rolling_material(nip);
+  check_swing(material);
+  return material;
+}
+
+/// To the working precision, which the sheet itself tells.
+RollingModel model_of(const data::ViscoelasticNip& nip, int digits) {
+  const RollingMaterial material = material_to(digits, nip);
+  const WorkingDigits working(SolvedRollingNip::working_digits(digits, RollingModel(material).lost_digits()));
+  return RollingModel(material);
+}
+
 /// What may be solved at a given length.
 struct RollingOfLength {
-  RollingMaterial material;
+  RollingModel model;
   Float half_length;
 };
 
@@ -328,44 +401,45 @@ RollingOfLength checked_rolling(const data::ViscoelasticNip& nip, double contact
   check_rolling_digits(digits);
   if (!rolling_length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_rolling_lengths);
-  RollingMaterial material = material_to(digits, nip);
-  const WorkingDigits working(RollingContact::working_digits(material, digits));
+  RollingModel model = model_of(nip, digits);
+  const WorkingDigits working(rolling_working_digits(model, digits));
   Float half_length = Float(contact_length) / nip.sheet_thickness;
-  check_swing(material);
-  check_memories(material, static_cast<double>(half_length));
-  return {std::move(material), std::move(half_length)};
+  check_memories(model.sheet().material, static_cast<double>(half_length));
+  return {std::move(model), std::move(half_length)};
 }
 
 }  // namespace
 
 int rolling_unknowns(const data::ViscoelasticNip& nip, double contact_length, int digits) {
-  const auto [material, half_length] = checked_rolling(nip, contact_length, digits);
-  return RollingContact::first_unknowns(half_length, material, digits);
+  const auto [model, half_length] = checked_rolling(nip, contact_length, digits);
+  return SolvedRollingNip::first_unknowns(model, half_length, digits);
 }
 
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits) {
-  const auto [material, half_length] = checked_rolling(nip, contact_length, digits);
-  const WorkingDigits working(RollingContact::working_digits(material, digits));
+  const auto [model, half_length] = checked_rolling(nip, contact_length, digits);
+  const WorkingDigits working(rolling_working_digits(model, digits));
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      RollingUnits(nip, material), RollingContact::of_half_length(half_length, material, digits)));
+      RollingUnits(nip, model.sheet().material),
+      SolvedRollingNip::of_half_length(model, half_length, digits)));
 }
 
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits) {
   nip.check();
   check_rolling_digits(digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  const RollingMaterial material = material_to(digits, nip);
-  const WorkingDigits working(RollingContact::working_digits(material, digits));
-  check_swing(material);
-  const RollingUnits units(nip, material);
+  const RollingModel model = model_of(nip, digits);
+  const WorkingDigits working(rolling_working_digits(model, digits));
+  const RollingUnits units(nip, model.sheet().material);
   const auto check = [&](double half_length) {
     if (!rolling_length_is_allowed(nip, half_length * nip.sheet_thickness))
       throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_rolling_lengths);
-    check_memories(material, half_length);
+    check_memories(model.sheet().material, half_length);
   };
+  const Float wanted = load / (units.pressure * units.length);
+  const double guess = guessed_half_length(static_cast<double>(wanted), model.sheet().material.normal);
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      units, RollingContact::of_load(load / (units.pressure * units.length), material, digits, check)));
+      units, SolvedRollingNip::of_load(model, wanted, guess, digits, check)));
 }
 
 }  // namespace nipref::ref

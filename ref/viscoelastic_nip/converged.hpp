@@ -9,18 +9,15 @@
 
 namespace nipref::ref {
 
-/// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both
-/// ends, in multiprecision. What a unit of pressure does to the surface for ever after is one kernel, I1 and
-/// its fading memory in closed form and by a differential equation (internal/rolling_kernel.hpp), by which the
-/// pressure alone is collocated, a square root times polynomials (internal/rolling_pressure.hpp); tangential
-/// displacements are by a second one, of I2 and I3. Inputs are doubles taken exactly, those that the material was
-/// made of where it has them (data::ViscoelasticMaterial::constants); units as in data::ViscoelasticNip. (thesis
-/// 2.1-2.6, 7.6, 7.15, 7.17; continuous form)
+/// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both ends, in
+/// multiprecision. What an elastic sheet would do in the contact follows from the known displacement by the inverse
+/// compliance, so that the pressure is that of an elastic contact with other right-hand sides
+/// (internal/rolling_solution.hpp), polynomials and an end's root on panels (nip/internal/tractions.hpp). Inputs are
+/// doubles taken exactly, those that the material was made of where it has them (data::ViscoelasticMaterial::constants);
+/// units as in data::ViscoelasticNip. (thesis 2.1-2.6, 7.6, 7.15, 7.17; continuous form)
 ///
-/// Errors are estimated, nothing is proven: each contact is solved by two discretisations with other panels
-/// and numbers of terms; the error of a result is twice their difference and beside it the largest that they
-/// differ by in load, ends or pressures, relative to the largest value of the result's kind. It is about
-/// 10^-digits of that value at most, or the contact is refused.
+/// Errors are estimated, see nip/internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's
+/// kind.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
 /// (entry) side, unit of length; finite, for displacements within 300 sheet thicknesses; otherwise BadInput.
@@ -51,11 +48,9 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// v', dimensionless.
   [[nodiscard]] Estimate surface_strain(double y) const;
-  [[nodiscard]] int unknowns() const;                   ///< of the finer discretisation
-  [[nodiscard]] long normal_kernel_values() const;      ///< of I1, taken so far
-  [[nodiscard]] long tangential_kernel_values() const;  ///< of I3
-  /// How often the kernels with their memory, which are interpolated, were asked for a value so far: what results cost.
-  [[nodiscard]] long kernel_evaluations() const;
+  [[nodiscard]] int unknowns() const;          ///< of the finer discretisation
+  [[nodiscard]] long normal_values() const;    ///< of I1, taken so far
+  [[nodiscard]] long coupling_values() const;  ///< of I3, taken so far
 
  private:
   struct Implementation;
@@ -67,11 +62,12 @@ class ConvergedViscoelasticNip {
 
 /// Contact of the given length: L <= R, 1e-6 <= L/B <= 1000. digits: 16 to 30. BadInput otherwise, naming
 /// "nip.material" for rates whose imaginary part is more than 10 times the real one, and for relaxation
-/// lengths (speed over rate) below 1e-8 contacts or above 1e8 of them, and naming "digits" where 1400 unknowns
-/// (1000 for a load) do not give them.
+/// lengths (speed over rate) below 1e-8 contacts or above 1e8 of them, and naming "digits" where 1400 unknowns do not
+/// give them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);
-/// That this solves for at first: what it costs grows with their square. BadInput likewise.
+/// The number of unknowns that converged_for_length() solves for at first; its cost grows with their square. BadInput
+/// likewise.
 int rolling_unknowns(const data::ViscoelasticNip& nip, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, whose length is as above; BadInput otherwise.

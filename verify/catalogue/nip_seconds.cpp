@@ -20,8 +20,8 @@ double likely_seconds(const data::ElasticNip& nip, data::Friction friction, doub
 
 double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits) {
   const double unknowns = ref::rolling_unknowns(nip, length, digits);
-  const double thin = std::min(1.0, length / nip.sheet_thickness / 5);
-  return (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * thin) * (1 + (digits - 16) / 24.0);
+  const double thin = std::min(3.0, std::sqrt(length / nip.sheet_thickness / 5));
+  return 0.1 + digits * unknowns * (2.5e-4 * (1 + thin) + 0.3e-6 * unknowns);
 }
 
 }  // namespace nipref::verify

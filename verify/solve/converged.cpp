@@ -36,7 +36,7 @@ fast::Work work_of(const ref::ConvergedElasticNip& contact) {
                  contact.stretch_values());
 }
 fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
-  return counted(contact.unknowns(), contact.normal_kernel_values(), contact.tangential_kernel_values());
+  return counted(contact.unknowns(), contact.normal_values(), contact.coupling_values());
 }
 
 /// A contact and what its results inside the sheet have in common, which is computed once.

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,37 +16,42 @@ namespace {
 /// Logarithm of the factor, about 5.8 = 3 + sqrt 8, by which Chebyshev's coefficients on a panel fall with each degree: the
 /// panel is as far from the end, where the tractions are singular, as it is wide.
 constexpr double nats_of_term = 1.76;
-constexpr int fewest_terms = 8;
+constexpr int fewest_terms = 8, most_terms = 1000000;
 
 /// From which degree on e^(-rate e) has coefficients below e^-nats on a panel: on an ellipse with the semi-axes' sum r over
-/// the half width it is at most e^(size), and the coefficient of degree n at most twice that over r^n. (Trefethen,
+/// the half width it is at most e^(size - fallen), and the coefficient of degree n at most twice that over r^n. (Trefethen,
 /// Approximation Theory and Approximation Practice, 8.1)
-int degree_of_exponential(double rate, double left, double width, double nats) {
-  int best = std::numeric_limits<int>::max();
-  const double half = width / 2, fallen = rate * (left + half);
+int degree_of_exponential(const std::complex<double>& rate, double left, double width, double nats) {
+  double best = most_terms;
+  const double half = width / 2, fallen = rate.real() * (left + half);
   for (double r = 1.05; r < 1e4; r *= 1.1) {
-    const double size = half * rate * (r + 1 / r) / 2;
-    best = std::min(best, static_cast<int>(std::ceil(std::max(0.0, (nats + size - fallen) / std::log(r)))));
+    const double size = half * (rate.real() * (r + 1 / r) + std::fabs(rate.imag()) * (r - 1 / r)) / 2;
+    best = std::min(best, std::max(0.0, (nats + size - fallen) / std::log(r)));
   }
-  return best;
+  return static_cast<int>(std::ceil(best));
 }
 
-int terms_of(double left, double width, double decay, double nats) {
-  int degree = static_cast<int>(std::ceil(std::max(0.0, nats - decay * left) / nats_of_term));
-  if (left > 0) degree = std::max(degree, degree_of_exponential(decay, left, width, nats));
+int terms_of(double left, double width, const Resolution& resolution, double nats) {
+  int degree = static_cast<int>(std::ceil(std::max(0.0, nats - resolution.decay * left) / nats_of_term));
+  if (left > 0) {
+    degree = std::max(degree, degree_of_exponential(resolution.decay, left, width, nats));
+    for (const std::complex<double>& rate : resolution.rates)
+      degree = std::max(degree, degree_of_exponential(rate, left, width, nats));
+  }
   return std::max(fewest_terms, degree + 3);
 }
 
 }  // namespace
 
-std::vector<TractionPanel> panels_of(const Float& half_length, double decay, const Fineness& fineness) {
+std::vector<TractionPanel> panels_of(const Float& half_length, const Resolution& resolution,
+                                     const Fineness& fineness) {
   const auto size = static_cast<double>(half_length);
-  std::vector<double> edges{0, fineness.first};
+  std::vector<double> edges{0, fineness.first * resolution.first};
   while (edges.back() < size) edges.push_back(fineness.growth * edges.back());
   std::vector<TractionPanel> panels;
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const double left = edges[i] * size / edges.back(), right = edges[i + 1] * size / edges.back();
-    panels.push_back({left, Float(right) - left, terms_of(left, right - left, decay, fineness.nats)});
+    panels.push_back({left, Float(right) - left, terms_of(left, right - left, resolution, fineness.nats)});
   }
   panels.back().width = half_length - panels.back().left;
   return panels;
@@ -71,10 +75,11 @@ double decay_of(bool grips, double beta) {
 
 }  // namespace
 
-ElasticSheet::ElasticSheet(bool the_grips, Float the_beta)
-    : grips(the_grips), beta(std::move(the_beta)), decay(decay_of(grips, static_cast<double>(beta))) {}
+ElasticSheet::ElasticSheet(bool the_grips, Float the_beta) : grips(the_grips), beta(std::move(the_beta)) {}
 
 Float ElasticSheet::epsilon() const { return grips ? Float(atanh(beta) / pi()) : Float(0); }
+
+Resolution ElasticSheet::resolution() const { return {decay_of(grips, static_cast<double>(beta)), {}, 1}; }
 
 ElasticSolution::ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
     : sheet_(sheet), tractions_(std::move(tractions)) {
@@ -112,6 +117,18 @@ Float ElasticSolution::growth() const {
   const Float epsilon = sheet_.epsilon(), cosine = cosh(pi() * epsilon);
   return pi() * half_length() * (a * a + b * b) * (1 + 4 * epsilon * epsilon) /
          (4 * tractions_.panels().front().width * load_ * cosine * cosine);
+}
+
+std::vector<Float> ElasticSolution::signature() const {
+  const Float &size = half_length(), pressure = load_ / size;
+  std::vector<Float> numbers{log(load_), log(size), edge_displacement_ / (size * size)};
+  constexpr int samples = 7;
+  for (int i = 1; i <= samples; ++i) {
+    const PressureAndShear here = tractions((1 - cos(i * pi() / (2 * samples))) * size);
+    numbers.push_back(here.pressure / pressure);
+    numbers.push_back(here.shear / pressure);
+  }
+  return numbers;
 }
 
 PressureAndShear ElasticSolution::tractions(const Float& e) const {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/number/with_error.hpp>
@@ -14,7 +15,7 @@ namespace nipref::ref {
 
 /// A contact solved twice, with other panels, other numbers of terms and other nodes, and again with more of them until both
 /// agree to the digits asked for. `Model` is a kind of nip: Model::Solution, what it is solved to; and
-///     solved(half_length, panels, nats of the quadrature, kernels), unknowns(panels), decay().
+///     solved(half_length, panels, nats of the quadrature, kernels), unknowns(panels), resolution(), lost_digits().
 ///
 /// The result of a functional is that of the finer solution. Its error is estimated, not proven: twice the difference of the
 /// two, and of the scale of its kind the largest difference of load, length, displacement and tractions anywhere and a
@@ -42,7 +43,7 @@ class SolvedNip {
         [&](const Fineness& fineness) {
           for (int step = 0; step < most_steps; ++step) {
             auto here = nip.solution(length, fineness);
-            const Float change = log(load / here->load()) / here->growth();
+            const Float change = newton_step(load, *here);
             length *= exp(change);
             if (abs(change) <= enough) return here;
           }
@@ -54,11 +55,11 @@ class SolvedNip {
 
   /// The unknowns of the finer of the first two solutions; BadInput if these are more than are tried.
   static int first_unknowns(const Model& model, const Float& half_length, int digits) {
-    const auto panels = panels_of(half_length, model.decay(), fineness_of(true, first_nats(digits)));
+    const auto panels = panels_of(half_length, model.resolution(), fineness_of(true, first_nats(digits)));
     check_unknowns(model.unknowns(panels), digits);
     return model.unknowns(panels);
   }
-  static constexpr int working_digits(int digits) { return digits + 14; }
+  static constexpr int working_digits(int digits, int lost_digits) { return digits + 14 + lost_digits; }
   /// The part of its kind's scale that a small result, which is measured by itself, is measured by at least: the kernels'
   /// errors are smaller than a hundredth of the last digit by that factor.
   static Float kernel_share() { return pow(Float(10), 2 - kernel_guard); }
@@ -102,23 +103,28 @@ class SolvedNip {
   }
 
   [[nodiscard]] std::unique_ptr<Solution> solution(const Float& half_length, const Fineness& fineness) const {
-    auto panels = panels_of(half_length, model_.decay(), fineness);
+    auto panels = panels_of(half_length, model_.resolution(), fineness);
     check_unknowns(model_.unknowns(panels), digits_);
     return model_.solved(half_length, std::move(panels), nats_of(digits_ + quadrature_guard), *kernels_);
   }
 
-  /// By Newton's steps for ln W as a function of ln A, with few digits.
+  /// Of ln A, to a load.
+  static Float newton_step(const Float& load, const Solution& here) {
+    return log(load / here.load()) / here.growth();
+  }
+
+  /// By such steps with few digits.
   static Float searched(const Model& model, const Float& load, double guess, int digits, const Check& check) {
     Float length = guess;
     {
-      const WorkingDigits working(working_digits(search_digits));
+      const WorkingDigits working(working_digits(search_digits, model.lost_digits()));
       const SolvedNip few(model, search_digits);
       Float here = guess;
       for (int step = 0; step < most_steps; ++step) {
         check(static_cast<double>(here));
         first_unknowns(model, here, digits);
         const auto solution = few.solution(here, fineness_of(false, first_nats(search_digits)));
-        const Float change = log(load / solution->load()) / solution->growth();
+        const Float change = newton_step(load, *solution);
         here *= exp(std::clamp(change, Float(-1), Float(1)));
         if (abs(change) < pow(Float(10), -search_digits / 2)) break;
       }
@@ -132,7 +138,7 @@ class SolvedNip {
   void solve(const Solve& solve_at, const Float& near) {
     const Float enough = pow(Float(10), -digits_) / 4;
     for (double nats = first_nats(digits_);; nats *= 1.25) {
-      const auto finest = panels_of(near, model_.decay(), fineness_of(true, nats));
+      const auto finest = panels_of(near, model_.resolution(), fineness_of(true, nats));
       check_unknowns(model_.unknowns(finest), digits_);
       fine_ = solve_at(fineness_of(true, nats));
       coarse_ = solve_at(fineness_of(false, nats));
@@ -142,23 +148,11 @@ class SolvedNip {
   }
 
   void measure() {
-    const Float& size = fine_->half_length();
-    const Float square = size * size, pressure = fine_->load() / size;
+    const std::vector<Float> fine = fine_->signature(), coarse = coarse_->signature();
     difference_ = ldexp(Float(1), 20 - working_bits());
-    const auto take = [&](const Float& x, const Float& y, const Float& scale) {
-      const Float apart = abs(x - y) / scale;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      const Float apart = abs(fine[i] - coarse[i]);
       if (!(apart <= difference_)) difference_ = apart;
-    };
-    take(fine_->load(), coarse_->load(), fine_->load());
-    take(size, coarse_->half_length(), size);
-    take(fine_->edge_displacement(), coarse_->edge_displacement(), square);
-    constexpr int samples = 7;
-    for (int i = 1; i <= samples; ++i) {
-      const Float part = 1 - cos(i * pi() / (2 * samples));
-      const PressureAndShear here = fine_->tractions(part * size),
-                             there = coarse_->tractions(part * coarse_->half_length());
-      take(here.pressure, there.pressure, pressure);
-      take(here.shear, there.shear, pressure);
     }
   }
 

@@ -37,6 +37,9 @@ void chebyshev_values(const Float& x, std::vector<Float>& values) {
   }
 }
 
+/// Gaps between a place and a piece, over the piece's width, from which on fewer nodes suffice.
+constexpr std::array<double, 2> distances{2, 8};
+
 /// int P_k(t) ln|x - t| dt and int P_k(t) sign(x - t) dt over -1 <= t <= 1, k < count.
 struct LegendreMoments {
   std::vector<Float> logarithm, sign;
@@ -75,6 +78,33 @@ LegendreMoments legendre_moments(const Float& x, int count) {
   return moments;
 }
 
+std::vector<Float> chebyshev_points(int count) {
+  std::vector<Float> points;
+  for (int i = 0; i < count; ++i) {
+    const Float half = sin((2 * i + 1) * pi() / (4 * count));
+    points.push_back(half * half);
+  }
+  return points;
+}
+
+/// Interpolation at Chebyshev's points of 0 .. 1: the values at `places` of the polynomials that are 1 at one point, a row a
+/// point.
+Matrix interpolation(const std::vector<Float>& points, const std::vector<Float>& places) {
+  const auto values = [&](const std::vector<Float>& at) {
+    Matrix chebyshev(static_cast<Index>(at.size()), static_cast<Index>(points.size()));
+    std::vector<Float> here(points.size());
+    for (Index j = 0; j < chebyshev.rows(); ++j) {
+      chebyshev_values(2 * at[static_cast<std::size_t>(j)] - 1, here);
+      for (Index l = 0; l < chebyshev.cols(); ++l) chebyshev(j, l) = here[static_cast<std::size_t>(l)];
+    }
+    return chebyshev;
+  };
+  Matrix weights = values(points);
+  weights *= Float(2) / static_cast<int>(points.size());
+  weights.col(0) /= Float(2);
+  return weights * Matrix(values(places).transpose());
+}
+
 /// Gauss's rule and (2k + 1) P_k at its nodes: a row a node.
 struct GaussNodes {
   UnitRule rule;
@@ -108,25 +138,39 @@ LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
 
 /// The nodes of all pieces: Gauss's, and on the panel at the end Chebyshev's points of 0 .. 1.
 struct Tractions::Rules {
+  /// Nodes for a place at a distance, where a kernel is analytic but for that place, and what their values are
+  /// interpolated to.
+  struct Distant {
+    std::vector<Float> points;
+    Matrix to_plain, to_end;
+  };
+
   GaussNodes plain;
   std::vector<Float> end;
+  std::vector<Distant> distant;
 
   Rules(int terms, double nats)
-      : plain(std::max(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6, terms)) {
-    const int count = static_cast<int>(nats / nats_of_degree) + 6;
-    for (int i = 0; i < count; ++i) {
-      const Float half = sin((2 * i + 1) * pi() / (4 * count));
-      end.push_back(half * half);
+      : plain(std::max(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6, terms)),
+        end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {
+    for (const double gap : distances) {
+      const std::vector<Float> points =
+          chebyshev_points(static_cast<int>(nats / std::acosh(2 * gap + 1)) + 3);
+      distant.push_back({points, interpolation(points, plain.rule.from_left), interpolation(points, end)});
     }
   }
+};
+
+/// Nodes e, and w T_k times the weight: a row a node; imaginary parts where w is not real.
+struct Tractions::Nodes {
+  std::vector<Float> places;
+  Matrix real, imaginary;
 };
 
 /// The panel at the end, or a part of another one.
 struct Tractions::Piece {
   std::size_t panel;
   Float from, width;
-  std::vector<Float> nodes;  ///< e
-  Matrix real, imaginary;    ///< of w T_k times the weight: a row a node; the latter of a panel with w alone
+  std::vector<Nodes> nodes;  ///< for places near, and at one of `distances` each where the panel is one piece
   /// Of a panel without w, from its first piece to this one: the integrals of T_k, then those of e T_k.
   Vector sums;
 };
@@ -135,6 +179,12 @@ struct Tractions::Piece {
 struct Tractions::Image {
   Float place;
   int side;  ///< 1 or -1
+  [[nodiscard]] int parity_of_pressure(const LineFunctional& functional) const {
+    return side > 0 ? 1 : functional.parity;
+  }
+  [[nodiscard]] int parity_of_shear(const LineFunctional& functional) const {
+    return side > 0 ? 1 : -functional.parity;
+  }
 };
 
 Tractions::Tractions(Tractions&&) noexcept = default;
@@ -165,32 +215,47 @@ Tractions::Tractions(const Float& half_length, std::vector<TractionPanel> panels
 
 void Tractions::add_end_piece() {
   const TractionPanel& panel = panels_.front();
-  Piece piece{0, 0, panel.width, {}, {}, {}, {}};
-  for (const Float& x : rules_->end) piece.nodes.push_back(panel.width * x);
   const Matrix weights = end_weights();
-  piece.real = weights.block(0, 0, weights.rows(), panel.terms);
-  piece.imaginary = weights.block(0, panel.terms, weights.rows(), panel.terms);
-  pieces_.push_back(std::move(piece));
+  Nodes nodes;
+  for (const Float& x : rules_->end) nodes.places.push_back(panel.width * x);
+  nodes.real = weights.leftCols(panel.terms);
+  if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms);
+  pieces_.push_back({0, 0, panel.width, {std::move(nodes)}, {}});
+  add_distant_nodes(pieces_.back());
 }
 
 void Tractions::add_piece(std::size_t number, const Float& from, const Float& width) {
   const TractionPanel& panel = panels_[number];
   const UnitRule& rule = rules_->plain.rule;
-  Piece piece{
-      number, from, width, {}, Matrix(rules_->plain.size(), panel.terms), {}, Vector(2 * panel.terms)};
+  Piece piece{number, from, width, {}, Vector(2 * panel.terms)};
+  Nodes nodes{{}, Matrix(rules_->plain.size(), panel.terms), {}};
   if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
   std::vector<Float> values(static_cast<std::size_t>(panel.terms));
   for (std::size_t j = 0; j < rule.size(); ++j) {
-    piece.nodes.push_back(from + width * rule.from_left[j]);
-    chebyshev_values(2 * (piece.nodes[j] - panel.left) / panel.width - 1, values);
+    nodes.places.push_back(from + width * rule.from_left[j]);
+    chebyshev_values(2 * (nodes.places[j] - panel.left) / panel.width - 1, values);
     for (Index k = 0; k < panel.terms; ++k) {
-      Float& here = piece.real(static_cast<Index>(j), k);
+      Float& here = nodes.real(static_cast<Index>(j), k);
       here = width * rule.weight[j] * values[static_cast<std::size_t>(k)];
       piece.sums(k) += here;
-      piece.sums(panel.terms + k) += here * piece.nodes[j];
+      piece.sums(panel.terms + k) += here * nodes.places[j];
     }
   }
+  piece.nodes.push_back(std::move(nodes));
+  if (width == panel.width) add_distant_nodes(piece);
   pieces_.push_back(std::move(piece));
+}
+
+void Tractions::add_distant_nodes(Piece& piece) const {
+  for (const Rules::Distant& distant : rules_->distant) {
+    const Matrix& from = piece.panel == 0 ? distant.to_end : distant.to_plain;
+    const Nodes& near_by = piece.nodes.front();
+    Nodes nodes;
+    for (const Float& x : distant.points) nodes.places.push_back(piece.from + piece.width * x);
+    nodes.real = from * near_by.real;
+    if (near_by.imaginary.size() > 0) nodes.imaginary = from * near_by.imaginary;
+    piece.nodes.push_back(std::move(nodes));
+  }
 }
 
 /// The weights at Chebyshev's points with which w T_k times a polynomial is integrated: real parts, then imaginary ones.
@@ -216,14 +281,14 @@ Matrix Tractions::end_weights() const {
 }
 
 /// The values of a kernel at the nodes of a piece; on the panel at the end, if the place is near, those of its analytic part.
-Vector Tractions::at_nodes(const Piece& piece, const Image& image, Influence kind,
+Vector Tractions::at_nodes(const Piece& piece, const Nodes& nodes, const Image& image, Influence kind,
                            SheetKernels& kernels) const {
   const GaussNodes& gauss = rules_->plain;
   const Float x = 2 * (image.place - piece.from) / piece.width - 1;
   const bool is_near = abs(x) < 1 + 2 * near, at_end = piece.panel == 0;
-  Vector values(static_cast<Index>(piece.nodes.size()));
+  Vector values(static_cast<Index>(nodes.places.size()));
   for (Index j = 0; j < values.size(); ++j) {
-    const Float alpha = image.side * (piece.nodes[static_cast<std::size_t>(j)] - image.place);
+    const Float alpha = image.side * (nodes.places[static_cast<std::size_t>(j)] - image.place);
     if (kind == Influence::normal) {
       values(j) = is_near ? kernels.smooth_normal(alpha) : kernels.normal(alpha);
     } else if (kind == Influence::sign) {
@@ -269,8 +334,10 @@ void Tractions::add_end(const Image& image, const std::vector<LineFunctional>& f
   for (std::size_t f = 0; f < functionals.size(); ++f) {
     const LineFunctional& functional = functionals[f];
     const auto on = [&](Influence kind, const auto& integral) {
-      const Float pressure = functional.on_pressure[static_cast<std::size_t>(kind)];
-      const Float shear = image.side * functional.on_shear[static_cast<std::size_t>(kind)];
+      const Float pressure =
+          image.parity_of_pressure(functional) * functional.on_pressure[static_cast<std::size_t>(kind)];
+      const Float shear =
+          image.parity_of_shear(functional) * functional.on_shear[static_cast<std::size_t>(kind)];
       if (pressure == 0 && shear == 0) return;
       for (Index k = 0; k < panel.terms; ++k) {
         const ComplexFloat here = integral(k);
@@ -317,8 +384,51 @@ void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& f
             rows[f](column + k) +=
                 factor * (here.first * piece.sums(k) + here.second * piece.sums(terms + k));
         };
-        add(line(functionals[f].on_pressure), 1, first);
-        if (has_shear_) add(line(functionals[f].on_shear), image.side, first + terms);
+        add(line(functionals[f].on_pressure), image.parity_of_pressure(functionals[f]), first);
+        if (has_shear_)
+          add(line(functionals[f].on_shear), image.parity_of_shear(functionals[f]), first + terms);
+      }
+    }
+  }
+}
+
+void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vector<Image>& images,
+                          const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
+                          std::vector<Vector>& rows) const {
+  Float product;
+  const auto count = static_cast<Index>(nodes.places.size());
+  std::vector<Vector> on_pressure(functionals.size(), Vector(count)), on_shear = on_pressure;
+  for (const Image& image : images) {
+    for (int kind = 0; kind < influences; ++kind) {
+      const auto number = static_cast<std::size_t>(kind);
+      const bool is_wanted = std::ranges::any_of(functionals, [&](const LineFunctional& functional) {
+        return functional.on_pressure[number] != 0 || functional.on_shear[number] != 0;
+      });
+      if (!is_wanted) continue;
+      const Vector values = at_nodes(piece, nodes, image, static_cast<Influence>(kind), kernels);
+      for (std::size_t f = 0; f < functionals.size(); ++f) {
+        const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number];
+        const Float shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
+        for (Index j = 0; j < count; ++j) {
+          if (pressure != 0) accumulate(on_pressure[f](j), product, pressure, values(j));
+          if (shear != 0) accumulate(on_shear[f](j), product, shear, values(j));
+        }
+      }
+    }
+  }
+  const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
+  for (std::size_t f = 0; f < functionals.size(); ++f) {
+    for (Index k = 0; k < terms; ++k) {
+      for (Index j = 0; j < count; ++j) {
+        const Float& real = nodes.real(j, k);
+        accumulate(rows[f](first + k), product, on_pressure[f](j), real);
+        if (has_shear_) accumulate(rows[f](first + terms + k), product, on_shear[f](j), real);
+        if (nodes.imaginary.size() == 0) continue;
+        const Float& imaginary = nodes.imaginary(j, k);
+        accumulate(rows[f](first + k), product, on_shear[f](j), imaginary);
+        mpfr_mul(raw(product), raw(on_pressure[f](j)), raw(imaginary), MPFR_RNDN);
+        Float& here = rows[f](first + terms + k);
+        mpfr_sub(raw(here), raw(here), raw(product), MPFR_RNDN);
       }
     }
   }
@@ -328,51 +438,23 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
                                     SheetKernels& kernels) const {
   std::vector<Vector> rows(functionals.size(), Vector(columns()));
   const std::array<Image, 2> images{Image{e, 1}, Image{2 * half_length_ - e, -1}};
-  Float product;
   for (const Piece& piece : pieces_) {
-    const auto count = static_cast<Index>(piece.nodes.size());
-    std::vector<Vector> on_pressure(functionals.size(), Vector(count)), on_shear = on_pressure;
-    bool is_felt = false;
-    for (const Image& image : images) {
+    // With which of its nodes each image is integrated.
+    std::array<std::size_t, 2> sets{};
+    for (std::size_t i = 0; i < images.size(); ++i) {
       const Float gap =
-          std::max(Float(piece.from - image.place), Float(image.place - piece.from - piece.width));
-      if (piece.panel > 0 && gap >= kernels.far()) continue;
-      for (int kind = 0; kind < influences; ++kind) {
-        const auto which = static_cast<Influence>(kind);
-        const auto number = static_cast<std::size_t>(kind);
-        const bool is_wanted = std::ranges::any_of(functionals, [&](const LineFunctional& functional) {
-          return functional.on_pressure[number] != 0 || functional.on_shear[number] != 0;
-        });
-        if (!is_wanted) continue;
-        is_felt = true;
-        const Vector values = at_nodes(piece, image, which, kernels);
-        for (std::size_t f = 0; f < functionals.size(); ++f) {
-          const Float pressure = functionals[f].on_pressure[number];
-          const Float shear = image.side * functionals[f].on_shear[number];
-          for (Index j = 0; j < count; ++j) {
-            if (pressure != 0) accumulate(on_pressure[f](j), product, pressure, values(j));
-            if (shear != 0) accumulate(on_shear[f](j), product, shear, values(j));
-          }
-        }
+          std::max(Float(piece.from - images[i].place), Float(images[i].place - piece.from - piece.width));
+      if (piece.panel > 0 && gap >= kernels.far()) {
+        sets[i] = piece.nodes.size();
+      } else {
+        while (sets[i] + 1 < piece.nodes.size() && gap >= distances[sets[i]] * piece.width) ++sets[i];
       }
     }
-    if (!is_felt) continue;
-    const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
-    const bool is_complex = piece.imaginary.size() > 0 && epsilon_ != 0;
-    for (std::size_t f = 0; f < functionals.size(); ++f) {
-      for (Index k = 0; k < terms; ++k) {
-        for (Index j = 0; j < count; ++j) {
-          const Float& real = piece.real(j, k);
-          accumulate(rows[f](first + k), product, on_pressure[f](j), real);
-          if (has_shear_) accumulate(rows[f](first + terms + k), product, on_shear[f](j), real);
-          if (!is_complex) continue;
-          const Float& imaginary = piece.imaginary(j, k);
-          accumulate(rows[f](first + k), product, on_shear[f](j), imaginary);
-          mpfr_mul(raw(product), raw(on_pressure[f](j)), raw(imaginary), MPFR_RNDN);
-          Float& here = rows[f](first + terms + k);
-          mpfr_sub(raw(here), raw(here), raw(product), MPFR_RNDN);
-        }
-      }
+    for (std::size_t set = 0; set < piece.nodes.size(); ++set) {
+      std::vector<Image> here;
+      for (std::size_t i = 0; i < images.size(); ++i)
+        if (sets[i] == set) here.push_back(images[i]);
+      if (!here.empty()) add_nodes(piece, piece.nodes[set], here, functionals, kernels, rows);
     }
   }
   for (const Image& image : images) {
@@ -410,7 +492,9 @@ PressureAndShear Tractions::at(const Float& e, const Vector& coefficients) const
   }
   if (p > 0) return {a, b};
   if (!(x > 0)) return {0, 0};
-  const Float size = sqrt(x), phase = epsilon_ * log(x);
+  const Float size = sqrt(x);
+  if (epsilon_ == 0) return {size * a, size * b};
+  const Float phase = epsilon_ * log(x);
   const Float real = size * cos(phase), imaginary = -size * sin(phase);
   return {real * a - imaginary * b, real * b + imaginary * a};
 }
@@ -426,18 +510,29 @@ PressureAndShear Tractions::at_root(const Vector& coefficients) const {
   return result;
 }
 
-/// Sums over the nodes of a piece are the integrals over it.
-Vector Tractions::integral() const {
+Vector Tractions::weighted(const std::function<Float(const Float&)>& factor) const {
   Vector row(columns());
   for (const Piece& piece : pieces_) {
+    const Nodes& nodes = piece.nodes.front();
     const int first = first_columns_[piece.panel];
-    const Index terms = piece.real.cols();
-    for (Index k = 0; k < terms; ++k) {
-      row(first + k) += piece.real.col(k).sum();
-      if (has_shear_ && piece.imaginary.size() > 0) row(first + terms + k) -= piece.imaginary.col(k).sum();
+    const Index terms = nodes.real.cols();
+    for (Index j = 0; j < nodes.real.rows(); ++j) {
+      const Float here = factor(nodes.places[static_cast<std::size_t>(j)]);
+      for (Index k = 0; k < terms; ++k) {
+        row(first + k) += here * nodes.real(j, k);
+        if (nodes.imaginary.size() > 0) row(first + terms + k) -= here * nodes.imaginary(j, k);
+      }
     }
   }
   return row;
+}
+
+Vector Tractions::integral() const {
+  return weighted([](const Float&) { return Float(1); });
+}
+
+Vector Tractions::moment() const {
+  return weighted([&](const Float& e) -> Float { return half_length_ - e; });
 }
 
 }  // namespace nipref::ref

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,9 +24,11 @@ struct TractionPanel {
 enum class Influence { normal, sign, coupling, stretch, normal_slope, coupling_slope };
 inline constexpr int influences = 6;
 
-/// int (sum_i on_pressure_i K_i(alpha)) p + int (sum_i on_shear_i K_i(alpha)) q over all of the contact.
+/// int (sum_i on_pressure_i K_i(alpha)) p + int (sum_i on_shear_i K_i(alpha)) q over all of the contact, where
+/// p(-y) = parity p(y) and q(-y) = -parity q(y).
 struct LineFunctional {
   std::array<Float, influences> on_pressure, on_shear;
+  int parity = 1;
 
   LineFunctional& pressure(Influence kind, const Float& factor);
   LineFunctional& shear(Influence kind, const Float& factor);
@@ -36,7 +39,7 @@ struct LineFunctional {
 ///
 ///     g = w sum_k (a_k + i b_k) T_k(2x - 1),   x = (e - left)/width,   w = x^(1/2 - i epsilon) at the end, else 1,
 ///
-/// without friction epsilon = 0 and b = 0. On the other half the pressure is the same, the shear the opposite.
+/// without friction epsilon = 0 and b = 0. What the other half has follows by parity.
 ///
 /// Functionals are sums over Gauss's nodes of pieces of the panels, so many that they integrate polynomials times what is
 /// analytic of the kernels, for |Im alpha| < 2. On a piece with the place in it or near, the logarithm and the sign are
@@ -65,19 +68,27 @@ class Tractions {
   /// A row of columns for each functional, at e <= A; negative e are outside of the contact.
   [[nodiscard]] std::vector<Vector> rows(const Float& e, const std::vector<LineFunctional>& functionals,
                                          SheetKernels& kernels) const;
-  /// int_0^A p de as a row.
+  /// int_0^A p de and int_0^A y p de as rows.
   [[nodiscard]] Vector integral() const;
+  [[nodiscard]] Vector moment() const;
 
  private:
+  struct Nodes;
   struct Piece;
   struct Rules;
   struct Image;
 
   void add_end_piece();
   void add_piece(std::size_t number, const Float& from, const Float& width);
+  void add_distant_nodes(Piece& piece) const;
   [[nodiscard]] Matrix end_weights() const;
-  [[nodiscard]] Vector at_nodes(const Piece& piece, const Image& image, Influence kind,
+  [[nodiscard]] Vector at_nodes(const Piece& piece, const Nodes& nodes, const Image& image, Influence kind,
                                 SheetKernels& kernels) const;
+  void add_nodes(const Piece& piece, const Nodes& nodes, const std::vector<Image>& images,
+                 const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
+                 std::vector<Vector>& rows) const;
+  /// int_0^A p factor(e) de as a row: sums over the nodes of a piece are the integrals over it.
+  [[nodiscard]] Vector weighted(const std::function<Float(const Float& e)>& factor) const;
   void add_far(const Image& image, const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                std::vector<Vector>& rows) const;
   void add_end(const Image& image, const std::vector<LineFunctional>& functionals,

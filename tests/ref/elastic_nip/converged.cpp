@@ -62,7 +62,7 @@ struct Displacement {
 ElasticSolution gripped_solution(const Float& half_length, const Float& beta, double nats,
                                  ref::SheetKernels& kernels) {
   const ref::ElasticSheet sheet(true, beta);
-  const auto panels = ref::panels_of(half_length, sheet.decay, {1.3, 2, nats});
+  const auto panels = ref::panels_of(half_length, sheet.resolution(), {1.3, 2, nats});
   return {sheet, ref::Tractions(half_length, panels, sheet.epsilon(), true, 100), kernels};
 }
 

@@ -236,11 +236,10 @@ TEST_CASE("ref rolling contact: the length that a load needs gives it back, and 
     CHECK(mpfr_cmpabs(ref::raw(second.error), ref::raw(first.error)) <= 0);
   }
   CHECK(fine.unknowns() > near.unknowns());
-  CHECK(fine.normal_kernel_values() > 0);
+  CHECK(fine.normal_values() > 0);
 }
 
-TEST_CASE(
-    "ref rolling contact: the strain is as sure next to the ends as elsewhere, at the cost of a displacement") {
+TEST_CASE("ref rolling contact: the strain is as sure next to the ends as elsewhere") {
   const double length = 0.1, digits = 16;
   for (const ViscoelasticNip& nip : {rolled_nip(0.25, 0.1, 2), swinging_nip(0.25, 0.2, 1.5)}) {
     const auto truth = ref::converged_for_length(nip, length, static_cast<int>(digits));
@@ -256,16 +255,6 @@ TEST_CASE(
         CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error);
       }
     }
-    const auto evaluations = [&](ref::Estimate (ref::ConvergedViscoelasticNip::*profile)(double) const,
-                                 double y) {
-      const long before = truth.kernel_evaluations();
-      static_cast<void>((truth.*profile)(y));
-      return truth.kernel_evaluations() - before;
-    };
-    const long of_first = evaluations(&ref::ConvergedViscoelasticNip::tangential_displacement, 0.07);
-    const long of_displacement = evaluations(&ref::ConvergedViscoelasticNip::tangential_displacement, 0.07);
-    CHECK(of_displacement < of_first);  // that of the middle is known by then
-    CHECK(evaluations(&ref::ConvergedViscoelasticNip::surface_strain, 0.07) <= of_displacement);
   }
 }
 

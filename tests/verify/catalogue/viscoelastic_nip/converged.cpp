@@ -85,9 +85,9 @@ TEST_CASE("dimensionless rolling nips: the reference refuses what takes it longe
     static_cast<void>(verify::ref_value(load, Point{length, memory, 0.3, softening, 0}, digits));
   };
   CHECK_THROWS_WITH_AS(
-      ref(0.01, 0.03, 30),
+      ref(0.01, 0.005, 30),
       doctest::Contains(
-          "digits = 30: must be at most 29 for L_over_B = 0.01, memory_over_L = 0.03 and softening = 2"),
+          "digits = 30: must be at most 28 for L_over_B = 0.01, memory_over_L = 0.005 and softening = 2"),
       data::BadInput);
   CHECK_THROWS_WITH_AS(ref(1e-7, 1, 16), doctest::Contains("L_over_B = 1e-07: must be at least 1e-6"),
                        data::BadInput);

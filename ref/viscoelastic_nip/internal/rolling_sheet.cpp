@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// Widths at an end over those without memory, times the largest rate.
+constexpr double widest_of_memory = 1.5;
+
+std::vector<RollingMemory> with_conjugates(const std::vector<RollingMemory>& terms) {
+  std::vector<RollingMemory> all;
+  for (const RollingMemory& term : terms) {
+    if (abs(term.amplitude) == 0) continue;
+    if (term.rate.is_real()) {
+      all.push_back({ComplexFloat(term.amplitude.re), term.rate});
+      continue;
+    }
+    const ComplexFloat half = term.amplitude / Float(2);
+    all.push_back({half, term.rate});
+    all.push_back({ComplexFloat(half.re, -half.im), ComplexFloat(term.rate.re, -term.rate.im)});
+  }
+  return all;
+}
+
+/// The zeros of C(-s), by the steps of Aberth: Newton's for C(-s) prod (r_i - s), without those of the other zeros. They
+/// start beside the real axis, as real steps find no complex zeros.
+std::vector<ComplexFloat> zeros_of(const std::vector<RollingMemory>& terms) {
+  constexpr int most_rounds = 400;
+  const ComplexFloat beside(1, Float(1) / 8), one(1);
+  std::vector<ComplexFloat> zeros;
+  for (const RollingMemory& term : terms) zeros.push_back(term.rate + term.amplitude * beside);
+  const Float enough = ldexp(Float(1), 8 - working_bits());
+  for (int round = 0; round < most_rounds; ++round) {
+    Float largest = 0;
+    for (std::size_t j = 0; j < zeros.size(); ++j) {
+      const ComplexFloat s = zeros[j];
+      ComplexFloat value(1), slope, others;
+      for (const RollingMemory& term : terms) {
+        const ComplexFloat distance = term.rate - s, part = term.amplitude / distance;
+        value = value + part;
+        slope = slope + part / distance;
+        others = others + one / distance;
+      }
+      if (abs(value) == 0) continue;
+      for (std::size_t k = 0; k < zeros.size(); ++k)
+        if (k != j) others = others + one / (s - zeros[k]);
+      const ComplexFloat change = one / (slope / value - others);
+      zeros[j] = s - change;
+      largest = std::max(largest, Float(abs(change) / abs(s)));
+    }
+    if (largest < enough) break;
+  }
+  return zeros;
+}
+
+}  // namespace
+
+RollingSheet::RollingSheet(RollingMaterial the_material)
+    : material(std::move(the_material)), memory(with_conjugates(material.normal)) {
+  for (const ComplexFloat& s : zeros_of(memory)) {
+    ComplexFloat sum;
+    for (const RollingMemory& term : memory) {
+      const ComplexFloat distance = term.rate - s;
+      sum = sum - term.amplitude / (distance * distance);
+    }
+    inverse.push_back({ComplexFloat(1) / sum, s});
+  }
+}
+
+Resolution RollingSheet::resolution() const {
+  Resolution resolution{std::numbers::pi, {}, 1};
+  for (const auto* terms : {&memory, &inverse}) {
+    for (const RollingMemory& term : *terms) {
+      resolution.rates.emplace_back(static_cast<double>(term.rate.re), static_cast<double>(term.rate.im));
+      resolution.first = std::min(resolution.first, widest_of_memory / std::abs(resolution.rates.back()));
+    }
+  }
+  return resolution;
+}
+
+int RollingSheet::lost_digits() const {
+  double softness = 1;
+  for (const RollingMemory& term : memory)
+    softness +=
+        static_cast<double>(is_flow(term) ? abs(term.amplitude) : abs(term.amplitude) / abs(term.rate));
+  return static_cast<int>(std::log10(softness));
+}
+
+}  // namespace nipref::ref

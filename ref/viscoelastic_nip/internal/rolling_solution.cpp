@@ -1,0 +1,345 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+#include <nipref/ref/number/internal/refined_solution.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Index = Matrix::Index;
+
+std::atomic<long> solutions = 0;
+
+/// int_0^x e^(-s (x - t)) t^k/k! dt, k = 0, 1, 2.
+std::array<ComplexFloat, 3> faded_powers(const ComplexFloat& s, const Float& x) {
+  const ComplexFloat z = s * x;
+  if (abs(z) >= Float(1)) {
+    const ComplexFloat zeroth = faded_way(s, x), first = (ComplexFloat(x) - zeroth) / s;
+    return {zeroth, first, (ComplexFloat(x * x / 2) - first) / s};
+  }
+  // x^(k + 1) sum_n (-z)^n/(n + k + 1)!
+  const Float least = ldexp(Float(1), -working_bits() - 4);
+  std::array<ComplexFloat, 3> powers;
+  Float scale = 1;
+  for (int k = 0; k < 3; ++k) {
+    scale *= x / (k + 1);
+    ComplexFloat term(1), sum;
+    for (int n = 0; abs(term) > least; ++n) {
+      sum = sum + term;
+      term = term * (-z) / Float(n + k + 2);
+    }
+    powers[static_cast<std::size_t>(k)] = sum * scale;
+  }
+  return powers;
+}
+
+/// The columns of direct_row(): what is known, edge_displacement, the offset, then real and imaginary part of each n_j.
+constexpr Index known = 0, edge = 1, shift = 2, first_memory = 3;
+
+/// int kind p/pi of an even and of an odd pressure.
+std::vector<LineFunctional> both_parts(Influence kind) {
+  std::vector<LineFunctional> parts(2);
+  for (LineFunctional& part : parts) part.pressure(kind, 1 / pi());
+  parts[1].parity = -1;
+  return parts;
+}
+
+Fineness fineness_of_traces(double nats) { return {1.5, 2, nats}; }
+
+/// Panels outside that begin as narrow as the first one in the contact.
+std::vector<TractionPanel> outside_panels(const Float& far, const Resolution& resolution,
+                                          const TractionPanel& inside, double nats) {
+  Fineness fineness = fineness_of_traces(nats);
+  fineness.first = static_cast<double>(inside.width) / resolution.first;
+  return panels_of(far, resolution, fineness);
+}
+
+/// Panels that grow from a place on, downstream or upstream, there with a root or without.
+void append(std::vector<TracePanel>& panels, const std::vector<TractionPanel>& growing, const Float& place,
+            bool downstream, bool has_root, int extra_terms) {
+  using Root = TracePanel::Root;
+  std::vector<TracePanel> added;
+  for (const TractionPanel& panel : growing) {
+    const Float left = downstream ? Float(place + panel.left) : Float(place - panel.left - panel.width);
+    const bool root = has_root && panel.left == 0;
+    added.push_back({left, panel.width,
+                     !root        ? Root::none
+                     : downstream ? Root::left
+                                  : Root::right,
+                     panel.terms + (root ? extra_terms : 0)});
+  }
+  if (!downstream) std::ranges::reverse(added);
+  panels.insert(panels.end(), added.begin(), added.end());
+}
+
+/// Nodes with which f times e^(-rate w) is integrated on a panel outside; n are exact for 2n coefficients. On the ellipse by
+/// which the panel's terms are counted, with semi-axes of 3 and 2.8 half widths, a real memory is at most 1, and one that
+/// oscillates e^(1.4 |Im rate| width), which takes 0.8 |Im rate| width more coefficients.
+int nodes_of(const TractionPanel& panel, const Resolution& resolution) {
+  double turn = 0;
+  for (const std::complex<double>& rate : resolution.rates)
+    turn = std::max(turn, std::fabs(rate.imag()) * static_cast<double>(panel.width));
+  return panel.terms / 2 + static_cast<int>(0.4 * std::min(turn, 2.0 * panel.terms)) + 4;
+}
+
+/// The solutions for all columns.
+Matrix refined_solutions(const Matrix& matrix, const Matrix& right) {
+  Matrix solution(right.rows(), right.cols());
+  for (Index k = 0; k < right.cols(); ++k) solution.col(k) = refined_solution(matrix, Vector(right.col(k)));
+  return solution;
+}
+
+}  // namespace
+
+RollingSolution::RollingSolution(std::shared_ptr<const RollingSheet> sheet, Tractions tractions, double nats,
+                                 SheetKernels& kernels)
+    : sheet_(std::move(sheet)),
+      tractions_(std::move(tractions)),
+      outside_(outside_panels(kernels.far(), sheet_->resolution(), tractions_.panels().front(), nats)),
+      nats_(nats) {
+  solve(kernels);
+  ++solutions;
+}
+
+long RollingSolution::solved() { return solutions; }
+
+/// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
+/// b_j n_j, A^2.
+Vector RollingSolution::direct_row(const Float& x) const {
+  const Float& size = half_length();
+  const auto modes = static_cast<Index>(sheet_->inverse.size());
+  Vector row(first_memory + 2 * modes);
+  std::array<Float, 3> powers{1, x, x * x / 2};
+  for (Index j = 0; j < modes; ++j) {
+    const auto& [amplitude, rate] = sheet_->inverse[static_cast<std::size_t>(j)];
+    const std::array<ComplexFloat, 3> faded = faded_powers(rate, x);
+    for (std::size_t k = 0; k < 3; ++k) powers[k] += (amplitude * faded[k]).re;
+    const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
+    row(first_memory + 2 * j) = wave.re;
+    row(first_memory + 2 * j + 1) = -wave.im;
+  }
+  row(known) = 2 * size * powers[1] - 2 * powers[2];
+  row(edge) = size * size * powers[0];
+  row(shift) = 2 * size * powers[1];
+  return row;
+}
+
+/// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
+/// rows for each memory, its real and its imaginary part.
+Matrix RollingSolution::memory_rows(SheetKernels& kernels) const {
+  const Index columns = tractions_.columns();
+  const auto count = static_cast<Index>(sheet_->memory.size());
+  Matrix result(2 * count, 2 * columns);
+  Float slowest = sheet_->memory.empty() ? Float(0) : sheet_->memory.front().rate.re;
+  for (const RollingMemory& term : sheet_->memory) slowest = std::min(slowest, term.rate.re);
+  for (const TractionPanel& panel : outside_) {
+    if (count == 0 || slowest * panel.left > nats_) break;
+    const UnitRule rule = gauss_rule(nodes_of(panel, sheet_->resolution()));
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      // Next to the end f is analytic in the root of the distance.
+      const Float& xi = rule.from_left[i];
+      const bool at_end = panel.left == 0;
+      const Float way = panel.left + panel.width * (at_end ? Float(xi * xi) : xi);
+      const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
+      const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
+      for (Index m = 0; m < count; ++m) {
+        const ComplexFloat factor = exp(-(sheet_->memory[static_cast<std::size_t>(m)].rate * way)) * weight;
+        for (Index part = 0; part < 2; ++part) {
+          const Vector& row = rows[static_cast<std::size_t>(part)];
+          for (Index k = 0; k < columns; ++k) {
+            result(2 * m, part * columns + k) += factor.re * row(k);
+            if (!factor.is_real()) result(2 * m + 1, part * columns + k) += factor.im * row(k);
+          }
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
+std::array<Matrix, 2> RollingSolution::bounded_parts(SheetKernels& kernels) const {
+  const std::vector<Float> points = tractions_.matching_points();
+  const auto rows = static_cast<Index>(points.size());
+  const Index beside = tractions_.columns(), sides = direct_row(0).size();
+  const Float& size = half_length();
+  Matrix even(rows, rows), odd(rows, rows), even_right(rows, sides), odd_right(rows, sides);
+  for (Index i = 0; i < rows; ++i) {
+    const Float& e = points[static_cast<std::size_t>(i)];
+    const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels);
+    for (Index k = 0; k < beside; ++k) {
+      even(i, k) = here[0](k);
+      odd(i, k) = here[1](k);
+    }
+    even(i, beside) = -size;
+    odd(i, beside) = -(size - e);
+    const Vector leading = direct_row(e), trailing = direct_row(2 * size - e);
+    even_right.row(i) = (leading + trailing).transpose() / Float(2);
+    odd_right.row(i) = (leading - trailing).transpose() / Float(2);
+  }
+  return {refined_solutions(even, even_right), refined_solutions(odd, odd_right)};
+}
+
+/// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
+/// and imaginary part; by the columns of direct_row().
+Matrix RollingSolution::conditions(const std::array<Matrix, 2>& parts, SheetKernels& kernels) const {
+  const Index columns = tractions_.columns(), sides = parts[0].cols();
+  const Float square = half_length() * half_length();
+  const Matrix rows = memory_rows(kernels);
+  const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
+                            Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
+  Matrix result(sides - 1, sides);
+  result.row(0) = parts[0].row(columns);
+  result.row(1) = parts[1].row(columns);
+  Index row = 2;
+  for (const auto& [amplitude, rate] : sheet_->inverse) {
+    result(row, row + 1) = 1;
+    result(row + 1, row + 2) = 1;
+    Index re = 0;
+    for (const auto& [its_amplitude, its_rate] : sheet_->memory) {
+      const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
+      for (Index k = 0; k < sides; ++k) {
+        result(row, k) -= factor.re * remembered(re, k) - factor.im * remembered(re + 1, k);
+        result(row + 1, k) -= factor.re * remembered(re + 1, k) + factor.im * remembered(re, k);
+      }
+      re += 2;
+    }
+    row += 2;
+  }
+  return result;
+}
+
+void RollingSolution::solve(SheetKernels& kernels) {
+  const std::array<Matrix, 2> parts = bounded_parts(kernels);
+  const Matrix zero = conditions(parts, kernels);
+  const Index unknown = zero.rows(), columns = tractions_.columns();
+  unknowns_ = static_cast<int>(2 * parts[0].rows() + unknown);
+  amplitudes_ = Vector(unknown + 1);
+  amplitudes_(known) = 1;
+  amplitudes_.bottomRows(unknown) = ref::solve<Float>(zero.rightCols(unknown), -zero.col(known));
+  edge_displacement_ = amplitudes_(edge) * half_length() * half_length();
+  offset_ = amplitudes_(shift) * half_length();
+  const Vector even = Matrix(parts[0].topRows(columns)) * amplitudes_,
+               odd = Matrix(parts[1].topRows(columns)) * amplitudes_;
+  leading_ = even + odd;
+  trailing_ = even - odd;
+  load_ = 2 * tractions_.integral().cwiseProduct(even).sum();
+  moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
+}
+
+Float RollingSolution::growth() const {
+  const Float leading = tractions_.at_root(leading_).pressure,
+              trailing = tractions_.at_root(trailing_).pressure;
+  return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
+}
+
+std::vector<Float> RollingSolution::signature() const {
+  const Float &size = half_length(), scale = load_ / size;
+  std::vector<Float> numbers{log(load_), log(size), edge_displacement_ / (size * size), offset_ / size};
+  constexpr int samples = 14;
+  for (int i = 1; i < samples; ++i) numbers.push_back(pressure((1 - cos(i * pi() / samples)) * size) / scale);
+  return numbers;
+}
+
+Float RollingSolution::pressure(const Float& x) const {
+  const Float left = 2 * half_length() - x;
+  return x > 0 && left > 0 ? pressure(x, left) : Float(0);
+}
+
+Float RollingSolution::pressure(const Float& from_leading, const Float& from_trailing) const {
+  return from_leading <= from_trailing ? tractions_.at(from_leading, leading_).pressure
+                                       : tractions_.at(from_trailing, trailing_).pressure;
+}
+
+/// int kind p/pi with alpha = x' - x, upstream.
+Float RollingSolution::elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
+  const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
+  const Float e = leads ? x : Float(2 * half_length() - x);
+  const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels);
+  const Vector even = leading_ + trailing_, odd = leading_ - trailing_;
+  const Float of_even = rows[0].cwiseProduct(even).sum() / 2, of_odd = rows[1].cwiseProduct(odd).sum() / 2;
+  if (leads) return of_even + of_odd;
+  return is_odd ? Float(of_odd - of_even) : Float(of_even - of_odd);
+}
+
+const Trace& RollingSolution::pressure_trace() const {
+  if (!pressure_) {
+    const std::vector<TractionPanel>& own = tractions_.panels();
+    std::vector<TracePanel> panels;
+    append(panels, own, 0, true, true, own.front().terms + 1);
+    append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
+    pressure_ = Trace(
+        std::move(panels), [&](const Float& x) { return pressure(x); }, nats_);
+  }
+  return *pressure_;
+}
+
+/// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
+const Trace& RollingSolution::elastic_trace(Influence kind, SheetKernels& kernels) const {
+  const auto found = elastic_.find(kind);
+  if (found != elastic_.end()) return found->second;
+  const auto function = [&](const Float& x) -> Float {
+    if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
+      return direct_row(x).cwiseProduct(amplitudes_).sum();
+    const Float value = elastic(kind, x, kernels);
+    return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
+  };
+  // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
+  const bool has_roots = kind == Influence::normal;
+  Resolution resolution = sheet_->resolution();
+  if (!has_roots) resolution.first = 1;
+  const Fineness fineness = fineness_of_traces(nats_);
+  const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
+                                   outside =
+                                       has_roots ? outside_ : panels_of(kernels.far(), resolution, fineness);
+  std::vector<TracePanel> panels;
+  append(panels, outside, 0, false, has_roots, 0);
+  append(panels, inside, 0, true, false, 0);
+  append(panels, inside, 2 * half_length(), false, false, 0);
+  append(panels, outside, 2 * half_length(), true, has_roots, 0);
+  return elastic_.emplace(kind, Trace(std::move(panels), function, nats_)).first->second;
+}
+
+Float RollingSolution::normal(const Float& x, SheetKernels& kernels) const {
+  const Float& size = half_length();
+  if (x >= 0 && x <= 2 * size) return edge_displacement_ + x * (2 * size - x) + 2 * offset_ * x;
+  Float sum = elastic(Influence::normal, x, kernels);
+  for (const auto& [amplitude, rate] : sheet_->material.normal)
+    sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
+  return sum;
+}
+
+/// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
+Float RollingSolution::tangential(const Float& x, SheetKernels& kernels) const {
+  const RollingMaterial& material = sheet_->material;
+  const ComplexFloat at_once;
+  Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
+              (load_ / 4 - elastic(Influence::coupling, x, kernels));
+  for (const auto& [amplitude, rate] : material.theta2)
+    sum += (amplitude * pressure_trace().faded_integral(rate, x)).re;
+  for (const auto& [amplitude, rate] : material.normal) {
+    const Trace& trace = elastic_trace(Influence::coupling, kernels);
+    ComplexFloat faded = trace.faded(rate, x);
+    // Behind all that the sheet feels g stays what it is.
+    if (x > trace.end()) faded = faded + faded_way(rate, x - trace.end()) * Float(load_ / 2);
+    sum -= (amplitude * faded).re;
+  }
+  return sum;
+}
+
+Float RollingSolution::strain(const Float& x, SheetKernels& kernels) const {
+  const RollingMaterial& material = sheet_->material;
+  Float sum = elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * pressure(x);
+  for (const auto& [amplitude, rate] : material.theta2)
+    sum -= (amplitude * pressure_trace().faded(rate, x)).re;
+  for (const auto& [amplitude, rate] : material.normal)
+    sum += (amplitude * elastic_trace(Influence::coupling_slope, kernels).faded(rate, x)).re;
+  return sum;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <utility>
+
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/trace.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// Over |rate|: e^(-rate w) is smooth on a piece so long.
+constexpr int longest_piece_of_memory = 8;
+/// Chebyshev's coefficients of e^(4 x), which such a piece is, are below e^-nats from about that part of the nats on.
+constexpr double degree_of_memory = 0.7;
+
+/// The place of a panel where the polynomial's variable is xi, 0 .. 1.
+Float place_at(const TracePanel& panel, const Float& xi) {
+  if (panel.root == TracePanel::Root::none) return panel.left + panel.width * xi;
+  if (panel.root == TracePanel::Root::left) return panel.left + panel.width * (xi * xi);
+  return panel.left + panel.width - panel.width * (xi * xi);
+}
+
+Float variable_at(const TracePanel& panel, const Float& place) {
+  const Float x = (place - panel.left) / panel.width;
+  if (panel.root == TracePanel::Root::none) return x;
+  return sqrt(std::max(Float(0), panel.root == TracePanel::Root::left ? x : Float(1 - x)));
+}
+
+/// Coefficients of the polynomial with these values at Chebyshev's points sin^2((2i + 1) pi/(4n)).
+std::vector<Float> chebyshev_coefficients(const std::vector<Float>& values) {
+  const std::size_t n = values.size();
+  std::vector<Float> cosine;
+  for (std::size_t k = 0; k < 4 * n; ++k) cosine.push_back(cos(static_cast<long>(k) * pi() / (2 * n)));
+  std::vector<Float> coefficients;
+  Float product;
+  for (std::size_t j = 0; j < n; ++j) {
+    Float sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      mpfr_mul(raw(product), raw(values[i]), raw(cosine[j * (2 * i + 1) % (4 * n)]), MPFR_RNDN);
+      mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
+    }
+    // The points are 1 - cos over 2, which changes the sign of odd polynomials.
+    coefficients.push_back((j == 0 ? 1 : j % 2 == 0 ? 2 : -2) * sum / n);
+  }
+  return coefficients;
+}
+
+}  // namespace
+
+Trace::Trace(std::vector<TracePanel> panels, const Function& function, double nats) : nats_(nats) {
+  int most = 0;
+  for (TracePanel& panel : panels) {
+    std::vector<Float> values;
+    for (int i = 0; i < panel.terms; ++i) {
+      const Float half = sin((2 * i + 1) * pi() / (4 * panel.terms));
+      values.push_back(function(place_at(panel, half * half)));
+    }
+    most = std::max(most, panel.terms);
+    panels_.push_back({std::move(panel), chebyshev_coefficients(values)});
+  }
+  rule_ = gauss_rule(most / 2 + static_cast<int>(degree_of_memory * nats_) + 4);
+}
+
+Float Trace::end() const { return panels_.back().shape.left + panels_.back().shape.width; }
+
+ComplexFloat Trace::piece(const Panel& panel, const Float& from, const Float& to, const Float& x,
+                          const Weight& weight) const {
+  const TracePanel& shape = panel.shape;
+  const Float first = variable_at(shape, from), length = variable_at(shape, to) - first;
+  ComplexFloat sum;
+  for (std::size_t i = 0; i < rule_.size(); ++i) {
+    const Float xi = first + length * rule_.from_left[i];
+    Float value = chebyshev_sum(panel.coefficients, 2 * xi - 1) * rule_.weight[i];
+    if (shape.root != TracePanel::Root::none) value *= 2 * xi;
+    sum = sum + weight(x - place_at(shape, xi)) * value;
+  }
+  return sum * Float(abs(length) * shape.width);
+}
+
+/// By pieces upstream from x, as long as a panel or as the memory allows.
+ComplexFloat Trace::integral(const ComplexFloat& rate, const Float& x, bool forgets,
+                             const Weight& weight) const {
+  const Float size = abs(rate), longest = size == 0 ? Float(0) : Float(longest_piece_of_memory / size);
+  const Float forgotten = rate.re == 0 ? Float(0) : Float(nats_ / rate.re);
+  ComplexFloat sum;
+  for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel) {
+    const Float& left = panel->shape.left;
+    Float to = std::min(x, Float(left + panel->shape.width));
+    while (to > left) {
+      const bool is_forgotten = rate.re > 0 && x - to > forgotten;
+      if (is_forgotten && forgets) return sum;
+      const Float from = size == 0 || is_forgotten ? left : std::max(left, Float(to - longest));
+      sum = sum + piece(*panel, from, to, x, weight);
+      to = from;
+    }
+  }
+  return sum;
+}
+
+ComplexFloat Trace::faded(const ComplexFloat& rate, const Float& x) const {
+  return integral(rate, x, true, [&](const Float& way) { return exp(-(rate * way)); });
+}
+
+ComplexFloat Trace::faded_integral(const ComplexFloat& rate, const Float& x) const {
+  return integral(rate, x, false, [&](const Float& way) { return faded_way(rate, way); });
+}
+
+ComplexFloat faded_way(const ComplexFloat& rate, const Float& way) {
+  const ComplexFloat z = rate * way;
+  if (!(abs(z) < Float(1))) return (ComplexFloat(1) - exp(-z)) / rate;
+  const Float least = ldexp(Float(1), -working_bits() - 4);
+  ComplexFloat sum, term(1);
+  for (int n = 1; abs(term) > least; ++n) {
+    sum = sum + term;
+    term = term * (-z) / Float(n + 1);
+  }
+  return sum * way;
+}
+
+}  // namespace nipref::ref
