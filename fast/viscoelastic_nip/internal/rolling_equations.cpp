@@ -117,7 +117,7 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
     };
     if (!has_layers(modes))
       set(stiff_part, stiffness);
-    else if (scale > 0)
+    else if (scale != 0)
       set(stiff_part, 1 / scale * stiffness);
     else
       set(stiff_part, {odd ? 0.0 : 1.0, odd ? 0.0 : 1.0});
