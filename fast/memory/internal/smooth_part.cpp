@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -36,13 +37,28 @@ SmoothPart::SmoothPart(Kernel kernel) {
     for (std::size_t k = points - 1; k > 0; --k)
       next[k - 1] = next[k + 1] + 2 * static_cast<double>(k) * now[k] / half;
   }
+  count();
+}
+
+void SmoothPart::count() {
+  constexpr double negligible = 1e-18;
+  for (std::size_t order = 0; order < coefficients_.size(); ++order) {
+    const double tolerance =
+        negligible * std::pow(by_parts_from, std::max(static_cast<double>(order) - 1, 0.0));
+    std::size_t& count = counts_[order] = points;
+    for (double tail = 0; count > 1; --count) {
+      tail += std::fabs(coefficients_[order][count - 1]);
+      if (tail > tolerance) break;
+    }
+  }
 }
 
 double SmoothPart::operator()(int order, double w) const {
   const auto& c = coefficients_[static_cast<std::size_t>(order)];
   const double t = w / half;
   double above = 0, here = 0;
-  for (std::size_t k = points - 1; k > 0; --k) above = std::exchange(here, 2 * t * here - above + c[k]);
+  for (std::size_t k = counts_[static_cast<std::size_t>(order)] - 1; k > 0; --k)
+    above = std::exchange(here, 2 * t * here - above + c[k]);
   return t * here - above + c[0] / 2;
 }
 

@@ -105,8 +105,8 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
 
 /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
 void Tractions::append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel,
-                             double reach, const std::vector<UnitNode>& rule, double tolerance,
-                             Nodes& nodes) const {
+                             bool for_layers, double tolerance, Nodes& nodes) const {
+  const double reach = Tractions::reach(tolerance);
   const double gap = std::max(panel.left - singular, singular - panel.right);
   std::vector<double> ends{panel.left, panel.right};
   for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
@@ -116,12 +116,12 @@ void Tractions::append_panel(const Panel& panel, double singular, bool mirrored,
     for (const double end : {singular - cut, singular + cut})
       if (panel.left < end && end < panel.right) ends.push_back(end);
   }
-  cut_for_layers(panel, ends);
+  if (for_layers) cut_for_layers(panel, ends);
   std::ranges::sort(ends);
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
-    append_piece(ends[i - 1], ends[i], singular, mirrored, rule, tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], singular, mirrored, *cached_rule(tolerance), tolerance, nodes);
   }
 }
 
@@ -140,7 +140,6 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
                                                        : (panel.right - array(nodes.e)).eval();
   const auto basis =
       this->basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
-  const Eigen::MatrixXd layers = panel.at_end ? layers_at(nodes.e) : Eigen::MatrixXd();
   Eigen::MatrixXd on_p, on_q;
   std::vector<double> alpha = nodes.alpha;
   if (trailing) std::ranges::transform(alpha, alpha.begin(), std::negate{});
@@ -155,14 +154,12 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
     const Eigen::RowVectorXd wp = weight.transpose() * on_p.row(i).array(),
                              wq = signed_weight.transpose() * on_q.row(i).array();
     add_sums(p, basis, wp, wq, rows.row(i));
-    if (layers.cols() > 0) rows.row(i).tail(layers.cols()).noalias() += 0.5 * (wp + wq) * layers;
   }
 }
 
 bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
                                     double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_[p];
-  if (panel.at_end && !layers_.empty()) return false;
   const double singular = mirrored ? 2 * half_length_ - place.e : place.e, width = panel.width();
   const double gap = std::max(panel.left - singular, singular - panel.right);
   if (gap <= 0) return false;
@@ -190,7 +187,7 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
                               Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_[p];
   const double width = panel.width();
-  if (width > widest_with_logarithm || (panel.at_end && !layers_.empty())) return false;
+  if (width > widest_with_logarithm) return false;
   const PanelBasis basis = this->basis(panel);
   const MatchingPoints points = points_of(panel);
   const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance),
@@ -230,8 +227,6 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
 
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
                           Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const auto rule = cached_rule(tolerance);
-  const double reach = -std::log(tolerance) / 2.1;
   Nodes nodes;
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
@@ -240,12 +235,42 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
       const double singular = mirrored ? 2 * half_length_ - place.e : place.e;
-      if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach) continue;
+      if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach(tolerance))
+        continue;
       if (!add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
-        append_panel(panel, singular, mirrored, kernel, reach, *rule, tolerance, nodes);
+        append_panel(panel, singular, mirrored, kernel, false, tolerance, nodes);
     }
     if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
   }
+  if (!layers_.empty()) add_layers(place, kernel, tolerance, rows);
+}
+
+void Tractions::add_layers(const Place& place, const Kernel& kernel, double tolerance,
+                           Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const Panel& panel = panels_.front();
+  const double singular = place.trailing ? 2 * half_length_ - place.e : place.e;
+  if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach(tolerance)) return;
+  Nodes nodes;
+  append_panel(panel, singular, place.trailing, kernel, true, tolerance, nodes);
+  if (place.trailing) std::ranges::transform(nodes.alpha, nodes.alpha.begin(), std::negate{});
+  Eigen::MatrixXd on_p, on_q;
+  kernel.at(nodes.alpha, on_p, on_q);
+  const Eigen::RowVectorXd weight = 0.5 * array(nodes.weight).matrix().transpose();
+  const Eigen::MatrixXd layers = layers_at(nodes.e);
+  for (int i = 0; i < kernel.functionals; ++i)
+    rows.row(i).tail(layers.cols()) += weight.cwiseProduct(on_p.row(i) + on_q.row(i)) * layers;
+}
+
+Eigen::MatrixXd Tractions::rows_of_layers(std::span<const double> places, bool trailing, const Kernel& kernel,
+                                          double tolerance) const {
+  Eigen::MatrixXd result =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
+  Eigen::Index row = 0;
+  for (const double e : places) {
+    add_layers({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
+    row += kernel.functionals;
+  }
+  return result;
 }
 
 Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,

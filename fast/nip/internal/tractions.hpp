@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <complex>
 #include <functional>
 #include <span>
@@ -75,6 +76,9 @@ class Tractions {
   /// `trailing`: the places are on the other half, -y.
   [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                      double tolerance) const;
+  /// The columns of the layers alone.
+  [[nodiscard]] Eigen::MatrixXd rows_of_layers(std::span<const double> places, bool trailing,
+                                               const Kernel& kernel, double tolerance) const;
   /// The same at the matching points: those of the panels, as many as terms, and one more at the end.
   [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] Eigen::MatrixXd matching_rows(const SplitKernel& kernel, double tolerance) const;
@@ -90,6 +94,8 @@ class Tractions {
     bool trailing;
     std::size_t done;  ///< number of the panel that has been integrated, or of none
   };
+  /// Where a kernel that decays is below the tolerance.
+  [[nodiscard]] static double reach(double tolerance) { return -std::log(tolerance) / 2.1; }
   /// Nodes on one panel, those on the half of the place first.
   struct Nodes {
     std::vector<double> e, other;  ///< distances from the end of this half and of the other
@@ -101,8 +107,8 @@ class Tractions {
   };
   /// The ends of the pieces into which the layers cut the panel at the end.
   void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;
-  void append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel, double reach,
-                    const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const;
+  void append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel, bool for_layers,
+                    double tolerance, Nodes& nodes) const;
   void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
                     double tolerance, Nodes& nodes) const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
@@ -136,6 +142,9 @@ class Tractions {
   /// Adds a panel to the rows of its matching points; false where that needs a rule for singular kernels.
   bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance,
                      Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Adds the layers, which are on the leading half.
+  void add_layers(const Place& place, const Kernel& kernel, double tolerance,
+                  Eigen::Ref<Eigen::MatrixXd> rows) const;
   void add_integrals_of_layers(Eigen::MatrixXd& result) const;
   void add_place(const Place& place, const Kernel& kernel, double tolerance,
                  Eigen::Ref<Eigen::MatrixXd> rows) const;

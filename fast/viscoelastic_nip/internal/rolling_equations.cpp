@@ -225,7 +225,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
                       Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};
   // Layers act on the other half, too.
   const Eigen::MatrixXd behind =
-      of_layers > 0 ? tractions.rows(points, true, elastic.whole, tolerance) : Eigen::MatrixXd();
+      of_layers > 0 ? tractions.rows_of_layers(points, true, elastic.whole, tolerance) : Eigen::MatrixXd();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i), row = 2 * at;
     for (std::size_t p = 0; p < fitted.size(); ++p) {
