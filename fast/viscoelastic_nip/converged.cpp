@@ -217,6 +217,12 @@ struct ConvergedViscoelasticNip::Implementation {
         result.push_back(offset() + half_length() - length * i / (3 * steps));
     }
     std::ranges::sort(result);
+    // Places of several lists may coincide; between two of them the pressure would look constant.
+    const auto coincide = [&](double left, double right) {
+      return right - left <= 1e-6 * std::fabs(place(right).e);
+    };
+    const auto rest = std::ranges::unique(result, coincide);
+    result.erase(rest.begin(), rest.end());
     return result;
   }
 };

@@ -329,6 +329,25 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
   CHECK(far / near == doctest::Approx(4).epsilon(1e-2));  // even in the imaginary part
 }
 
+TEST_CASE("the peak is the pressure where it is largest, also where both layers reach over the contact") {
+  // The layers' places coincide there.
+  const ViscoelasticNip rolled{6, 0.0224399870581,
+                               data::standard_linear_solid({.shear_1 = 7.985999e4,
+                                                            .shear_2 = 5.681485e3,
+                                                            .bulk_1 = 2.267720e5,
+                                                            .bulk_2 = 6.959332e5,
+                                                            .shear_viscosity = 3.718509e-1,
+                                                            .bulk_viscosity = 6.502540}),
+                               2.948901427};
+  for (const double length : {3e-4, 1e-3, 1e-2}) {
+    CAPTURE(length);
+    const auto contact = converged_for_length(rolled, length, 1e-12);
+    const Estimate peak = contact.peak_pressure(),
+                   there = contact.pressure(contact.peak_pressure_position().value);
+    CHECK(std::fabs(peak.value - there.value) <= peak.error + there.error);
+  }
+}
+
 TEST_CASE("a short memory that softens by thousands loses no digits") {
   constexpr double softer_by = 4095, rate = 0x1p60;
   const RollingEquations soft({fast::rolling_compliance({{softer_by * rate, rate}}), 0.25, {}}),
