@@ -49,12 +49,12 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance) {
   return rules.at(tolerance);
 }
 
-/// Points of a product rule: as many as the tolerance needs if each gives so many nats, a multiple of four so that few rules
-/// are kept; and the most that are worth their cost.
+/// Points of a product rule: as many as the wanted nats need if each gives so many, a multiple of four so that few rules are
+/// kept; and the most that are worth their cost.
 constexpr int fewest_points_of_rule = 4, most_points_of_rule = 64;
 
-int points_of_rule(double nats_a_point, double tolerance) {
-  const double points = 4 * std::ceil((1 - std::log(tolerance) / nats_a_point) / 4);
+int points_of_rule(double nats_a_point, double nats) {
+  const double points = 4 * std::ceil((1 + nats / nats_a_point) / 4);
   return static_cast<int>(std::clamp<double>(points, fewest_points_of_rule, most_points_of_rule + 1));
 }
 
@@ -168,8 +168,10 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   const auto in_panel = [&](double imaginary) {
     return Complex((singular - panel.left) - (panel.right - singular), imaginary) / width;
   };
+  // On the ellipse through its singularity the kernel is up to e^(2.1 gap) as large as on the panel.
+  const double nats = -std::log(tolerance) + 2.1 * gap;
   const int points = points_of_rule(
-      std::min(internal::log_of_ellipse(in_panel(4)), internal::log_of_ellipse(in_panel(0))), tolerance);
+      std::min(internal::log_of_ellipse(in_panel(4)), internal::log_of_ellipse(in_panel(0))), nats);
   if (points > most_points_of_rule) return false;
 
   const auto rule = product_rule(basis(panel), points, degrees(panel));
@@ -190,8 +192,8 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
   if (width > widest_with_logarithm) return false;
   const PanelBasis basis = this->basis(panel);
   const MatchingPoints points = points_of(panel);
-  const auto rule = product_rule(basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), tolerance),
-                                 degrees(panel));
+  const auto rule = product_rule(
+      basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), -std::log(tolerance)), degrees(panel));
   const auto singular = singular_integrals(basis, points, degrees(panel));
   const Eigen::Index nodes = rule->at.size();
   Eigen::ArrayXXd alpha(nodes, points.points);

@@ -99,6 +99,8 @@ Tractions::Kernel RollingKernels::strain() const {
     const internal::SurfacePoint at = point(alpha);
     Sized sum;
     sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
+    // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
+    sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
     add_terms(sum, [&](const auto& fade) {
       return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
     });
