@@ -31,8 +31,10 @@ double second_spring(const Modulus& m) {
   return m.model == SpringModel::standard_linear ? m.second_spring : 0;
 }
 
-/// Dashpot's stress over that of the springs beside it.
-double swing(const Modulus& m, double omega) { return omega * (m.viscosity / (m.spring + second_spring(m))); }
+/// The stress of the dashpot over that of the springs beside it.
+double dashpot_ratio(const Modulus& m, double omega) {
+  return omega * (m.viscosity / (m.spring + second_spring(m)));
+}
 
 /// x^2/(1 + x^2) and x/(1 + x^2)
 double followed(double x) { return x < 1 ? x * x / (1 + x * x) : 1 / (1 + 1 / x / x); }
@@ -70,7 +72,7 @@ double storage(const Modulus& m, double omega) {
   check_nonnegative("omega", omega);
   if (m.model == SpringModel::elastic || m.model == SpringModel::kelvin_voigt) return m.spring;
   const double second = second_spring(m), part = m.spring / (m.spring + second);
-  return part * (second + m.spring * followed(swing(m, omega)));
+  return part * (second + m.spring * followed(dashpot_ratio(m, omega)));
 }
 
 double loss(const Modulus& m, double omega) {
@@ -78,7 +80,7 @@ double loss(const Modulus& m, double omega) {
   if (m.model == SpringModel::elastic) return 0;
   if (m.model == SpringModel::kelvin_voigt) return m.viscosity * omega;
   const double part = m.spring / (m.spring + second_spring(m));
-  return part * m.spring * lagged(swing(m, omega));
+  return part * m.spring * lagged(dashpot_ratio(m, omega));
 }
 
 Fading theta1(const Modulus& shear, double t) {

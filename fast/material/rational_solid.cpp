@@ -153,10 +153,10 @@ Fading in_time(const Rational& transform, double t) {
 }
 
 /// p(i omega), real and imaginary, and the same of magnitudes.
-struct Swing {
+struct AtFrequency {
   Octuple re = 0, im = 0, size = 0;
 
-  Swing(const Polynomial& p, double omega) {
+  AtFrequency(const Polynomial& p, double omega) {
     Octuple power = 1;
     for (std::size_t k = 0; k < p.size(); ++k, power *= omega) {
       const Octuple term = p[k] * power;
@@ -168,7 +168,7 @@ struct Swing {
 
 Fading at_frequency(const Operators& modulus, double omega, bool loses) {
   check_not_negative("omega", omega);
-  const Swing n(modulus.q, omega), d(modulus.p, omega);
+  const AtFrequency n(modulus.q, omega), d(modulus.p, omega);
   const Octuple square = d.re * d.re + d.im * d.im;
   if (square == 0) throw data::BadInput("omega", omega, "must not be where the modulus is infinite");
   return rounded(

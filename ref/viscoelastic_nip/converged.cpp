@@ -31,7 +31,7 @@ constexpr double longest_inside = 10;
 /// Relaxation lengths in contacts.
 constexpr double shortest_memory = 1e-8, longest_memory = 1e8;
 /// Of a rate, its imaginary part over the real one.
-constexpr double most_swing = 10;
+constexpr double most_oscillation = 10;
 /// Of a displacement, in half-thicknesses.
 constexpr double farthest_rolling = 600;
 
@@ -49,12 +49,12 @@ bool rolling_length_is_allowed(const data::ViscoelasticNip& nip, double length) 
          length <= longest_rolling * nip.sheet_thickness && length <= nip.roller_radius;
 }
 
-void check_swing(const RollingMaterial& material) {
+void check_oscillation(const RollingMaterial& material) {
   for (const RollingMemory& term : material.normal) {
     if (is_flow(term)) continue;
-    const Float swing = term.rate.im / term.rate.re;
-    if (swing > most_swing)
-      throw BadInput("nip.material", static_cast<double>(swing),
+    const Float oscillation = term.rate.im / term.rate.re;
+    if (oscillation > most_oscillation)
+      throw BadInput("nip.material", static_cast<double>(oscillation),
                      "must have imaginary parts of rates at most 10 times the real parts for the reference");
   }
 }
@@ -64,10 +64,10 @@ void check_memories(const RollingMaterial& material, double half_length) {
   for (const RollingMemory& term : material.normal) {
     const double length = 2 * half_length;
     if (is_flow(term)) continue;
-    const double way = 1 / static_cast<double>(abs(term.rate)),
+    const double shortest = 1 / static_cast<double>(abs(term.rate)),
                  longest = 1 / static_cast<double>(term.rate.re);
-    if (way < shortest_memory * length || longest > longest_memory * length)
-      throw BadInput("nip.material", way / length,
+    if (shortest < shortest_memory * length || longest > longest_memory * length)
+      throw BadInput("nip.material", shortest / length,
                      "must have relaxation lengths from 1e-8 to 1e8 contacts for the reference");
   }
 }
@@ -312,13 +312,13 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const WorkingDigits working(implementation_->working_digits());
   implementation_->check_place(y);
   if (y == 0) return exact_zero(implementation_->solved.digits());
-  const Float way = abs(y / implementation_->units.length);
+  const Float distance = abs(y / implementation_->units.length);
   return implementation_->number(
       implementation_->units.displacement,
       [&](const RollingSolution& of) -> Float {
         return implementation_->tangential(of, y) - implementation_->tangential_at_middle(of);
       },
-      implementation_->size() * std::min(implementation_->size(), way));
+      implementation_->size() * std::min(implementation_->size(), distance));
 }
 
 Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
@@ -379,7 +379,7 @@ int rolling_working_digits(const RollingModel& model, int digits) {
 RollingMaterial material_to(int digits, const data::ViscoelasticNip& nip) {
   const WorkingDigits working(SolvedRollingNip::working_digits(digits, 0));
   RollingMaterial material = rolling_material(nip);
-  check_swing(material);
+  check_oscillation(material);
   return material;
 }
 

@@ -10,7 +10,7 @@ struct Memory {
 };
 
 /// The compliance of a rolling sheet in units of what gives way at once, and its inverse: with D = d/dx along the
-/// material's way their transforms are N = 1 + sum n_k/(D + s_k) and 1/N = 1 + sum m_j/(D + r_j).
+/// material's path their transforms are N = 1 + sum n_k/(D + s_k) and 1/N = 1 + sum m_j/(D + r_j).
 struct RollingCompliance {
   std::vector<Memory> terms;  ///< n_k, s_k; conjugate pairs complete
   /// m_j, r_j, the zeros of N, in order of falling |r_j|; of each pair that with Im rate > 0 first.

@@ -10,7 +10,7 @@ namespace nipref::fast {
 
 /// The contact of a viscoelastic sheet in steady frictionless rolling, as that of an elastic one.
 ///
-/// With D = d/dx along the way of the material, x the distance behind the leading end, the surface's displacement is
+/// With D = d/dx along the path of the material, x the distance behind the leading end, the surface's displacement is
 /// u = N(D) f, f = K p the displacement of an elastic sheet. So in the contact, where u is the roller's,
 ///     K p = f = u + sum_j m_j (int_0^x e^(-r_j (x - s)) u(s) ds + e^(-r_j x) w_j),
 /// with m_j, r_j of the inverse of N and the numbers w_j = int_0^inf e^(-r_j s) u(-s) ds, which is what the sheet brings

@@ -9,7 +9,7 @@
 
 namespace nipref::fast {
 
-/// The compliances of a rolling sheet, over N at once and by half-thicknesses of way instead of time.
+/// The compliances of a rolling sheet, over N at once and by half-thicknesses of travel instead of time.
 struct RollingSheet {
   RollingCompliance normal;  ///< N
   double theta2_at_once;

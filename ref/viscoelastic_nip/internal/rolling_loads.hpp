@@ -18,9 +18,9 @@ struct RollingLoads {
   [[nodiscard]] int loads() const { return leading + trailing; }
   [[nodiscard]] mpq_class half_thickness() const { return mpq_class(nip.sheet_thickness) / 2; }
   [[nodiscard]] Float instantaneous() const { return to_float(Exact(material.normal().instantaneous)); }
-  /// Of a way in half-thicknesses.
-  [[nodiscard]] Exact time(const mpq_class& way) const {
-    return Exact(mpq_class(way * half_thickness() / mpq_class(nip.speed)));
+  /// In which the sheet moves by a distance in half-thicknesses.
+  [[nodiscard]] Exact time(const mpq_class& distance) const {
+    return Exact(mpq_class(distance * half_thickness() / mpq_class(nip.speed)));
   }
 };
 
