@@ -235,6 +235,17 @@ void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolv
   comparisons.against("the same at 1e-13", drawn.wanted(), OtherOf{best});
 }
 
+/// The largest pressure, with the pressure where it is said to be.
+void compare_peak(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
+                  const SceneSolvers& solvers) {
+  drawn.set("profile.positions", std::vector{solved[ResultId::peak_pressure_position].value});
+  drawn.set_wanted({ResultId::pressure});
+  const Estimate there = solvers.fast(drawn.scene()).profile(ResultId::pressure)[0];
+  comparisons.against("pressure there", {ResultId::peak_pressure}, [&](const Solution::Result&, std::size_t) {
+    return std::optional(Other{{there.value, there.error}, false});
+  });
+}
+
 void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
                            Random& random, const SceneSolvers& solvers) {
   for (const Variant& variant : variants_of(drawn, solved, random)) {
@@ -274,6 +285,7 @@ void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& rando
   } else {
     compare_with_ref(comparisons, drawn, solved, solvers);
     compare_at_best(comparisons, drawn, solvers);
+    compare_peak(comparisons, drawn, solved, solvers);
   }
   compare_with_variants(comparisons, drawn, solved, random, solvers);
   comparisons.finish();
