@@ -9,6 +9,7 @@
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/nip/internal/kept_functional.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
 
@@ -46,6 +47,7 @@ struct ConvergedElasticNip::Implementation {
   SolvedNip solved;
   std::optional<double> given_length;  ///< unit of length
   mutable std::optional<ContactField> inner_field;
+  mutable KeptFunctional mean_strain;
 
   [[nodiscard]] bool grips() const { return equations->grips(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
@@ -98,10 +100,12 @@ struct ConvergedElasticNip::Implementation {
   }
   /// Mean strain of the surface in a contact without friction.
   [[nodiscard]] Functional sliding_creep(const Solution& solution) const {
-    Functional creep = tangential(solution, 0);
-    creep.on_tractions /= solution.half_length();
-    creep.cancelled /= solution.half_length();
-    return creep;
+    return mean_strain.of(solution, [&] {
+      Functional creep = tangential(solution, 0);
+      creep.on_tractions /= solution.half_length();
+      creep.cancelled /= solution.half_length();
+      return creep;
+    });
   }
   [[nodiscard]] Functional creep(const Solution& solution) const {
     return grips() ? solution.of_unknown(ElasticEquations::creep) : sliding_creep(solution);
@@ -321,6 +325,7 @@ GreatestShear ConvergedElasticNip::greatest_shear() const {
 
 bool ConvergedElasticNip::refine() {
   implementation_->inner_field.reset();
+  implementation_->mean_strain = {};
   return implementation_->solved.refine();
 }
 

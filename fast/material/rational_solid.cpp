@@ -14,7 +14,6 @@ using internal::Octuple;
 using internal::Polynomial;
 using internal::product;
 using internal::Rational;
-using internal::Sized;
 using internal::times;
 
 /// Of the parts that a value is made of; they are good to less.
@@ -140,7 +139,7 @@ void check_not_negative(const char* name, double value) {
   if (!(std::isfinite(value) && value >= 0)) throw data::BadInput(name, value, "must be finite and >= 0");
 }
 
-Fading rounded(const Sized& found, const char* name, double at) {
+Fading rounded(const internal::Sized<Octuple>& found, const char* name, double at) {
   const Fading result{static_cast<double>(found.value), least_scale * static_cast<double>(found.size)};
   if (!std::isfinite(result.value))
     throw data::BadInput(name, at, "must be where the value is within the range of doubles");

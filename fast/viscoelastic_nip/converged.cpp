@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/nip/internal/kept_functional.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
@@ -77,19 +77,6 @@ double pressure_of(const SolvedNip& nip, const ContactPlace& place) {
   const std::complex<double> g = nip.traction(place.e);
   return place.trailing ? g.real() - g.imag() : g.real() + g.imag();
 }
-
-/// A functional, made once for each solution.
-class KeptFunctional {
- public:
-  template <class Make>
-  Functional of(const Solution& solution, const Make& make) {
-    const auto found = kept_.find(&solution);
-    return found != kept_.end() ? found->second : kept_.emplace(&solution, make()).first->second;
-  }
-
- private:
-  std::map<const Solution*, Functional> kept_;
-};
 
 }  // namespace
 

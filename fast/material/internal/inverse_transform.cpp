@@ -72,7 +72,7 @@ Polynomial remainder(Polynomial a, const Polynomial& by) {
 
 }  // namespace
 
-Sized inverse_transform(const Rational& transform, double t) {
+Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   Points roots;
   Polynomial denominator{1};
   for (const Polynomial& factor : transform.denominator) {

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <nipref/fast/material/internal/polynomial.hpp>
+#include <nipref/fast/number/internal/sized.hpp>
 
 namespace nipref::fast::internal {
 
@@ -11,14 +12,9 @@ struct Rational {
   std::vector<Polynomial> denominator;
 };
 
-/// A value, and the size of the terms that it is the sum of.
-struct Sized {
-  Octuple value, size;
-};
-
 /// The function of time, t >= 0, that has this transform, without its impulses at 0: divided differences of e^(p t) over
 /// the roots of the denominator, which may coincide. The error is below 2^-150 of the size unless five roots of one
 /// factor coincide.
-Sized inverse_transform(const Rational& transform, double t);
+Sized<Octuple> inverse_transform(const Rational& transform, double t);
 
 }  // namespace nipref::fast::internal

@@ -227,6 +227,10 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
   return true;
 }
 
+bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kernel, double tolerance) {
+  return !kernel.decays || std::max(panel.left - singular, singular - panel.right) <= reach(tolerance);
+}
+
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
                           Eigen::Ref<Eigen::MatrixXd> rows) const {
   Nodes nodes;
@@ -237,9 +241,8 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
       const double singular = mirrored ? 2 * half_length_ - place.e : place.e;
-      if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach(tolerance))
-        continue;
-      if (!add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
+      if (acts_on(panel, singular, kernel, tolerance) &&
+          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
         append_panel(panel, singular, mirrored, kernel, false, tolerance, nodes);
     }
     if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
@@ -251,7 +254,7 @@ void Tractions::add_layers(const Place& place, const Kernel& kernel, double tole
                            Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_.front();
   const double singular = place.trailing ? 2 * half_length_ - place.e : place.e;
-  if (kernel.decays && std::max(panel.left - singular, singular - panel.right) > reach(tolerance)) return;
+  if (!acts_on(panel, singular, kernel, tolerance)) return;
   Nodes nodes;
   append_panel(panel, singular, place.trailing, kernel, true, tolerance, nodes);
   if (place.trailing) std::ranges::transform(nodes.alpha, nodes.alpha.begin(), std::negate{});
@@ -263,13 +266,14 @@ void Tractions::add_layers(const Place& place, const Kernel& kernel, double tole
     rows.row(i).tail(layers.cols()) += weight.cwiseProduct(on_p.row(i) + on_q.row(i)) * layers;
 }
 
-Eigen::MatrixXd Tractions::rows_of_layers(std::span<const double> places, bool trailing, const Kernel& kernel,
-                                          double tolerance) const {
+Eigen::MatrixXd Tractions::rows_by(Add add, std::span<const double> places, bool trailing,
+                                   const Kernel& kernel, double tolerance) const {
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
   Eigen::Index row = 0;
   for (const double e : places) {
-    add_layers({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
+    (this->*add)({e, trailing, panels_.size()}, kernel, tolerance,
+                 result.middleRows(row, kernel.functionals));
     row += kernel.functionals;
   }
   return result;
@@ -277,14 +281,12 @@ Eigen::MatrixXd Tractions::rows_of_layers(std::span<const double> places, bool t
 
 Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                 double tolerance) const {
-  Eigen::MatrixXd result =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
-  Eigen::Index row = 0;
-  for (const double e : places) {
-    add_place({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
-    row += kernel.functionals;
-  }
-  return result;
+  return rows_by(&Tractions::add_place, places, trailing, kernel, tolerance);
+}
+
+Eigen::MatrixXd Tractions::rows_of_layers(std::span<const double> places, bool trailing, const Kernel& kernel,
+                                          double tolerance) const {
+  return rows_by(&Tractions::add_layers, places, trailing, kernel, tolerance);
 }
 
 Eigen::MatrixXd Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {

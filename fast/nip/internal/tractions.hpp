@@ -96,6 +96,9 @@ class Tractions {
   };
   /// Where a kernel that decays is below the tolerance.
   [[nodiscard]] static double reach(double tolerance) { return -std::log(tolerance) / 2.1; }
+  /// Whether a panel is within the reach of a kernel that is singular at a place.
+  [[nodiscard]] static bool acts_on(const Panel& panel, double singular, const Kernel& kernel,
+                                    double tolerance);
   /// Nodes on one panel, those on the half of the place first.
   struct Nodes {
     std::vector<double> e, other;  ///< distances from the end of this half and of the other
@@ -145,6 +148,9 @@ class Tractions {
   /// Adds the layers, which are on the leading half.
   void add_layers(const Place& place, const Kernel& kernel, double tolerance,
                   Eigen::Ref<Eigen::MatrixXd> rows) const;
+  using Add = void (Tractions::*)(const Place&, const Kernel&, double, Eigen::Ref<Eigen::MatrixXd>) const;
+  [[nodiscard]] Eigen::MatrixXd rows_by(Add add, std::span<const double> places, bool trailing,
+                                        const Kernel& kernel, double tolerance) const;
   void add_integrals_of_layers(Eigen::MatrixXd& result) const;
   void add_place(const Place& place, const Kernel& kernel, double tolerance,
                  Eigen::Ref<Eigen::MatrixXd> rows) const;

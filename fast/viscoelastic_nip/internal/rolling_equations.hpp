@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
-#include <nipref/fast/viscoelastic_nip/internal/sized.hpp>
 
 namespace nipref::fast {
 
@@ -51,6 +51,7 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] double softening_over(double half_length) const;
 
  private:
+  using Sized = internal::Sized<double>;
   /// u_m, or with layers its product with the stiffness that they have left. It comes before the exponentials, and u_m after
   /// them, so that the elimination finds the exponentials by their own equations.
   static constexpr int stiff_part = 0;

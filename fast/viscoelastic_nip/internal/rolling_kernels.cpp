@@ -5,15 +5,16 @@
 
 #include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
-#include <nipref/fast/viscoelastic_nip/internal/sized.hpp>
 
 namespace nipref::fast {
 namespace {
 
 using Complex = std::complex<double>;
 using internal::Two;
+using Sized = internal::Sized<double>;
 
 constexpr double pi = std::numbers::pi;
 
