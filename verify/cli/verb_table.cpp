@@ -49,7 +49,9 @@ std::map<std::string, std::string> messages_in(const toml::table& table, std::st
   return messages;
 }
 
-OptionText option_of(const std::string& key, const toml::table& table) {
+OptionText option_of(const std::string& key, const toml::node& node) {
+  const toml::table table =
+      node.is_table() ? *node.as_table() : toml::table{{"meaning", node.value<std::string>().value()}};
   const std::vector<std::string> limits = list_of(table, "range");
   std::optional<NumberRange> range;
   if (!limits.empty()) range = {limits.at(0), limits.at(1), table["whole"].value_or(true)};
@@ -68,7 +70,7 @@ OptionText option_of(const std::string& key, const toml::table& table) {
 VerbText verb_of(const toml::table& table, const toml::table& options) {
   const auto options_in = [&](std::string_view key) {
     return mapped(list_of(table, key),
-                  [&](const std::string& name) { return option_of(name, *options.at(name).as_table()); });
+                  [&](const std::string& name) { return option_of(name, options.at(name)); });
   };
   const std::string name = text_of(table, "name");
   return {name,

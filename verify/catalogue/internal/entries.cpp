@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -84,36 +85,69 @@ void add_arguments(Quantity& quantity, const std::string& text) {
   }
 }
 
-Quantity quantity_of(const toml::table& row) {
-  Quantity quantity;
-  quantity.name = row["name"].value<std::string>().value();
-  quantity.subject = row["subject"].value<std::string>().value();
-  add_arguments(quantity, row["arguments"].value<std::string>().value());
-  quantity.unit = row["unit"].value_or(std::string("1"));
-  quantity.promise = row["promise"].value<double>().value();
-  quantity.audit_points = row["points"].value_or(quantity.audit_points);
-  quantity.family = row["family"].value_or(std::string());
-  quantity.most_digits = row["digits"].value_or(quantity.most_digits);
-  quantity.is_costly = row["costly"].value_or(false);
-  quantity.source = row["source"].value<std::string>().value();
-  quantity.scale = row["scale"].value_or(std::string("the value"));
-  quantity.definition = row["definition"].value<std::string>().value();
-  if (const toml::array* const forms = row["forms"].as_array()) {
-    for (const toml::node& node : *forms) {
-      const toml::table& form = *node.as_table();
-      quantity.seed_forms.push_back(
-          {form["name"].value_or(std::string()), form["differs"].value_or(std::string()), {}});
-    }
+/// What a quantity has of its own, or else what its section has.
+class Row {
+ public:
+  Row(const toml::table& section, const toml::node& own) : section_(section), own_(own) {}
+
+  template <class Value>
+  [[nodiscard]] std::optional<Value> get(std::string_view key) const {
+    const toml::table* const own = own_.as_table();
+    if (own == nullptr && key == "definition") return own_.value<Value>();
+    return own != nullptr && own->contains(key) ? (*own)[key].value<Value>() : section_[key].value<Value>();
   }
+  [[nodiscard]] std::string text(std::string_view key) const { return get<std::string>(key).value(); }
+  [[nodiscard]] std::vector<SeedForm> forms() const {
+    std::vector<SeedForm> forms;
+    if (!own_.is_table()) return forms;
+    if (const toml::table* const all = (*own_.as_table())["forms"].as_table()) {
+      for (const auto& [name, differs] : *all)
+        forms.push_back({std::string(name.str()), differs.value<std::string>().value(), {}});
+    }
+    return forms;
+  }
+
+ private:
+  const toml::table& section_;
+  const toml::node& own_;
+};
+
+Quantity quantity_of(std::string_view name, const Row& row) {
+  Quantity quantity;
+  quantity.name = name;
+  quantity.subject = row.text("subject");
+  add_arguments(quantity, row.text("arguments"));
+  quantity.unit = row.get<std::string>("unit").value_or("1");
+  quantity.promise = row.get<double>("promise").value();
+  quantity.audit_points = row.get<std::size_t>("points").value_or(quantity.audit_points);
+  quantity.family = row.get<std::string>("family").value_or("");
+  quantity.most_digits = row.get<int>("digits").value_or(quantity.most_digits);
+  quantity.is_costly = row.get<bool>("costly").value_or(false);
+  quantity.source = row.text("source");
+  quantity.scale = row.get<std::string>("scale").value_or("the value");
+  quantity.definition = row.text("definition");
+  quantity.seed_forms = row.forms();
   return quantity;
+}
+
+/// In the order of their lines: a table does not keep it.
+std::vector<Quantity> quantities_of(const toml::table& section) {
+  std::vector<std::pair<toml::source_position, Quantity>> found;
+  for (const auto& [name, own] : *section["quantities"].as_table())
+    found.emplace_back(name.source().begin, quantity_of(name.str(), Row(section, own)));
+  std::ranges::sort(found, {}, [](const auto& one) { return one.first.line; });
+  return mapped(found, [](const auto& one) { return one.second; });
 }
 
 }  // namespace
 
 const std::vector<Quantity>& described_quantities() {
-  static const std::vector<Quantity> all =
-      mapped(*definitions_table()["quantities"].as_array(),
-             [](const toml::node& row) { return quantity_of(*row.as_table()); });
+  static const std::vector<Quantity> all = [] {
+    std::vector<Quantity> joined;
+    for (const toml::node& section : *definitions_table()["sections"].as_array())
+      std::ranges::move(quantities_of(*section.as_table()), std::back_inserter(joined));
+    return joined;
+  }();
   return all;
 }
 
