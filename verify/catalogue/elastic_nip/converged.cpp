@@ -100,9 +100,7 @@ std::vector<Quantity> elastic_nip_entries() {
   // The least scale of errors is 1 + L/B divided by this number; 0: there is none.
   constexpr std::array parts{0, 0, 10, 0, 2};
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i];
-    set_draw(entry, draw_nip);
-    set_keep_off(entry, keep_nip_in_domain);
+    Quantity& entry = entries[i] = sampled(entries[i], draw_nip, keep_nip_in_domain);
     // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding
     // errors. The scale of long ones is such that the promise is the error that fast states. An ulp is at least 2^-53 of the
     // scale.

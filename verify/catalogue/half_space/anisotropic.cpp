@@ -133,7 +133,7 @@ double answer(const fast::AnisotropicHalfSpace& surface, Direction psi, double f
 
 template <class FastMember>
 Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure ref::LineResponse::*of_ref) {
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       name,
       [of_ref](NamedExact x, int digits) {
         const ref::ExactStiffness solid = exact_stiffness_of(x);
@@ -143,17 +143,16 @@ Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure r
       },
       [of_fast](NamedPoint x) { return answer(anisotropic_surface(x), direction_of(x, "psi_deg"), of_fast); },
       largest_answer);
-  set_draw(entry, [](Random& random, NamedNumbers x) {
+  const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_degrees(random);
     x["psi_deg"] = draw_degrees(random);
     put_stiffness(x, draw_stiffness(random));
     x["speed"] = draw_share(random) * largest_speed(x);
-  });
-  set_keep_off(entry, [](NamedNumbers x) {
+  };
+  return sampled(entry, draw, [](NamedNumbers x) {
     keep_physical_stiffness(x);
     x["speed"] = std::min(x["speed"], nearest_critical * largest_speed(x));
   });
-  return entry;
 }
 
 /// Draws a nearly isotropic solid. In others a bulk wave may make the first line critical, or almost, and the reference
@@ -172,18 +171,17 @@ data::Stiffness draw_mild_stiffness(Random& random) {
 }
 
 Quantity entry_anisotropic_critical() {
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       "anisotropic.critical",
       [](NamedExact x, int digits) {
         return ref::critical_speed(exact_stiffness_of(x), direction_of(x, "theta_deg"), digits).speed;
       },
       [](NamedPoint x) { return fast::critical_speed(stiffness_of(x), direction_of(x, "theta_deg")).speed; });
-  set_draw(entry, [](Random& random, NamedNumbers x) {
+  const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_angle(random);
     put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
-  });
-  set_keep_off(entry, keep_physical_stiffness);
-  return entry;
+  };
+  return sampled(entry, draw, keep_physical_stiffness);
 }
 
 }  // namespace

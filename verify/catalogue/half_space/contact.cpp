@@ -119,16 +119,16 @@ template <class Bodies>
 std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
   std::vector<Quantity> entries;
   for (const ContactRow& row : rows) {
-    Quantity entry = entry_of(row.name, row.by_ref, row.by_fast, row.size);
-    set_draw(entry, [=](Random& random, NamedNumbers x) {
+    const auto draw = [=](Random& random, NamedNumbers x) {
       Bodies::draw(random, x, row.largest_share);
       row.more(random, x);
-    });
-    set_keep_off(entry, [=](NamedNumbers x) {
-      Bodies::keep(x);
-      x["speed"] = std::min(x["speed"], row.largest_share * Bodies::critical_speed(x));
-      row.keep_more(x);
-    });
+    };
+    Quantity entry =
+        sampled(entry_of(row.name, row.by_ref, row.by_fast, row.size), draw, [=](NamedNumbers x) {
+          Bodies::keep(x);
+          x["speed"] = std::min(x["speed"], row.largest_share * Bodies::critical_speed(x));
+          row.keep_more(x);
+        });
     for (std::size_t i = 0; i < row.seed_forms.size(); ++i)
       entry.seed_forms[i].value = of_point(entry, row.seed_forms[i]);
     entries.push_back(std::move(entry));

@@ -25,22 +25,24 @@ double draw_poisson(Random& random) {
   return random.chance(0.3) ? 0.5 - random.log_uniform(1e-4, 1) : random.uniform(-0.9, largest_poisson);
 }
 
-void keep_poisson(double& poisson) { poisson = std::clamp(poisson, -0.9, largest_poisson); }
+void keep_poisson(const NamedNumbers& x) { x["poisson"] = std::clamp(x["poisson"], -0.9, largest_poisson); }
+
+void draw_line(Random& random, const NamedNumbers& x) {
+  x["poisson"] = draw_poisson(random);
+  x["speed"] = draw_share(random) * fast::isotropic_rayleigh_speed(x["poisson"]);
+  x["psi_deg"] = draw_degrees(random);
+}
+
+void keep_line(const NamedNumbers& x) {
+  keep_poisson(x);
+  x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
+}
 
 /// An entry by functions of poisson, speed and psi_deg.
 template <class Ref, class Fast, class Size = ValueItself>
 Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
-  Quantity entry = entry_of(name, {"poisson", "speed", "psi_deg"}, by_ref, by_fast, size);
-  set_draw(entry, [](Random& random, NamedNumbers x) {
-    x["poisson"] = draw_poisson(random);
-    x["speed"] = draw_share(random) * fast::isotropic_rayleigh_speed(x["poisson"]);
-    x["psi_deg"] = draw_degrees(random);
-  });
-  set_keep_off(entry, [](NamedNumbers x) {
-    keep_poisson(x["poisson"]);
-    x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
-  });
-  return entry;
+  return sampled(entry_of(name, {"poisson", "speed", "psi_deg"}, by_ref, by_fast, size), draw_line,
+                 keep_line);
 }
 
 /// The arguments of the reference.
@@ -128,7 +130,7 @@ Quantity entry_separation() {
   // The square of the angle is proportional to the excess of the speed over the Rayleigh speed, which fast knows as the
   // sum of two doubles: errors next to that speed, where the angle vanishes, are measured against this size.
   constexpr double least_size = 1e-5;
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       "halfspace.separation", {"poisson", "speed"},
       [](const Exact& poisson, const Exact& speed, int digits) {
         if (speed.value() > 1)
@@ -142,30 +144,26 @@ Quantity entry_separation() {
   const auto next_to_rayleigh = [](double poisson) {
     return std::nextafter(fast::isotropic_rayleigh_speed(poisson), 1);
   };
-  set_draw(entry, [=](Random& random, NamedNumbers x) {
+  const auto draw = [=](Random& random, NamedNumbers x) {
     x["poisson"] = draw_poisson(random);
     const double least = next_to_rayleigh(x["poisson"]);
     const double share = random.chance(0.5) ? random.log_uniform(1e-16, 1) : random.uniform(0, 1);
     x["speed"] = least + share * (1 - least);
-  });
-  set_keep_off(entry, [=](NamedNumbers x) {
-    keep_poisson(x["poisson"]);
+  };
+  return sampled(entry, draw, [=](NamedNumbers x) {
+    keep_poisson(x);
     x["speed"] = std::clamp(x["speed"], next_to_rayleigh(x["poisson"]), 1.0);
   });
-  return entry;
 }
 
 Quantity entry_rayleigh() {
-  Quantity entry = entry_of(
-      "halfspace.rayleigh", {"poisson"},
-      [](const Exact& poisson, int digits) {
-        const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-        return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
-      },
-      fast::isotropic_rayleigh_speed);
-  set_draw(entry, [](Random& random, NamedNumbers x) { x["poisson"] = draw_poisson(random); });
-  set_keep_off(entry, [](NamedNumbers x) { keep_poisson(x["poisson"]); });
-  return entry;
+  const auto by_ref = [](const Exact& poisson, int digits) {
+    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+    return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
+  };
+  return sampled(
+      entry_of("halfspace.rayleigh", {"poisson"}, by_ref, fast::isotropic_rayleigh_speed),
+      [](Random& random, NamedNumbers x) { x["poisson"] = draw_poisson(random); }, keep_poisson);
 }
 
 }  // namespace

@@ -41,28 +41,27 @@ void keep_physical(const NamedNumbers& x) {
   }
 }
 
+void draw_line_of_solid(Random& random, const NamedNumbers& x) {
+  x["theta_deg"] = draw_degrees(random);
+  x["psi_deg"] = draw_degrees(random);
+  x["axis"] = draw_solid(random, x);
+  x["speed"] = draw_share(random) * critical_speed_of(x);
+}
+
+void keep_line_of_solid(const NamedNumbers& x) {
+  keep_physical(x);
+  x["speed"] = std::min(x["speed"], nearest_critical * critical_speed_of(x));
+}
+
 /// `by_ref` is a function of solid, speed, motion, psi and digits.
 template <class Ref, class Fast, class Size>
 Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
-  Quantity entry = entry_of(
-      name,
-      [by_ref](NamedExact x, int digits) {
-        check_subcritical(x);
-        return by_ref(exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
-                      direction_of(x, "psi_deg"), digits);
-      },
-      by_fast, size);
-  set_draw(entry, [](Random& random, NamedNumbers x) {
-    x["theta_deg"] = draw_degrees(random);
-    x["psi_deg"] = draw_degrees(random);
-    x["axis"] = draw_solid(random, x);
-    x["speed"] = draw_share(random) * critical_speed_of(x);
-  });
-  set_keep_off(entry, [](NamedNumbers x) {
-    keep_physical(x);
-    x["speed"] = std::min(x["speed"], nearest_critical * critical_speed_of(x));
-  });
-  return entry;
+  const auto of_line = [by_ref](NamedExact x, int digits) {
+    check_subcritical(x);
+    return by_ref(exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
+                  direction_of(x, "psi_deg"), digits);
+  };
+  return sampled(entry_of(name, of_line, by_fast, size), draw_line_of_solid, keep_line_of_solid);
 }
 
 Quantity transverse_line(const char* name, double LineResponse::*of_fast,
@@ -109,7 +108,7 @@ constexpr ref::BulkWave bulk_waves[] = {ref::BulkWave::upright, ref::BulkWave::f
 
 /// The axis lies in the surface.
 Quantity entry_branch() {
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       "ti.branch",
       [](NamedExact x, int digits) {
         return ref::bulk_wave_speed(exact_transverse_of(x, SymmetryAxis::in_plane),
@@ -120,17 +119,16 @@ Quantity entry_branch() {
         return speed_in_steel(fast::branch_speed(branch_waves[static_cast<std::size_t>(x["which"])],
                                                  transverse_of(x), direction_of(x, "theta_deg")));
       });
-  set_draw(entry, [](Random& random, NamedNumbers x) {
+  const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_degrees(random);
     x["which"] = static_cast<double>(random.index(3));
     draw_solid(random, x);
-  });
-  set_keep_off(entry, keep_physical);
-  return entry;
+  };
+  return sampled(entry, draw, keep_physical);
 }
 
 Quantity entry_transverse_critical() {
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       "ti.critical",
       [](NamedExact x, int digits) {
         return ref::critical_speed(exact_transverse_of(x, symmetry_axis(x)), direction_of(x, "theta_deg"),
@@ -138,18 +136,17 @@ Quantity entry_transverse_critical() {
             .speed;
       },
       critical_speed_of);
-  set_draw(entry, [](Random& random, NamedNumbers x) {
+  const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_angle(random);
     x["axis"] = random.chance(0.2) ? 0 : 1;
-  });
+  };
   // Only the seed's solid: in others a bulk wave may be what makes the first line critical, or nearly so, and the
   // reference proves the speed of surface waves only.
-  set_keep_off(entry, put_epoxy);
-  return entry;
+  return sampled(entry, draw, put_epoxy);
 }
 
 Quantity entry_transverse_rayleigh() {
-  Quantity entry = entry_of(
+  const Quantity entry = entry_of(
       "ti.rayleigh",
       [](NamedExact x, int digits) {
         const auto found =
@@ -163,13 +160,12 @@ Quantity entry_transverse_rayleigh() {
         return speed_in_steel(fast::rayleigh_speed(transverse_of(x), symmetry_axis(x),
                                                    direction_of(x, "theta_deg"), direction_of(x, "psi_deg")));
       });
-  set_draw(entry, [](Random& random, NamedNumbers x) {
+  const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_angle(random);
     x["psi_deg"] = x["theta_deg"] + random.uniform(-60, 60);
     x["axis"] = random.chance(0.2) ? 0 : 1;
-  });
-  set_keep_off(entry, put_epoxy);
-  return entry;
+  };
+  return sampled(entry, draw, put_epoxy);
 }
 
 }  // namespace

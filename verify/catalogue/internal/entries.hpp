@@ -118,20 +118,23 @@ Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
   return entry;
 }
 
-/// The points of audits. `draw` changes a point of the defaults at random; `keep_off` moves a point into the domain.
+/// The entry with the points of its audits: `draw` changes a point of the defaults at random.
 template <class Draw>
-void set_draw(Quantity& entry, Draw draw) {
+Quantity sampled(Quantity entry, Draw draw) {
   entry.draw = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
                 defaults = point_of(entry, {}), draw](Random& random) {
     Point point = defaults;
     draw(random, NamedNumbers(*arguments, point));
     return point;
   };
+  return entry;
 }
-template <class KeepOff>
-void set_keep_off(Quantity& entry, KeepOff keep_off) {
+/// The same; `keep_off` moves a point into the domain.
+template <class Draw, class KeepOff>
+Quantity sampled(Quantity entry, Draw draw, KeepOff keep_off) {
   entry.keep_off = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
                     keep_off](Point& point) { keep_off(NamedNumbers(*arguments, point)); };
+  return sampled(std::move(entry), draw);
 }
 
 /// Sets the numbers of those keys to their defaults.

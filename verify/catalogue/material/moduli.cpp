@@ -114,14 +114,13 @@ Quantity material_entry(const char* name, const char* variable, Springs springs,
     const auto [value, size] = found(x);
     return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), size));
   });
-  set_draw(entry, [variable](Random& random, const NamedNumbers& x) { draw_material(random, x, variable); });
+  const auto draw = [variable](Random& random, const NamedNumbers& x) { draw_material(random, x, variable); };
+  if (variable != std::string_view("t")) return sampled(entry, draw);
   // At later times the value is below the least number of the reference.
-  if (variable == std::string_view("t"))
-    set_keep_off(entry, [](const NamedNumbers& x) {
-      const double fastest = fastest_rate(x);
-      if (x["t"] * fastest > 1e8) x["t"] = 1e8 / fastest;
-    });
-  return entry;
+  return sampled(entry, draw, [](const NamedNumbers& x) {
+    const double fastest = fastest_rate(x);
+    if (x["t"] * fastest > 1e8) x["t"] = 1e8 / fastest;
+  });
 }
 
 fast::Fading unfaded(double value) { return {value, 0}; }

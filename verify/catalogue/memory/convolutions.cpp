@@ -90,9 +90,7 @@ void draw_wave(Random& random, const NamedNumbers& x) {
 
 template <class ByRef, class ByFast, class Size>
 Quantity wave_entry(const char* name, ByRef by_ref, ByFast by_fast, Size size) {
-  Quantity entry = entry_of(name, {"lambda", "a", "b", "t", "T"}, by_ref, by_fast, size);
-  set_draw(entry, draw_wave);
-  return entry;
+  return sampled(entry_of(name, {"lambda", "a", "b", "t", "T"}, by_ref, by_fast, size), draw_wave);
 }
 
 void draw_sign(Random& random, const NamedNumbers& x) {
@@ -106,12 +104,10 @@ void draw_sign(Random& random, const NamedNumbers& x) {
 
 template <class ByRef, class ByFast>
 Quantity sign_entry(const char* name, ByRef by_ref, ByFast by_fast) {
-  Quantity entry = entry_of(name, {"gamma0", "gamma", "lambda", "t", "T"}, by_ref, by_fast,
-                            [](double gamma0, double gamma, double lambda, double t, double) {
-                              return std::fabs(gamma0) + std::fabs(gamma) * faded(lambda, t);
-                            });
-  set_draw(entry, draw_sign);
-  return entry;
+  const auto size = [](double gamma0, double gamma, double lambda, double t, double) {
+    return std::fabs(gamma0) + std::fabs(gamma) * faded(lambda, t);
+  };
+  return sampled(entry_of(name, {"gamma0", "gamma", "lambda", "t", "T"}, by_ref, by_fast, size), draw_sign);
 }
 
 constexpr double cosine = HUGE_VAL;  // min(1, b w) = 1

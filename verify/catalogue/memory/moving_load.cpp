@@ -250,30 +250,27 @@ const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
 
 /// `names`: t and the times at which the load passes the points. `functions` as for entry_of.
 Quantity started_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
-  Quantity entry = entry_of(quantity, functions...);
-  set_draw(entry, [names](Random& random, NamedNumbers x) {
+  const auto draw = [names](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     const double unit = x["half_thickness"] / x["speed"], t = random.log_uniform(1e-9, 50);
     for (const char* name : names)
       x[name] = unit * (name == names.front() ? t : draw_passing_time(t, random));
-  });
-  set_keep_off(entry, [names](NamedNumbers x) {
+  };
+  return sampled(entry_of(quantity, functions...), draw, [names](NamedNumbers x) {
     keep_material(x, farthest_load(x, names) / (x["half_thickness"] / x["speed"]));
     // Un is infinite under the load.
     if (names.size() == 2 && x["t"] == x["T"]) x["T"] = std::nextafter(x["T"], HUGE_VAL);
   });
-  return entry;
 }
 
 /// `names`: the distances from the load. `functions` as for entry_of.
 Quantity steady_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
-  Quantity entry = entry_of(quantity, functions...);
-  set_draw(entry, [names](Random& random, NamedNumbers x) {
+  const auto draw = [names](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     for (const char* name : names) x[name] = draw_distance(random);
-  });
-  set_keep_off(entry, [names](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
-  return entry;
+  };
+  return sampled(entry_of(quantity, functions...), draw,
+                 [names](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
 }
 
 }  // namespace

@@ -81,17 +81,16 @@ void draw_point_of_sheet(Random& random, const NamedNumbers& x) {
   if (has("poisson")) x["poisson"] = draw_ratio(random);
 }
 
-Quantity sampled(Quantity entry) {
-  set_draw(entry, draw_point_of_sheet);
-  set_keep_off(entry, [](NamedNumbers x) { keep_off_the_load(x["alpha"], x["depth"]); });
-  return entry;
+Quantity in_sheet(Quantity entry) {
+  return sampled(std::move(entry), draw_point_of_sheet,
+                 [](NamedNumbers x) { keep_off_the_load(x["alpha"], x["depth"]); });
 }
 
 using RefStress = ref::Enclosure (*)(const Exact&, const Exact&, SheetLoad, int);
 
 Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefStress by_ref,
                       double (FieldSize::*size)() const) {
-  return sampled(entry_of(
+  return in_sheet(entry_of(
       name, {"alpha", "depth", "load"},
       [by_ref](const Exact& alpha, const Exact& depth, const Exact& load, int digits) {
         return by_ref(alpha, depth, load_of(load), digits);
@@ -105,7 +104,7 @@ Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefSt
 }
 
 Quantity entry_u() {
-  return sampled(entry_of(
+  return in_sheet(entry_of(
       "sheet.u", {"alpha", "depth", "load", "poisson"},
       [](const Exact& alpha, const Exact& depth, const Exact& load, const Exact& poisson, int digits) {
         return ref::sheet_u(alpha, depth, load_of(load), poisson, digits);
@@ -119,7 +118,7 @@ Quantity entry_u() {
 }
 
 Quantity entry_v() {
-  return sampled(entry_of(
+  return in_sheet(entry_of(
       "sheet.v", {"alpha", "eta", "depth", "load", "poisson"},
       [](const Exact& alpha, const Exact& eta, const Exact& depth, const Exact& load, const Exact& poisson,
          int digits) { return ref::sheet_v(alpha, eta, depth, load_of(load), poisson, digits); },

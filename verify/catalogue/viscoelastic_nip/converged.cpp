@@ -126,9 +126,7 @@ std::vector<Quantity> viscoelastic_nip_entries() {
   constexpr double (*least_sizes[])(double) = {[](double) { return 0.1; }, none, none, none,
                                                [](double length) { return (1 + length) / 10; }};
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i];
-    set_draw(entry, draw_rolling_nip);
-    set_keep_off(entry, keep_rolling_in_domain);
+    Quantity& entry = entries[i] = sampled(entries[i], draw_rolling_nip, keep_rolling_in_domain);
     entry.envelope = [least = least_sizes[i], value_at = entry.by_fast,
                       named = of_point(entry, {"L_over_B", "softening"}, [](double length, double softening) {
                         return std::pair(length, amplification(length, softening));
