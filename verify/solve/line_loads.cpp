@@ -88,39 +88,29 @@ fast::LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const
 }
 
 /// Solved line loads: what they were solved for, and their results.
-struct ElasticLineLoads {
+struct ElasticLineLoads : fast::LineLoadSolution {
   data::ElasticNip nip;
   LineLoadMethod method;
   Work work;  ///< grows with each result that is computed
-  fast::LineLoadSolution solution;
 
-  ElasticLineLoads(const data::ElasticNipProblem& problem, LineLoadMethod with)
-      : nip(problem.nip), method(std::move(with)), solution(solve_loads(problem, method, &work)) {}
-
-  [[nodiscard]] double contact_length() const { return solution.contact_length; }
-  [[nodiscard]] double load() const { return solution.load; }
-  [[nodiscard]] double indentation() const { return solution.indentation; }
-  [[nodiscard]] double edge_displacement() const { return solution.edge_displacement; }
-  [[nodiscard]] double peak_pressure() const { return solution.peak_pressure; }
-  [[nodiscard]] double peak_shear() const { return solution.peak_shear; }
-  [[nodiscard]] double peak_pressure_position() const { return fast::place_of_largest_pressure(solution); }
-  [[nodiscard]] double peak_shear_position() const { return fast::place_of_largest_shear(solution); }
-  [[nodiscard]] double creep_ratio() { return fast::creep_ratio(nip, solution, method, &work); }
+  [[nodiscard]] double peak_pressure_position() const { return fast::place_of_largest_pressure(*this); }
+  [[nodiscard]] double peak_shear_position() const { return fast::place_of_largest_shear(*this); }
+  [[nodiscard]] double creep_ratio() { return fast::creep_ratio(nip, *this, method, &work); }
   /// The moments of the loads of one side (thesis 7.13); the other side mirrors them.
   [[nodiscard]] double leading_moment() const {
     double sum = 0;
-    for (std::size_t k = 0; k < solution.line_loads.size(); ++k)
-      sum += solution.line_loads[k] * (static_cast<double>(k) + 0.5) * solution.element_width();
+    for (std::size_t k = 0; k < line_loads.size(); ++k)
+      sum += line_loads[k] * (static_cast<double>(k) + 0.5) * element_width();
     return sum;
   }
   [[nodiscard]] double trailing_moment() const { return -leading_moment(); }
-  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(solution, y); }
-  [[nodiscard]] double shear(double y) const { return fast::element_shear(solution, y); }
+  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(*this, y); }
+  [[nodiscard]] double shear(double y) const { return fast::element_shear(*this, y); }
   [[nodiscard]] double normal_displacement(double y) {
-    return fast::normal_displacement(nip, solution, method, y, &work);
+    return fast::normal_displacement(nip, *this, method, y, &work);
   }
   [[nodiscard]] double tangential_displacement(double y) {
-    return fast::tangential_displacement(nip, solution, method, y, &work);
+    return fast::tangential_displacement(nip, *this, method, y, &work);
   }
 };
 
@@ -128,7 +118,7 @@ struct ElasticLineLoads {
 std::vector<Estimate> shear_zeros(const ElasticLineLoads& loads, const SolvedContact<Estimate>& truth) {
   const std::vector<Estimate>& zeros_of_truth = truth.get(ResultId::shear_zeros);
   std::vector<Estimate> zeros;
-  for (const double place : fast::shear_borders(loads.solution)) {
+  for (const double place : fast::shear_borders(loads)) {
     const auto distance = [&](const Estimate& zero) { return std::fabs(zero.value - place); };
     zeros.push_back(compared_with(*std::ranges::min_element(zeros_of_truth, {}, distance), place));
   }
@@ -137,7 +127,7 @@ std::vector<Estimate> shear_zeros(const ElasticLineLoads& loads, const SolvedCon
 
 /// The continuous contact has one creep ratio, to which all three are compared.
 std::vector<Estimate> creep_range(ElasticLineLoads& loads, const SolvedContact<Estimate>& truth) {
-  const double length = loads.solution.contact_length;
+  const double length = loads.contact_length;
   const auto creep = fast::thesis_creep(loads.nip, loads.method, length, &loads.work);
   if (!creep) refuse_without_creep("contact_length", length);
   const Estimate& creep_of_truth = truth.number(ResultId::creep_ratio);
@@ -150,8 +140,11 @@ std::vector<Estimate> creep_range(ElasticLineLoads& loads, const SolvedContact<E
 SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& wanted,
                                 double accuracy) {
   const std::shared_ptr<const SolvedContact<Estimate>> truth = solve_converged(problem, truth_accuracy);
-  const auto loads = std::make_shared<ElasticLineLoads>(
-      problem, LineLoadMethod(wanted.leading_elements, wanted.residue_terms, fast::Accuracy(accuracy)));
+  const LineLoadMethod method(wanted.leading_elements, wanted.residue_terms, fast::Accuracy(accuracy));
+  Work work;
+  const fast::LineLoadSolution solution = solve_loads(problem, method, &work);
+  const auto loads =
+      std::make_shared<ElasticLineLoads>(ElasticLineLoads{{solution}, problem.nip, method, work});
   SolvedInDouble contact = compared_with_truth(loads, truth, problem);
   contact->set(ResultId::shear_zeros, [=](const Places&) { return shear_zeros(*loads, *truth); });
   contact->set(ResultId::creep_range, [=](const Places&) { return creep_range(*loads, *truth); });
@@ -183,50 +176,39 @@ ViscoelasticLineLoads solve_loads(const data::ViscoelasticNipProblem& problem,
 }
 
 /// Solved line loads: what they were solved for, and their results. A search chooses the number of trailing elements.
-struct RollingLineLoads {
+struct RollingLineLoads : ViscoelasticLineLoads {
   data::ViscoelasticNip nip;
-  ViscoelasticLineLoads solution;
   ViscoelasticLineLoadMethod method;
   fast::ViscoelasticLineLoadSurface surface;
 
   RollingLineLoads(const data::ViscoelasticNipProblem& problem, const ViscoelasticLineLoadMethod& wanted,
                    bool search)
-      : nip(problem.nip),
-        solution(solve_loads(problem, wanted, search)),
-        method{wanted.leading_elements, static_cast<int>(solution.loads.size()) - wanted.leading_elements,
+      : ViscoelasticLineLoads(solve_loads(problem, wanted, search)),
+        nip(problem.nip),
+        method{wanted.leading_elements, static_cast<int>(loads.size()) - wanted.leading_elements,
                wanted.approach, wanted.residue_terms},
-        surface(nip, solution, method) {}
+        surface(nip, *this, method) {}
 
-  [[nodiscard]] double contact_length() const { return solution.contact_length(); }
-  [[nodiscard]] double leading_length() const { return solution.leading_length; }
-  [[nodiscard]] double trailing_length() const { return solution.trailing_length; }
-  [[nodiscard]] double load() const { return solution.load; }
-  [[nodiscard]] double indentation() const { return solution.indentation; }
-  [[nodiscard]] double leading_displacement() const { return solution.leading_displacement; }
-  [[nodiscard]] double trailing_displacement() const { return solution.trailing_displacement; }
-  [[nodiscard]] double rolling_resistance() const { return solution.rolling_resistance; }
-  [[nodiscard]] double peak_pressure() const { return solution.peak_pressure; }
   [[nodiscard]] double peak_pressure_position() const {
-    return place_of(
-        static_cast<std::size_t>(std::ranges::max_element(solution.loads) - solution.loads.begin()));
+    return place_of(static_cast<std::size_t>(std::ranges::max_element(loads) - loads.begin()));
   }
-  [[nodiscard]] double creep_ratio() const { return fast::creep_ratio(nip, solution, method); }
+  [[nodiscard]] double creep_ratio() const { return fast::creep_ratio(nip, *this, method); }
   [[nodiscard]] double leading_moment() const { return moment(true); }
   [[nodiscard]] double trailing_moment() const { return moment(false); }
-  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(solution, y); }
+  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(*this, y); }
   [[nodiscard]] double normal_displacement(double y) const { return surface.normal_displacement(y); }
   [[nodiscard]] double tangential_displacement(double y) const { return surface.tangential_displacement(y); }
 
  private:
-  [[nodiscard]] double place_of(std::size_t load) const {
-    return solution.leading_length - (static_cast<double>(load) + 0.5) * solution.element_width();
+  [[nodiscard]] double place_of(std::size_t number) const {
+    return leading_length - (static_cast<double>(number) + 0.5) * element_width();
   }
   /// Of the loads of one side (thesis 7.13).
   [[nodiscard]] double moment(bool is_leading) const {
     double sum = 0;
-    for (std::size_t j = 0; j < solution.loads.size(); ++j) {
+    for (std::size_t j = 0; j < loads.size(); ++j) {
       const double y = place_of(j);
-      if ((y > 0) == is_leading) sum += solution.loads[j] * y;
+      if ((y > 0) == is_leading) sum += loads[j] * y;
     }
     return sum;
   }
@@ -243,8 +225,8 @@ SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
   SolvedInDouble contact = compared_with_truth(loads, truth, problem);
   contact->work = [loads] {
     Work work;
-    work.systems = static_cast<std::uint64_t>(loads->solution.systems);
-    work.unknowns = static_cast<int>(loads->solution.loads.size()) + 1;
+    work.systems = static_cast<std::uint64_t>(loads->systems);
+    work.unknowns = static_cast<int>(loads->loads.size()) + 1;
     return work;
   };
   return contact;

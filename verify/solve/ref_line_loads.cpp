@@ -14,43 +14,34 @@ using ref::Enclosure;
 using RefRollingLineLoads = ref::ViscoelasticLineLoads;
 
 /// Solved line loads of an elastic nip: what they were solved for, and their results.
-struct RefElasticLineLoads {
+struct RefElasticLineLoads : ref::LineLoadSolution {
   data::ElasticNip nip;
   ref::LineLoadMethod method;
-  ref::LineLoadSolution solution;
   int digits;
 
-  [[nodiscard]] Enclosure contact_length() const { return solution.contact_length; }
-  [[nodiscard]] Enclosure load() const { return solution.load; }
-  [[nodiscard]] Enclosure indentation() const { return solution.indentation; }
-  [[nodiscard]] Enclosure edge_displacement() const { return solution.edge_displacement; }
-  [[nodiscard]] Enclosure peak_pressure() const { return solution.peak_pressure; }
-  [[nodiscard]] Enclosure peak_shear() const { return solution.peak_shear; }
   [[nodiscard]] Enclosure peak_pressure_position() const {
-    return ref::place_of_largest_pressure(solution, digits);
+    return ref::place_of_largest_pressure(*this, digits);
   }
-  [[nodiscard]] Enclosure peak_shear_position() const {
-    return ref::place_of_largest_shear(solution, digits);
-  }
-  [[nodiscard]] Enclosure creep_ratio() const { return ref::creep_ratio(nip, solution, method, digits); }
+  [[nodiscard]] Enclosure peak_shear_position() const { return ref::place_of_largest_shear(*this, digits); }
+  [[nodiscard]] Enclosure creep_ratio() const { return ref::creep_ratio(nip, *this, method, digits); }
   [[nodiscard]] std::vector<Enclosure> creep_range() const {
-    const auto [lower, upper, chosen] = ref::creep_range(nip, solution, method, digits);
+    const auto [lower, upper, chosen] = ref::creep_range(nip, *this, method, digits);
     return {lower, upper, chosen};
   }
-  [[nodiscard]] std::vector<Enclosure> shear_zeros() const { return ref::shear_borders(solution, digits); }
-  [[nodiscard]] Enclosure pressure(double y) const { return ref::element_pressure(solution, y, digits); }
-  [[nodiscard]] Enclosure shear(double y) const { return ref::element_shear(solution, y, digits); }
+  [[nodiscard]] std::vector<Enclosure> shear_zeros() const { return ref::shear_borders(*this, digits); }
+  [[nodiscard]] Enclosure pressure(double y) const { return ref::element_pressure(*this, y, digits); }
+  [[nodiscard]] Enclosure shear(double y) const { return ref::element_shear(*this, y, digits); }
   [[nodiscard]] Enclosure normal_displacement(double y) const {
-    return ref::normal_displacement(nip, solution, method, y, digits);
+    return ref::normal_displacement(nip, *this, method, y, digits);
   }
   [[nodiscard]] Enclosure tangential_displacement(double y) const {
-    return ref::tangential_displacement(nip, solution, method, y, digits);
+    return ref::tangential_displacement(nip, *this, method, y, digits);
   }
 };
 
 fast::Work work_of(const RefElasticLineLoads& loads) {
   fast::Work work;
-  work.unknowns = static_cast<int>(1 + loads.solution.line_loads.size() + loads.solution.shear_loads.size());
+  work.unknowns = static_cast<int>(1 + loads.line_loads.size() + loads.shear_loads.size());
   return work;
 }
 fast::Work work_of(const RefRollingLineLoads& loads) {
@@ -88,7 +79,7 @@ SolvedByRef solve_ref_line_loads(const data::ElasticNipProblem& problem, const d
       problem.given,
       [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits, grip); },
       [&](double length) { return ref::line_loads_for_length(problem.nip, method, length, digits, grip); });
-  return contact_of(RefElasticLineLoads{problem.nip, method, solution, digits}, problem, digits);
+  return contact_of(RefElasticLineLoads{{solution}, problem.nip, method, digits}, problem, digits);
 }
 
 SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <type_traits>
 
 #include <nipref/data/scene/scene.hpp>
@@ -6,14 +7,14 @@
 
 namespace nipref::verify {
 
-/// Calls set(result, function) for the results of a solved nip: the solution's functions have the names of the results.
-/// In an elastic nip both sides are alike and there is no rolling resistance; without friction there is no shear; a
-/// pressure of which no position of its peak is known has it in the middle. `zero` is a function of the solution.
+/// Calls set(result, member) for the results of a solved nip: the solution's members, functions or numbers, have the names
+/// of the results. In an elastic nip both sides are alike and there is no rolling resistance; without friction there is no
+/// shear; a pressure of which no position of its peak is known has it in the middle. `zero` is a function of the solution.
 template <class Solution>
 void set_nip_results(const auto& set, const auto& zero) {
-  constexpr bool is_rolling = requires(Solution & nip) { nip.leading_length(); };
-  constexpr bool has_shear = requires(Solution & nip) { nip.shear(0.0); };
-  constexpr bool has_peak = requires(Solution & nip) { nip.peak_pressure_position(); };
+  constexpr bool is_rolling = requires { &Solution::leading_length; };
+  constexpr bool has_shear = requires { &Solution::shear; };
+  constexpr bool has_peak = requires { &Solution::peak_pressure_position; };
   set(ResultId::contact_length, &Solution::contact_length);
   set(ResultId::load, &Solution::load);
   set(ResultId::indentation, &Solution::indentation);
@@ -29,7 +30,7 @@ void set_nip_results(const auto& set, const auto& zero) {
     set(ResultId::trailing_displacement, &Solution::trailing_displacement);
     set(ResultId::rolling_resistance, &Solution::rolling_resistance);
   } else {
-    const auto half = [](const Solution& nip) { return 0.5 * nip.contact_length(); };
+    const auto half = [](const Solution& nip) { return 0.5 * std::invoke(&Solution::contact_length, nip); };
     set(ResultId::leading_length, half);
     set(ResultId::trailing_length, half);
     set(ResultId::edge_displacement, &Solution::edge_displacement);
@@ -47,17 +48,15 @@ void set_nip_results(const auto& set, const auto& zero) {
     set(ResultId::peak_shear, zero);
   }
   // Results that only some methods have.
-  if constexpr (requires(Solution & nip) { nip.shear_zeros(); })
-    set(ResultId::shear_zeros, &Solution::shear_zeros);
-  if constexpr (requires(Solution & nip) { nip.creep_range(); })
-    set(ResultId::creep_range, &Solution::creep_range);
-  if constexpr (requires(Solution & nip) { nip.leading_moment(); }) {
+  if constexpr (requires { &Solution::shear_zeros; }) set(ResultId::shear_zeros, &Solution::shear_zeros);
+  if constexpr (requires { &Solution::creep_range; }) set(ResultId::creep_range, &Solution::creep_range);
+  if constexpr (requires { &Solution::leading_moment; }) {
     set(ResultId::leading_moment, &Solution::leading_moment);
     set(ResultId::trailing_moment, &Solution::trailing_moment);
   }
-  if constexpr (requires(Solution & nip) { nip.surface_strain(0.0); })
+  if constexpr (requires { &Solution::surface_strain; })
     set(ResultId::surface_strain, &Solution::surface_strain);
-  if constexpr (requires(Solution & nip) { nip.slip(0.0); }) set(ResultId::slip, &Solution::slip);
+  if constexpr (requires { &Solution::slip; }) set(ResultId::slip, &Solution::slip);
 }
 
 inline bool has_full_friction(const data::ElasticNipProblem& problem) {
