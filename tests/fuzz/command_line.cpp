@@ -5,8 +5,8 @@
 #include <nipref/data/table/index.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
-#include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 
 #include "reading.hpp"
@@ -28,11 +28,11 @@ CommandLine command_line_of(const std::string& text) {
 
 void read_options(const CommandLine& line) {
   take_or_refuse([&] { static_cast<void>(verify::accuracy_option(line)); });
-  take_or_refuse([&] { static_cast<void>(verify::points_option(line)); });
-  take_or_refuse([&] { static_cast<void>(verify::scenes_option(line)); });
+  take_or_refuse([&] { static_cast<void>(line.count("points")); });
+  take_or_refuse([&] { static_cast<void>(line.count("scenes")); });
   take_or_refuse([&] { static_cast<void>(verify::max_slowdown_option(line)); });
-  take_or_refuse([&] { static_cast<void>(verify::every_option(line)); });
-  take_or_refuse([&] { static_cast<void>(verify::promise_option(line)); });
+  take_or_refuse([&] { static_cast<void>(line.count("every")); });
+  take_or_refuse([&] { static_cast<void>(line.number("promise")); });
 }
 
 void read_scene(const CommandLine& line) {
@@ -46,7 +46,7 @@ void read_arguments(const CommandLine& line) {
   take_or_refuse([&] { static_cast<void>(verify::parse_ranges(quantity, line.assignments)); });
   std::vector<verify::Axis> axes;
   for (const auto& [name, text] : line.assignments)
-    axes.push_back(verify::axis_of(name, text, line.option("points") ? verify::points_option(line) : 100));
+    axes.push_back(verify::axis_of(name, text, line.option("points") ? line.count("points") : 100));
   const verify::AxesProduct points(axes);
   static_cast<void>(
       verify::parse_arguments(quantity, points.assignments(0, &verify::AxisValue::exact)).nearest(quantity));

@@ -29,7 +29,7 @@ constexpr double thorough = 10;
 double density_option(const CommandLine& line) {
   if (line.has("quick")) return quick;
   if (line.has("thorough")) return thorough;
-  return parse_real("density", line.option_or_usual("density"));
+  return line.number("density").value();
 }
 
 /// Options are for quantities; an absolute number of points for those that are named: what is quick for one
@@ -101,10 +101,10 @@ AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(reco
     options.accuracy = accuracy_;
     quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
   }
-  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
+  const std::size_t scenes = line.count("scenes");  // refused if it is wrong, without contacts too
   if (!selected.has(contacts)) return;
   hard_cases_ = std::make_unique<HardCasesWork>();
-  scenes_ = std::make_unique<ScenesWork>(scenes, seed_option(line));
+  scenes_ = std::make_unique<ScenesWork>(scenes, line.option_or_usual("seed"));
 }
 
 std::vector<BlockWork*> AuditWorks::all() const {

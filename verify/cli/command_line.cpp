@@ -108,6 +108,15 @@ std::string CommandLine::option_or_usual(const std::string& name) const {
   return known == nullptr ? "" : known->usual;
 }
 
+std::optional<double> CommandLine::number(const std::string& name) const {
+  const std::string text = option_or_usual(name);
+  return text.empty() ? std::nullopt : std::optional(parse_real(name, text));
+}
+
+std::size_t CommandLine::count(const std::string& name) const {
+  return static_cast<std::size_t>(number(name).value_or(0));
+}
+
 bool CommandLine::has(const std::string& flag) const { return flags.contains(flag); }
 
 bool asks_for_json(int argc, const char* const* argv) {
@@ -159,12 +168,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
 
 namespace {
 
-/// 0 if the option is neither given nor has a default.
-std::size_t count_option(const CommandLine& line, const std::string& name) {
-  const std::string text = line.option_or_usual(name);
-  return text.empty() ? 0 : static_cast<std::size_t>(parse_real(name, text));
-}
-
 /// A file, or the name of an example where there is no such file.
 std::filesystem::path scene_file_of(const CommandLine& line) {
   const std::filesystem::path word = line.words.front();
@@ -176,8 +179,8 @@ std::filesystem::path scene_file_of(const CommandLine& line) {
 }  // namespace
 
 fast::Accuracy accuracy_option(const CommandLine& line) {
-  const auto text = line.option("rtol");
-  return text ? fast::Accuracy(parse_real("rtol", *text)) : fast::Accuracy();
+  const auto rtol = line.number("rtol");
+  return rtol ? fast::Accuracy(*rtol) : fast::Accuracy();
 }
 
 SceneRequest scene_request(const CommandLine& line) {
@@ -186,12 +189,6 @@ SceneRequest scene_request(const CommandLine& line) {
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
   return {data::read_scene(scene_file_of(line)), by_ref ? digits_option(line) : std::nullopt};
 }
-
-std::size_t points_option(const CommandLine& line) { return count_option(line, "points"); }
-
-std::size_t scenes_option(const CommandLine& line) { return count_option(line, "scenes"); }
-
-std::string seed_option(const CommandLine& line) { return line.option_or_usual("seed"); }
 
 std::optional<double> max_slowdown_option(const CommandLine& line) {
   const auto text = line.option("max-slowdown");
@@ -204,11 +201,9 @@ std::optional<double> max_slowdown_option(const CommandLine& line) {
 }
 
 std::optional<int> digits_option(const CommandLine& line) {
-  const std::size_t digits = count_option(line, "digits");
-  return digits == 0 ? std::nullopt : std::optional(static_cast<int>(digits));
+  const auto digits = line.number("digits");
+  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
 }
-
-std::size_t every_option(const CommandLine& line) { return count_option(line, "every"); }
 
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
   if (line.is_given(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);

@@ -34,6 +34,10 @@ struct CommandLine {
   [[nodiscard]] std::optional<std::string> option(const std::string& name) const;
   /// The option's text, or its default in the table of verbs; empty if that has none.
   [[nodiscard]] std::string option_or_usual(const std::string& name) const;
+  /// That text as a number; nothing if it is empty.
+  [[nodiscard]] std::optional<double> number(const std::string& name) const;
+  /// The same of a whole number, of which "1e4" is one too; 0 for nothing.
+  [[nodiscard]] std::size_t count(const std::string& name) const;
   /// True if the flag is given.
   [[nodiscard]] bool has(const std::string& flag) const;
   /// True if the option or flag is given.
@@ -50,12 +54,6 @@ CommandLine parse_command_line(int argc, const char* const* argv);
 // Options that several verbs have. Without the option the functions return its default in verbs.toml.
 
 fast::Accuracy accuracy_option(const CommandLine& line);
-/// 0 if it is not given and has no default; "1e4" is a whole number too.
-std::size_t points_option(const CommandLine& line);
-/// The number of random scenes that an audit of contacts draws.
-std::size_t scenes_option(const CommandLine& line);
-/// The text from which random arguments are drawn.
-std::string seed_option(const CommandLine& line);
 
 /// The scene that a verb's only word names: a file or, if there is no such file, an example.
 struct SceneRequest {
@@ -69,8 +67,6 @@ std::optional<double> max_slowdown_option(const CommandLine& line);
 
 /// Nothing if it is not given and has no default.
 std::optional<int> digits_option(const CommandLine& line);
-/// Of every so many rows one is checked.
-std::size_t every_option(const CommandLine& line);
 
 /// Throws BadInput with the reason `why` if this option or flag is given.
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);

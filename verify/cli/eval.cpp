@@ -218,7 +218,7 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
 
 std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
   return mapped(given,
-                [&](const auto& pair) { return axis_of(pair.first, pair.second, points_option(line)); });
+                [&](const auto& pair) { return axis_of(pair.first, pair.second, line.count("points")); });
 }
 
 std::vector<SweepColumn> columns_of(const EvalRequest& request) {

@@ -100,9 +100,9 @@ int answer(const CommandLine& line, std::ostream& out, const Json& members, bool
 /// What is not asked for is the quantity's own.
 GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   GoldenOptions options = golden_options(quantity);
-  if (line.option("points")) options.points = points_option(line);
+  if (line.option("points")) options.points = line.count("points");
   options.digits = digits_option(line).value_or(options.digits);
-  options.seed = seed_option(line);
+  options.seed = line.option_or_usual("seed");
   return options;
 }
 
@@ -183,7 +183,7 @@ int check(const CommandLine& line, std::ostream& out) {
   }
   CheckOptions options;
   options.all = line.has("all");
-  options.every = every_option(line);
+  options.every = line.count("every");
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   options.progress = [&](double part) { progress.at(part); };

@@ -94,7 +94,7 @@ Graded graded_file(const CommandLine& line) {
     throw BadInput("argument", line.words[2], "unexpected: grade takes a file and a quantity");
   const auto quantity = line.words.size() > 1 ? std::optional(line.words[1]) : std::nullopt;
   AuditOptions options;
-  options.promise = promise_option(line);
+  options.promise = line.number("promise");
   const std::string& file = line.words.front();
   const MeasuredPoints measured = read_measured_points(file, quantity, line.option("column"));
   std::optional<AuditResult> found;

@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/golden.hpp>
@@ -91,11 +90,6 @@ GoldenFile kept_file(const std::string& path, const Quantity& quantity) {
 bool Graded::kept() const {
   if (!grade.found.kept() || (behaviour && !behaviour->kept())) return false;
   return !against_baseline || against_baseline->comparison == Comparison::not_worse;
-}
-
-std::optional<double> promise_option(const CommandLine& line) {
-  const auto text = line.option("promise");
-  return text ? std::optional(parse_real("promise", *text)) : std::nullopt;
 }
 
 std::string graded_text(const Graded& graded) { return text_of("grade.txt", graded_json(graded)); }

@@ -57,9 +57,6 @@ bool names_plugin(const CommandLine& line);
 /// was interrupted. Tells progress, unless quiet.
 std::vector<Graded> graded_kernels(const CommandLine& line);
 
-/// The option promise, if it is there.
-std::optional<double> promise_option(const CommandLine& line);
-
 /// Appends the worst point of a grade, with the reference's value of 50 digits, to a file like those of data/golden,
 /// of which it is the first row if there is none. Nothing if the point is there. BadInput naming "keep-worst" if the
 /// file is about another quantity. OutputError if it cannot be written.

@@ -44,7 +44,7 @@ const Quantity& quantity_of_symbol(const CommandLine& line) {
 }
 
 Plugin plugin_of(const CommandLine& line, const std::string& file) {
-  Plugin plugin{file, {}, parse_real("time-limit", line.option_or_usual("time-limit"))};
+  Plugin plugin{file, {}, line.number("time-limit").value()};
   if (const auto symbol = line.option("symbol"))
     plugin.function = {*symbol, quantity_of_symbol(line).arguments.size(), line.has("thread-safe")};
   return plugin;
@@ -99,7 +99,7 @@ std::string where_text(const CommandLine& line) {
 
 AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
   AuditOptions options = sampling_options(line, quantity);
-  options.promise = promise_option(line);
+  options.promise = line.number("promise");
   options.progress = [&progress](double part) { progress.at(part); };
   return options;
 }

@@ -51,7 +51,7 @@ GoldenSample sample_golden(const Quantity& quantity) {
 Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) {
   Report report;
   report.command = command_of(line);
-  report.seed = seed_option(line);
+  report.seed = line.option_or_usual("seed");
   // Before the audit, which would build ref's nodes: their cost is measured.
   report.speed = bench_all(bench_everything(), progress);
   audits.do_blocks(progress);

@@ -25,8 +25,8 @@ std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges,
 }
 
 AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity, double density) {
-  AuditOptions options{points_option(line), {}, {}, density};
-  options.seed = seed_option(line);
+  AuditOptions options{line.count("points"), {}, {}, density};
+  options.seed = line.option_or_usual("seed");
   if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
   options.more_points = golden_points(quantity, options.ranges, options.points_of(quantity) / golden_share);
   return options;

@@ -101,7 +101,7 @@ AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line) {
   const data::SceneSweep sweep = data::scene_sweep(text);
   const bool points_are_in_file = sweep.points && !line.option("points");
   const std::size_t points =
-      points_are_in_file ? static_cast<std::size_t>(*sweep.points) : points_option(line);
+      points_are_in_file ? static_cast<std::size_t>(*sweep.points) : line.count("points");
   std::vector<Axis> axes;
   for (const auto& [key, values] : sweep.keys) {
     if (std::ranges::find(line.assignments, key, &Assignments::value_type::first) == line.assignments.end())
