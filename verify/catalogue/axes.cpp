@@ -7,6 +7,7 @@
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -33,11 +34,6 @@ bool may_be_one_number(std::string_view before, std::string_view after) {
     return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
   };
   return is_whole(before) && is_whole(after);
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 std::vector<AxisValue> values_of_list(const std::string& name, const std::string& text) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/house.hpp>
 #include <nipref/verify/cli/programs.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -48,15 +48,8 @@ Subjects users_of(const std::string& room, const std::string& subject) {
 
 Subjects everything() { return users_of("ref", "number"); }
 
-std::vector<std::string> parts_of(const std::string& path) {
-  std::vector<std::string> parts;
-  std::istringstream text(path);
-  for (std::string part; std::getline(text, part, '/');) parts.push_back(part);
-  return parts;
-}
-
 Subjects touched_by(const std::string& file) {
-  const std::vector<std::string> parts = parts_of(file);
+  const std::vector<std::string> parts = parts_of(file, '/');
   const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : ""; };
   const std::string& room = parts.front();
   if (room == "verify") {
@@ -79,10 +72,7 @@ std::vector<std::string> lines_of_git(std::vector<std::string> words, const std:
   const ProgramOutput output = output_of(words);
   if (output.status != 0)
     throw data::BadInput("since", revision, "must be a revision that git knows in the current folder");
-  std::vector<std::string> lines;
-  std::istringstream stream(output.text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+  return parts_of(output.text, '\n');
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -20,11 +21,6 @@ using data::CsvFile;
 constexpr auto decimal_suffix = "_decimal";
 constexpr auto quantity_key = "quantity: ";
 constexpr int exact_digits = 16;  // a decimal of fewer digits may be a rounded one
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 const Quantity& quantity_of(const CsvFile& file, const std::optional<std::string>& name) {
   if (name) return find_quantity(*name);

@@ -86,7 +86,7 @@ std::string formatted(const std::string& text) {
   return number ? fmt::format(fmt::runtime("{:" + specification + "}"), factor * *number) : "-";
 }
 
-std::string trimmed(std::string text) {
+std::string without_end(std::string text) {
   text.erase(text.find_last_not_of(",; \n") + 1);
   return text;
 }
@@ -173,7 +173,7 @@ void add_formats(mustache::data& data) {
                                                  {"decimal", decimal_text},
                                                  {"exact", exact_text},
                                                  {"shell", word_of_shell},
-                                                 {"trimmed", trimmed},
+                                                 {"trimmed", without_end},
                                                  {"table", table_text},
                                                  {"good", good},
                                                  {"bad", bad}};

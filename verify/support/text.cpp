@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include <nipref/verify/support/text.hpp>
@@ -51,6 +53,24 @@ void append_folded(std::string& text, std::string_view line) {
 
 std::string good(std::string_view text) { return fmt::format("{}{}{}", green, text, as_before); }
 std::string bad(std::string_view text) { return fmt::format("{}{}{}", red, text, as_before); }
+
+std::string trimmed(std::string_view text) {
+  constexpr auto blanks = " \t";
+  const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+  return std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::vector<std::string> parts_of(const std::string& text, char separator) {
+  std::istringstream stream(text);
+  std::vector<std::string> parts;
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
 
 std::string plain(std::string_view text) {
   std::string without;

@@ -13,6 +13,15 @@ inline constexpr std::size_t text_width = 80;
 std::string good(std::string_view text);
 std::string bad(std::string_view text);
 
+/// The text without blanks at its ends.
+std::string trimmed(std::string_view text);
+
+/// The words of a text, between white space.
+std::vector<std::string> words_of(const std::string& text);
+
+/// The parts of a text between separators; what is behind the last one counts unless it is empty.
+std::vector<std::string> parts_of(const std::string& text, char separator);
+
 /// The text without colours.
 std::string plain(std::string_view text);
 

@@ -5,11 +5,11 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -22,18 +22,6 @@ constexpr std::string_view definitions =
 const toml::table& definitions_table() {
   static const toml::table table = toml::parse(definitions);
   return table;
-}
-
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::istringstream stream(text);
-  std::vector<std::string> parts;
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
-  return parts;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 /// A model from its name and its keys.

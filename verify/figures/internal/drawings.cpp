@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 #include <utility>
 
 #include <nipref/data/directory.hpp>
@@ -11,21 +10,12 @@
 #include <nipref/verify/support/internal/cache.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
-namespace {
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream words(text);
-  return {std::istream_iterator<std::string>(words), {}};
-}
-
-}  // namespace
-
 FigureSubject::FigureSubject(const std::string& of, const std::string& numbers, const std::string& table_ids)
     : text(of), words(words_of(of)), tables(words_of(table_ids)) {
-  std::istringstream lists(numbers);
-  for (std::string list; std::getline(lists, list, ';');) {
+  for (const std::string& list : parts_of(numbers, ';')) {
     const auto parts = words_of(list);
     if (!parts.empty()) lists_[parts.front()] = {parts.begin() + 1, parts.end()};
   }
