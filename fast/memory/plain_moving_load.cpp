@@ -47,8 +47,8 @@ double remembered_sign(double rate, double t, double T) {
 }  // namespace
 
 PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed,
-                                 double half_thickness, int terms)
-    : roots_(roots(terms)) {
+                                 double half_thickness, int terms, double smallest_term)
+    : roots_(roots(terms)), smallest_term_(smallest_term) {
   positive(speed, "speed");
   positive(half_thickness, "half_thickness");
   const data::MaterialFunctions functions = material_functions(material);
@@ -76,18 +76,13 @@ PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, dou
   }
 
   const auto kernel = [&](double parity, double constant, auto residue) {
-    return with_sums_at_0({parity, constant, each(roots_, residue), {}});
+    return Kernel{parity, constant, each(roots_, residue)};
   };
   normal_ = kernel(1, 0, [](Complex z) { return i * pi * std::pow(std::tanh(z), 2) / z; });
   tangential_ = kernel(-1, pi / 4, [](Complex z) { return pi / std::pow(std::cosh(z), 2); });
-  sign_ = with_sums_at_0({-1, pi / 2, {}, {}});
+  sign_ = {-1, pi / 2, {}};
   pinned_theta2_ = kernel(-1, pi / 4, [](Complex z) { return pi * std::tanh(z) / (z * std::cosh(z)); });
   pinned_theta1_ = kernel(-1, pi / 4, [](Complex z) { return pi / std::cosh(z); });
-}
-
-PlainMovingLoad::Kernel PlainMovingLoad::with_sums_at_0(Kernel kernel) const {
-  kernel.at_0 = sums(kernel, 0);
-  return kernel;
 }
 
 PlainMovingLoad::Memory PlainMovingLoad::memory(const data::MaterialFunction& function, double speed,
@@ -116,6 +111,23 @@ PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distanc
   return result;
 }
 
+/// The last sum of (6.23): what is left of the memory when the load has passed by `distance`.
+double PlainMovingLoad::after(const Kernel& kernel, const Memory& memory, double distance) const {
+  std::vector<double> faded;
+  for (std::size_t r = 0; r < rates_.size(); ++r)
+    faded.push_back(memory.amplitude[r] * std::exp(-rates_[r] * distance));
+  const double smallest = kernel.parity > 0 ? pi * smallest_term_ * memory.instantaneous : 0;
+  double sum = 0;
+  for (std::size_t n = 0; n < kernel.residues.size(); ++n) {
+    double term = 0;
+    for (std::size_t r = 0; r < rates_.size(); ++r)
+      term += faded[r] * (kernel.residues[n] * (ahead_[r][n] - kernel.parity * behind_[r][n])).real();
+    if (std::fabs(term) < smallest) break;
+    sum += term;
+  }
+  return sum;
+}
+
 /// theta * kernel: the elastic response and, for each rate, int e^(-rate (w - alpha)) kernel(w) dw from alpha
 /// to T.
 double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T,
@@ -128,13 +140,11 @@ double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, d
     const double rate = rates_[r];
     const double faded = std::exp(-rate * t);
     double part = behind ? side * at_alpha.behind[r] : at_alpha.ahead[r];
-    if (behind && T > 0)
-      part += std::exp(-rate * (t - T)) * (kernel.at_0.ahead[r] - side * kernel.at_0.behind[r]);
     part -= T > 0 ? faded * at_T.ahead[r] : faded * side * at_T.behind[r];
     if (kernel.constant != 0) part += kernel.constant * remembered_sign(rate, t, T);
     sum += memory.amplitude[r] * part;
   }
-  return sum;
+  return behind && T > 0 ? sum + after(kernel, memory, t - T) : sum;
 }
 
 double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T) const {

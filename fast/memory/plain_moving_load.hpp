@@ -16,8 +16,10 @@ namespace nipref::fast {
 class PlainMovingLoad {
  public:
   /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise
-  /// BadInput.
-  PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness, int terms);
+  /// BadInput. The sum after the contact of the normal displacement ends before its first term below `smallest_term`
+  /// of theta1 + theta2 at once; 0: it has all terms.
+  PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness, int terms,
+                  double smallest_term = 0);
 
   /// The residue sums at one distance x >= 0.
   struct Sums {
@@ -37,20 +39,19 @@ class PlainMovingLoad {
   [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
  private:
-  /// A kernel: parity, its constant at infinity, its residue coefficients and their sums at 0.
+  /// A kernel: parity, its constant at infinity and its residue coefficients.
   struct Kernel {
     double parity;
     double constant;
     std::vector<std::complex<double>> residues;
-    Sums at_0;
   };
   /// A material function, in b and speed.
   struct Memory {
     double instantaneous;
     std::vector<double> amplitude;  ///< for each of rates_
   };
-  [[nodiscard]] Kernel with_sums_at_0(Kernel kernel) const;
   [[nodiscard]] Sums sums(const Kernel& kernel, double distance) const;
+  [[nodiscard]] double after(const Kernel& kernel, const Memory& memory, double distance) const;
   [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T,
                                   const Sums& at_alpha, const Sums& at_T) const;
   [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T) const;
@@ -59,6 +60,7 @@ class PlainMovingLoad {
 
   std::vector<double> rates_;  ///< all of both functions
   std::vector<std::complex<double>> roots_;
+  double smallest_term_;
   /// 1/(rate - i z_n) and 1/(rate + i z_n), for each rate.
   std::vector<std::vector<std::complex<double>>> ahead_, behind_;
   Kernel normal_;

@@ -128,6 +128,8 @@ void ViscoelasticLineLoadMethod::check() const {
   if (!(residue_terms >= 0 && residue_terms <= most_residue_terms)) {
     throw BadInput("residue_terms", residue_terms, "must be from 0 to " + std::to_string(most_residue_terms));
   }
+  if (!(smallest_term >= 0 && smallest_term <= 1))
+    throw BadInput("smallest_term", smallest_term, "must be from 0 to 1");
 }
 
 bool ViscoelasticLineLoads::presses_everywhere() const {
@@ -141,7 +143,8 @@ ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::Viscoelasti
   method.check();
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
     throw BadInput("leading_length", leading_length, "must be > 0 and at most the roller's radius");
-  return solve(nip, ViscoelasticSheet(nip, method.residue_terms), method, leading_length);
+  return solve(nip, ViscoelasticSheet(nip, method.residue_terms, method.smallest_term), method,
+               leading_length);
 }
 
 ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
@@ -150,7 +153,8 @@ ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticN
   nip.check();
   method.check();
   check_contact_load(load);
-  return solve_for_load(nip, ViscoelasticSheet(nip, method.residue_terms), method, load);
+  return solve_for_load(nip, ViscoelasticSheet(nip, method.residue_terms, method.smallest_term), method,
+                        load);
 }
 
 ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::ViscoelasticNip& nip,
@@ -159,7 +163,7 @@ ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::Viscoelastic
   check_contact_load(load);
   method.trailing_elements = method.leading_elements;
   method.check();
-  const ViscoelasticSheet sheet(nip, method.residue_terms);
+  const ViscoelasticSheet sheet(nip, method.residue_terms, method.smallest_term);
   for (int systems = 0;; --method.trailing_elements) {
     ViscoelasticLineLoads result = solve_for_load(nip, sheet, method, load);
     result.systems = systems += result.systems;
@@ -170,7 +174,7 @@ ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::Viscoelastic
 double creep_ratio(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
                    const ViscoelasticLineLoadMethod& method) {
   method.check();
-  const ViscoelasticSheet sheet(nip, method.residue_terms);
+  const ViscoelasticSheet sheet(nip, method.residue_terms, method.smallest_term);
   const Grid cells = grid(nip, method, loads.leading_length);
   const auto tangential = [&](int i) {
     double sum = 0;

@@ -71,8 +71,9 @@ ViscoelasticLineLoadSurface::ViscoelasticLineLoadSurface(const data::Viscoelasti
                                                          const ViscoelasticLineLoads& loads,
                                                          const ViscoelasticLineLoadMethod& method) {
   check(nip, loads, method);
-  implementation_ = std::make_shared<const Implementation>(Implementation{
-      loads, nip.half_thickness(), method.approach, ViscoelasticSheet(nip, method.residue_terms)});
+  implementation_ = std::make_shared<const Implementation>(
+      Implementation{loads, nip.half_thickness(), method.approach,
+                     ViscoelasticSheet(nip, method.residue_terms, method.smallest_term)});
 }
 
 double ViscoelasticLineLoadSurface::normal_displacement(double y) const { return implementation_->normal(y); }

@@ -11,8 +11,8 @@ namespace nipref::fast {
 /// b/speed: t since it started, T when it passes the point, t0 when it passes the pinned point.
 class ViscoelasticSheet {
  public:
-  /// residue_terms: of the plain sums; 0: exact.
-  ViscoelasticSheet(const data::ViscoelasticNip& nip, int residue_terms);
+  /// residue_terms: of the plain sums; 0: exact. smallest_term: see PlainMovingLoad.
+  ViscoelasticSheet(const data::ViscoelasticNip& nip, int residue_terms, double smallest_term = 0);
 
   /// Null if the displacements are exact.
   [[nodiscard]] const PlainMovingLoad* plain() const { return std::get_if<PlainMovingLoad>(&load_); }

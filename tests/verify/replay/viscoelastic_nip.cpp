@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -34,15 +35,15 @@ const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5,
 }  // namespace
 
 TEST_CASE(
-    "Tables XI to XXVI, replayed once: 92 in 100 legible cells are met, and the known misses are misses, all of them "
+    "Tables XI to XXVI, replayed once: 94 in 100 legible cells are met, and the known misses are misses, all of them "
     "and the only ones") {
-  SUBCASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as many as its print allows") {
+  SUBCASE("Tables XI to XXVI: 94 in 100 legible cells are met, of each table 96 or more are explained") {
     struct Bound {
       std::string_view id;
-      double met;  // of its legible cells
+      double explained;  // of its legible cells
     };
     std::size_t all_met = 0, all_legible = 0;
-    for (const Bound& bound : {Bound{"thesis-XI", 0.94},
+    for (const Bound& bound : {Bound{"thesis-XI", 0.99},
                                {"thesis-XII", 0.92},
                                {"thesis-XIII", 0.89},
                                {"thesis-XIV", 0.92},
@@ -61,11 +62,12 @@ TEST_CASE(
       CAPTURE(bound.id);
       const Replay& replay = replayed(std::string(bound.id));
       const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
-      CHECK(static_cast<double>(met) >= bound.met * static_cast<double>(legible(replay)));
+      const std::size_t explained = met + replay.count(Verdict::seed_error);
+      CHECK(static_cast<double>(explained) >= bound.explained * static_cast<double>(legible(replay)));
       all_met += met;
       all_legible += legible(replay);
     }
-    CHECK(static_cast<double>(all_met) >= 0.92 * static_cast<double>(all_legible));
+    CHECK(static_cast<double>(all_met) >= 0.94 * static_cast<double>(all_legible));
   }
   SUBCASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
     for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
@@ -133,23 +135,80 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
+TEST_CASE("the thesis's printed lengths are cut: misses ask for longer ones, none for shorter ones") {
+  std::size_t longer = 0, shorter = 0;
+  for (const verify::ViscoelasticTable& how : verify::viscoelastic_tables()) {
+    const Replay& replay = replayed(std::string(how.id));
+    for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+      const auto rolling = verify::viscoelastic_nip_of_the_tables(replay.table, row, false);
+      auto method = verify::viscoelastic_method(how);
+      const auto input = verify::viscoelastic_row_input(replay.table, row, rolling, method);
+      method.trailing_elements = input.trailing_elements;
+      const auto [low, high] = input.leading_length;
+      const auto meets = [&](const char* column, const data::Interval& length) {
+        const data::TableCell& cell = replay.table.cell(row, column);
+        return !cell.is_doubtful() &&
+               verify::assess(cell, verify::replay_viscoelastic_row(rolling, method, length).range(column)) !=
+                   Verdict::unexplained;
+      };
+      for (const char* column : {"d0", "d1", "d2"}) {
+        if (meets(column, input.leading_length)) continue;
+        longer += meets(column, {high, high * (1 + 0x1p-20)}) ? 1U : 0U;
+        shorter += meets(column, {low * (1 - 0x1p-20), low}) ? 1U : 0U;
+      }
+    }
+  }
+  CHECK(longer == 14);
+  CHECK(shorter == 0);
+}
+
+TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the odd rows confirm it") {
+  const auto misses = [](double smallest_term, std::size_t parity) {
+    std::size_t sum = 0;
+    for (const char* id : {"thesis-XXI", "thesis-XXII", "thesis-XXIV", "thesis-XXV", "thesis-XXVI"}) {
+      verify::ViscoelasticTable how = *verify::find_viscoelastic_table(id);
+      how.smallest_term = smallest_term;
+      const Replay replay = verify::replay_viscoelastic(data::load_table_by_id(id), how);
+      sum += static_cast<std::size_t>(std::ranges::count_if(replay.cells, [&](const ReplayedCell& cell) {
+        return cell.verdict == Verdict::unexplained && cell.row % 2 == parity &&
+               replay.table.cell(cell.row, cell.column).is_readable();
+      }));
+    }
+    return sum;
+  };
+  const std::array<double, 4> candidates{0, 0.5e-8, 1e-8, 2e-8};
+  std::array<std::size_t, 4> even{}, odd{};
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    even[i] = misses(candidates[i], 0);
+    odd[i] = misses(candidates[i], 1);
+    MESSAGE(candidates[i], ": misses of even rows ", even[i], ", of odd rows ", odd[i]);
+  }
+  for (const std::size_t other : {0U, 1U, 3U}) {
+    CHECK(even[2] < even[other]);
+    CHECK(2 * odd[2] < odd[other]);
+  }
+}
+
+TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent cost") {
   Replay replay = replayed("thesis-XI");
   REQUIRE(replay.nips.size() == replay.table.rows.size());
   for (const ReplayedCell& cell : replay.cells)
     CHECK(replay.nips[cell.row].values.at(cell.column) == cell.value);
   verify::correct(replay);
-  REQUIRE(replay.costs.size() == 3);
+  REQUIRE(replay.costs.size() == 4);
   const auto largest = [&](std::size_t cost, std::size_t column) {
     return std::fabs(replay.costs[cost].columns[column].largest);
   };
-  // L, d0, p_max, muR: the truncation is the smallest evil, the mesh of two elements the greatest.
+  // L, d0, p_max, muR: the stop and the truncation are the smallest evils, the mesh of two elements the greatest.
   for (std::size_t column = 0; column < 4; ++column) {
     CHECK(largest(0, column) > 0);
-    CHECK(largest(0, column) < 0.01);
-    CHECK(largest(1, column) > largest(0, column));
+    CHECK(largest(0, column) < 0.02);
+    CHECK(largest(1, column) > 0);
+    CHECK(largest(1, column) < 0.01);
+    CHECK(largest(2, column) > largest(1, column));
   }
-  CHECK(largest(2, 3) > 0.1);
+  CHECK(largest(0, 3) > 1e-3);
+  CHECK(largest(3, 3) > 0.1);
   // The corrected value carries the table's load with the solid as it was defined.
   const auto solid = verify::viscoelastic_nip_of_the_tables(replay.table, 3, true);
   const auto contact = fast::converged_for_load(solid, 50, 1e-9);

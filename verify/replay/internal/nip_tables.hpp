@@ -38,8 +38,12 @@ struct ViscoelasticTable {
   std::string_view id;
   int leading_elements;  ///< m1
   /// C_L, half-thicknesses. From 16 on only the creep at F0 tau = 1e-3 or 1e-2 depends on it, because of an underflow
-  /// (underflown_creep): 24 matches it in most tables, 60 in XXIV to XXVI.
+  /// (underflown_creep): 25 matches it in most tables, 24 does not in XXI; 60 in XXIV to XXVI.
   double approach;
+  /// The part of theta1 + theta2 at once below which a term of the last sum of (6.23) ends it. The terms are about
+  /// (2/(pi n)^2) (b/(F0 tau)) e^(-lambda (t - T)), so that 4450 sqrt(b/(F0 tau)) of them are left of long memories.
+  /// Nothing tells whether the other sums, which fall exponentially, ended so too: they have 500 terms.
+  double smallest_term = 1e-8;
 };
 
 /// Thesis XI to XXVI.
