@@ -9,7 +9,7 @@
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/internal/met.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 
 using namespace nipref;
 using data::BadInput;

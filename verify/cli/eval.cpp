@@ -12,7 +12,6 @@
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/catalogue/internal/met.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
@@ -35,7 +34,7 @@ struct EvalAnswer {
   std::optional<std::string> error = {};  ///< nothing for the seed's forms
   bool proven = false;                    ///< whether the error is a proven bound
   long double accuracy = 0;               ///< requested: 10^-digits, or rtol
-  std::optional<bool> met = {};  ///< nothing where no accuracy is requested; see catalogue/internal/met.hpp
+  std::optional<bool> met = {};  ///< nothing where no accuracy is requested; see catalogue/deviation.hpp
 };
 
 /// The request of a call of eval, checked as far as possible without evaluating anything.

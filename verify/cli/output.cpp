@@ -119,7 +119,8 @@ int write_answer(const CommandLine& line, std::ostream& out, std::string_view ve
 
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
                  const Json& members, const std::function<std::string()>& text) {
-  out << (line.json ? answer_text(verb, members, line.no_times) : text() + interruption_text());
+  const char* const end = interrupted() ? "\ninterrupted: above is what was finished by then\n" : "";
+  out << (line.json ? answer_text(verb, members, line.no_times) : text() + end);
   return all_well ? 0 : 1;
 }
 

@@ -41,11 +41,6 @@ bool standard_output_shows_colours();
 /// closed its end, SIGPIPE ends the program as usual.
 void write_to_standard_output(std::string_view text);
 
-/// The last line of a long run's answer for people if the process was interrupted, otherwise nothing.
-inline const char* interruption_text() {
-  return interrupted() ? "\ninterrupted: above is what was finished by then\n" : "";
-}
-
 // Answers in JSON, as data/schema/nipref-1.json describes them.
 
 /// The answer of a verb. With `no_times` the members "times" are left out at any depth. If the process was interrupted,

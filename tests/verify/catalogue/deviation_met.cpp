@@ -6,7 +6,7 @@
 #include <string>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/internal/met.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 
 namespace {
 
