@@ -6,7 +6,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 
 #include "reading.hpp"
