@@ -101,7 +101,7 @@ class Layout {
     const double nats = std::max(resolution_.nats - resolution_.decay * left, 0.0);
     double degree =
         std::max<double>(nats / log_fall(left, right, half_length_, is_whole), resolution_.polynomial);
-    if (left > 0 && !about_middle && resolution_.decay > 0)
+    if (left > 0 && resolution_.decay > 0)
       degree =
           std::max<double>(degree, degree_of_exponential(resolution_.decay, left, right, resolution_.nats));
     for (const Complex& rate : resolution_.rates) {
