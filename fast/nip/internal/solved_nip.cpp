@@ -9,10 +9,8 @@
 namespace nipref::fast {
 namespace {
 
-/// Of another contact than that next to the load, where the search has not passed one.
-constexpr double longer_by = 1e-3;
-/// How far, relatively, a contact must be to tell derivatives.
-constexpr double nearest_neighbour = 1e-7;
+/// How far, relatively, a contact must be to tell derivatives; and how far one is that is solved for them alone.
+constexpr double nearest_neighbour = 1e-7, longer_by = 1e-6;
 /// Between refinements: a factor of about a hundred.
 constexpr double nats_of_step = 4.6;
 constexpr double most_nats = 42;
@@ -65,12 +63,16 @@ void SolvedNip::search_roughly() {
 void SolvedNip::meet_load() {
   constexpr double rounding = 1e-15;
   LengthSearch search(*load_, last().half_length(), {rounding, longest_sought}, exponent_);
-  while (!search.settled(last().value(last().load()))) {
-    auto before = std::exchange(solution_, solve(search.length(), nats_));
-    if (std::fabs(before->half_length() / last().half_length() - 1) > nearest_neighbour)
-      neighbour_ = std::move(before);
+  const auto suffices = [&] {
     length_.reset();
-    if (neighbour_ && curvature() <= std::max(1e-2 * accuracy_, rounding)) break;
+    return curvature() <= std::max(1e-2 * accuracy_, rounding);
+  };
+  while (!search.settled(last().value(last().load()))) {
+    const bool is_far = std::fabs(search.length() / last().half_length() - 1) > nearest_neighbour;
+    if (!is_far && suffices()) break;
+    auto before = std::exchange(solution_, solve(search.length(), nats_));
+    if (is_far) neighbour_ = std::move(before);
+    if (suffices()) break;
   }
   exponent_ = search.exponent();
   sought_ = half_length();

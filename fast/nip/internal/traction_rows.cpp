@@ -165,13 +165,10 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   if (gap <= 0) return false;
   if (!kernel.rates.empty() && (gap < width || width > 8 || oscillates(kernel.rates, gap, width)))
     return false;
-  const auto in_panel = [&](double imaginary) {
-    return Complex((singular - panel.left) - (panel.right - singular), imaginary) / width;
-  };
-  // On the ellipse through its singularity the kernel is up to e^(2.1 gap) as large as on the panel.
-  const double nats = -std::log(tolerance) + 2.1 * gap;
-  const int points = points_of_rule(
-      std::min(internal::log_of_ellipse(in_panel(4)), internal::log_of_ellipse(in_panel(0))), nats);
+  // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
+  // e^(2.1 gap) as large as on the panel.
+  const double fall = internal::log_of_ellipse(1 + 2 * gap / width);
+  const int points = points_of_rule(fall, -std::log(tolerance) + 2.1 * gap);
   if (points > most_points_of_rule) return false;
 
   const auto rule = product_rule(basis(panel), points, degrees(panel));

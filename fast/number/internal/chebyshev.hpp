@@ -26,8 +26,8 @@ inline double shifted_chebyshev_zero(int i, int count) {
 /// The logarithm of the sum of the half axes of the ellipse with foci -1 and 1 through z: by that many nats a degree fall the
 /// Chebyshev coefficients of a function whose nearest singularity is z.
 inline double log_of_ellipse(std::complex<double> z) {
-  const std::complex<double> root = std::sqrt(z * z - 1.0);
-  return std::log(std::max(std::abs(z + root), std::abs(z - root)));
+  const double axis = (std::abs(z - 1.0) + std::abs(z + 1.0)) / 2;
+  return std::acosh(std::max(axis, 1.0));
 }
 
 }  // namespace nipref::fast::internal
