@@ -5,9 +5,9 @@
 
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
+#include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
@@ -117,14 +117,12 @@ auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
 /// are here, otherwise by Gauss's rule.
 double smooth_slope_memory(Kernel kernel, double w, double rate) {
   if (rate > by_parts_from) return smooth_memory_by_parts(kernel, 1, w, rate).real();
-  static const GaussRule rule = gauss_legendre(32);
-  const SmoothPart& smooth = SmoothPart::of(kernel);
+  static const GaussRule rule = gauss_legendre(most_nodes);
   const double length = std::min(nearest - w, 40 / rate);
-  double sum = 0;
-  for (std::size_t i = 0; i < rule.at.size(); ++i)
-    sum +=
-        length * rule.weight[i] * std::exp(-rate * length * rule.at[i]) * smooth(1, w + length * rule.at[i]);
-  return sum;
+  Nodes at, slopes;
+  std::ranges::transform(rule.at, at.begin(), [&](double part) { return w + length * part; });
+  SmoothPart::of(kernel).at(1, at, slopes);
+  return faded_sum(rule, slopes, length, rate);
 }
 Complex smooth_slope_memory(Kernel kernel, double w, Complex rate) {
   return smooth_memory_by_parts(kernel, 1, w, rate);

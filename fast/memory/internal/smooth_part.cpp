@@ -54,12 +54,24 @@ void SmoothPart::count() {
 }
 
 double SmoothPart::operator()(int order, double w) const {
+  double value[1];
+  at(order, {&w, 1}, value);
+  return value[0];
+}
+
+void SmoothPart::at(int order, std::span<const double> w, std::span<double> values) const {
+  constexpr std::size_t at_once = 8;
   const auto& c = coefficients_[static_cast<std::size_t>(order)];
-  const double t = w / half;
-  double above = 0, here = 0;
-  for (std::size_t k = counts_[static_cast<std::size_t>(order)] - 1; k > 0; --k)
-    above = std::exchange(here, 2 * t * here - above + c[k]);
-  return t * here - above + c[0] / 2;
+  for (std::size_t first = 0; first < w.size(); first += at_once) {
+    const std::size_t count = std::min(at_once, w.size() - first);
+    std::array<double, at_once> t{}, above{}, here{};
+    for (std::size_t i = 0; i < count; ++i) t[i] = w[first + i] / half;
+    for (std::size_t k = counts_[static_cast<std::size_t>(order)] - 1; k > 0; --k) {
+      for (std::size_t i = 0; i < at_once; ++i)
+        above[i] = std::exchange(here[i], 2 * t[i] * here[i] - above[i] + c[k]);
+    }
+    for (std::size_t i = 0; i < count; ++i) values[first + i] = t[i] * here[i] - above[i] + c[0] / 2;
+  }
 }
 
 Complex smooth_memory_by_parts(Kernel kernel, int first, double w, Complex rate) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <span>
 
 #include <nipref/fast/memory/internal/waves.hpp>
 
@@ -19,6 +20,8 @@ class SmoothPart {
   static const SmoothPart& of(Kernel kernel);
   /// The derivative of that order, from 0 on.
   [[nodiscard]] double operator()(int order, double w) const;
+  /// At many places at once, which a processor works off side by side.
+  void at(int order, std::span<const double> w, std::span<double> values) const;
 
  private:
   explicit SmoothPart(Kernel kernel);

@@ -18,9 +18,10 @@ constexpr double asymptotic_from = 40;
 
 /// 1/(2z) sum_k (2k - 1)!!/(2 z^2)^k up to its smallest term, and what is added to it beside the real axis.
 Complex asymptotic_dawson(Complex square, Complex z) {
+  const Complex step = 0.5 / square;
   Complex term = 1, sum = 1;
   for (int k = 1; k < 40; ++k) {
-    const Complex next = term * (2.0 * k - 1) / (2.0 * square);
+    const Complex next = term * step * (2.0 * k - 1);
     if (std::abs(next) >= std::abs(term) || std::abs(next) < 1e-17) break;
     term = next;
     sum += term;
@@ -29,35 +30,6 @@ Complex asymptotic_dawson(Complex square, Complex z) {
   if (square.imag() == 0) return sum;
   return sum + Complex(0, std::copysign(std::sqrt(std::numbers::pi) / 2, square.imag())) *
                    internal::faded_exp(square);
-}
-
-/// By Rybicki's sum of sampled Gaussians (Computers in Physics 3, 1989), whose error is e^(-(pi/2h)^2); x below
-/// sqrt(asymptotic_from).
-double real_dawson(double x) {
-  constexpr double step = 0.25;
-  constexpr int pairs = 13;
-  static const auto faded = [] {
-    std::array<double, pairs> values{};
-    for (int i = 0; i < pairs; ++i)
-      values[static_cast<std::size_t>(i)] = std::exp(-std::pow((2 * i + 1) * step, 2));
-    return values;
-  }();
-  if (x < 0.2) {
-    const double square = x * x;
-    double sum = 1, term = 1;
-    for (int k = 1; k < 10; ++k) sum += term *= -2 * square / (2 * k + 1);
-    return x * sum;
-  }
-  const double nearest = 2 * std::round(x / (2 * step)), rest = x - nearest * step;
-  const double up = std::exp(2 * rest * step), square = up * up;
-  double rising = up, falling = 1 / up, sum = 0;
-  for (int i = 0; i < pairs; ++i) {
-    const double n = 2 * i + 1;
-    sum += faded[static_cast<std::size_t>(i)] * (rising / (nearest + n) + falling / (nearest - n));
-    rising *= square;
-    falling /= square;
-  }
-  return std::exp(-rest * rest) / std::sqrt(std::numbers::pi) * sum;
 }
 
 /// h(s) = D(z)/z of s = z^2 on a ray of s up to asymptotic_from, between even |s|: Taylor polynomials in |s|/2 about 0, and
@@ -89,18 +61,22 @@ Terms taylor_series(Extended s, Extended value, Extended step) {
   return terms;
 }
 
+/// In double, without what is less than its rounding.
+std::vector<Complex> rounded(Terms terms) {
+  while (std::abs(terms.back()) < 1e-18L * std::abs(terms.front())) terms.pop_back();
+  return {terms.begin(), terms.end()};
+}
+
 Table table_on_ray(const double& angle) {
   const Extended direction = std::polar(1.0L, static_cast<long double>(angle));
   const auto sum = [](const Terms& terms) {
     return std::accumulate(terms.rbegin(), terms.rend(), Extended(0));
   };
-  const Terms first = power_series(2.0L * direction);
-  Table table{{first.begin(), first.end()}};
+  Table table{rounded(power_series(2.0L * direction))};
   Extended value = sum(power_series(3.0L * direction));
   for (int middle = 3; middle < asymptotic_from; middle += 2) {
     const Extended s = static_cast<long double>(middle) * direction;
-    const Terms terms = taylor_series(s, value, direction);
-    table.emplace_back(terms.begin(), terms.end());
+    table.push_back(rounded(taylor_series(s, value, direction)));
     value = sum(taylor_series(s, value, 2.0L * direction));
   }
   return table;
@@ -120,20 +96,16 @@ struct LayerPressure::DawsonOnRay {
   }
 };
 
-LayerPressure::LayerPressure(Complex rate) : rate_(rate) {
+LayerPressure::LayerPressure(Complex rate) : rate_(rate), root_(std::sqrt(rate)) {
   static Cache<double, DawsonOnRay> rays(
       [](const double& angle) { return DawsonOnRay{table_on_ray(angle)}; });
-  if (rate.imag() != 0) ray_ = rays.at(std::arg(rate));
+  ray_ = rays.at(std::arg(rate));
 }
 
 Complex LayerPressure::operator()(double e) const {
-  const Complex square = rate_ * e, z = std::sqrt(square);
+  const Complex square = rate_ * e, z = root_ * std::sqrt(e);
   const double size = std::abs(square);
-  Complex dawson;
-  if (size >= asymptotic_from)
-    dawson = asymptotic_dawson(square, z);
-  else
-    dawson = ray_ ? z * ray_->ratio(size) : real_dawson(z.real());
+  const Complex dawson = size >= asymptotic_from ? asymptotic_dawson(square, z) : z * ray_->ratio(size);
   return -2 / std::sqrt(std::numbers::pi) * rate_ * dawson;
 }
 

@@ -15,9 +15,9 @@ class LayerPressure {
   [[nodiscard]] std::complex<double> operator()(double e) const;
 
  private:
-  std::complex<double> rate_;
+  std::complex<double> rate_, root_;
   struct DawsonOnRay;
-  std::shared_ptr<const DawsonOnRay> ray_;  ///< of a complex rate
+  std::shared_ptr<const DawsonOnRay> ray_;
 };
 
 }  // namespace nipref::fast
