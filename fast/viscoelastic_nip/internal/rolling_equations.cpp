@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -13,20 +14,23 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// int_0^x e^(-rate t) t^power dt over x^(power + 1), power = 0, 1, 2, as a function of z = rate x.
-Complex faded_power(int power, Complex z) {
+/// int_0^x e^(-rate t) t^power dt over x^(power + 1), power = 0, 1, 2, as functions of z = rate x.
+std::array<Complex, 3> faded_powers(Complex z) {
+  std::array<Complex, 3> sums{};
   if (std::abs(z) < 2) {
-    Complex term = 1, sum = 0;
-    for (int n = 0; n < 40; ++n) {
-      sum += term / (n + power + 1.0);
-      term *= -z / (n + 1.0);
+    constexpr double negligible = 0x1p-60;
+    Complex term = 1;
+    for (double n = 1; std::norm(term) > negligible * negligible; ++n) {
+      for (int power = 0; power < 3; ++power) sums[static_cast<std::size_t>(power)] += term / (n + power);
+      term *= -z / n;
     }
-    return sum;
+    return sums;
   }
-  const Complex end = std::exp(-z), zeroth = (1.0 - end) / z;
-  if (power == 0) return zeroth;
-  const Complex first = (zeroth - end) / z;
-  return power == 1 ? first : (2.0 * first - end) / z;
+  const Complex end = std::exp(-z);
+  sums[0] = (1.0 - end) / z;
+  sums[1] = (sums[0] - end) / z;
+  sums[2] = (2.0 * sums[1] - end) / z;
+  return sums;
 }
 
 }  // namespace
@@ -87,11 +91,12 @@ RollingEquations::Response RollingEquations::fading_response(const std::vector<M
     const auto& [amplitude, rate] = mode.memory;
     const Complex z = rate * x;
     const double columns = mode.columns;
-    result.stiffness.add(columns * (has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z)
-                                                                 : amplitude * x * faded_power(0, z))
-                                       .real());
-    result.first.add(columns * (amplitude * x * x * faded_power(1, z)).real());
-    result.second.add(columns * (amplitude * x * x * x * faded_power(2, z)).real());
+    const std::array<Complex, 3> faded = faded_powers(z);
+    result.stiffness.add(
+        columns *
+        (has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z) : amplitude * x * faded[0]).real());
+    result.first.add(columns * (amplitude * x * x * faded[1]).real());
+    result.second.add(columns * (amplitude * x * x * x * faded[2]).real());
   }
   return result;
 }
