@@ -9,7 +9,7 @@ namespace {
 ErratumKind kind(const CsvFile& file, const CsvField& field) {
   const auto found = std::find(erratum_kind_names.begin(), erratum_kind_names.end(), field.text);
   if (found == erratum_kind_names.end()) {
-    refuse(file.path, field.position, "must be identity, trend, glyph or unreadable");
+    refuse(file.path, field.position, "must be identity, trend, replay, glyph or unreadable");
   }
   return static_cast<ErratumKind>(found - erratum_kind_names.begin());
 }

@@ -15,11 +15,12 @@ enum class ErratumKind {
   identity,  ///< other cells of the same row admit only one number, or only one that differs in one digit
   trend,     ///< weaker: a column that is smooth in every other row is broken by one digit, or other rows or
              ///< the twin column of the same table decide between numbers that the row admits
-  glyph,     ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
+  replay,  ///< its replay decides, between the mends that the table leaves or with a chance of coincidence, stated
+  glyph,       ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
   unreadable,  ///< nothing in the table settles it: no value, or the printed one though it is in doubt
 };
 
-inline constexpr std::array<std::string_view, 4> erratum_kind_names{"identity", "trend", "glyph",
+inline constexpr std::array<std::string_view, 5> erratum_kind_names{"identity", "trend", "replay", "glyph",
                                                                     "unreadable"};
 
 [[nodiscard]] std::string_view name(ErratumKind kind);

@@ -29,12 +29,12 @@ struct TableSummary {
   std::string title;
   std::size_t rows;
   std::size_t columns;
-  std::size_t cells;                  ///< rows * columns
-  std::size_t empty;                  ///< cells where the seed shows nothing legible
-  std::size_t without_value;          ///< cells that cannot be read, empty or not
-  std::size_t doubtful;               ///< cells that stay as printed though in doubt
-  std::array<std::size_t, 4> errata;  ///< errata of cells, by ErratumKind
-  std::size_t key_errata;             ///< errata of row labels
+  std::size_t cells;                                          ///< rows * columns
+  std::size_t empty;                                          ///< cells where the seed shows nothing legible
+  std::size_t without_value;                                  ///< cells that cannot be read, empty or not
+  std::size_t doubtful;                                       ///< cells that stay as printed though in doubt
+  std::array<std::size_t, erratum_kind_names.size()> errata;  ///< errata of cells, by ErratumKind
+  std::size_t key_errata;                                     ///< errata of row labels
 };
 
 [[nodiscard]] TableSummary summarize(const Table& table);

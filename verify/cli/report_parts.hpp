@@ -41,7 +41,7 @@ struct AgainstRow {
 /// BadInput for unknown ids.
 std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress);
 
-/// True if a cell is unexplained that neither its own row contradicts nor known_misses.csv lists.
+/// True if a cell is unexplained that neither its own table contradicts nor known_misses.csv lists.
 bool fall_short(const std::vector<Replay>& replays);
 
 /// What `report` answers: what its parts would.

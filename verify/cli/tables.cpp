@@ -27,16 +27,11 @@ int list_tables(const std::vector<std::string>& ids, const CommandLine& line, st
   return write_answer(line, out, "tables", true, table_list_json(summaries), "tables_list.txt");
 }
 
-bool has_doubtful_length(const Replay& replay, std::size_t row) {
-  return replay.table.has_column("L") && replay.table.cell(row, "L").is_doubtful();
-}
-
-/// Unexplained though the table speaks against neither the printed number nor the length its row is replayed
-/// from, and not known to be so.
+/// Unexplained though the table does not speak against the printed number, and not known to be so.
 bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
   return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&
-         !has_doubtful_length(replay, cell.row) && !is_known_miss(known, replay, cell);
+         !is_known_miss(known, replay, cell);
 }
 
 }  // namespace

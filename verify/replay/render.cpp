@@ -35,6 +35,7 @@ Json summary_json(const std::vector<Replay>& replays) {
   return {{"cells", sum([](const Replay& one) { return one.cells.size() - one.count(Verdict::input); })},
           {"match", of(Verdict::match)},
           {"misprint", of(Verdict::misprint)},
+          {"likely_misprint", of(Verdict::likely_misprint)},
           {"seed_error", of(Verdict::seed_error)},
           {"unexplained", of(Verdict::unexplained)},
           {"without_number", sum(without_number)}};

@@ -46,13 +46,15 @@ enum class Verdict {
   input,  ///< the cell is an input of the replay and is not counted
   match,  ///< the rounding interval of the printed number intersects the replay's interval; in the tables of
           ///< half-spaces they differ by at most one unit of the last digit, see internal/half_space.hpp
-  misprint,    ///< it matches after a correction that follows from the table's own redundancy
-  seed_error,  ///< the seed's method or formula is wrong in a known way
-  unexplained  ///< it does not match, or there is no legible number
+  misprint,  ///< it matches after a correction that follows from the table's own redundancy, or with one other
+             ///< digit, which less than 1 in 100 cells would do by chance
+  likely_misprint,  ///< it matches with one other digit, by chance in 1 to 20 of 100 cases; the note says which
+  seed_error,       ///< the seed's method or formula is wrong in a known way
+  unexplained       ///< it does not match, or there is no legible number
 };
 
-inline constexpr std::array<std::string_view, 5> verdict_names{"input", "match", "misprint", "seed-error",
-                                                               "unexplained"};
+inline constexpr std::array<std::string_view, 6> verdict_names{
+    "input", "match", "misprint", "likely-misprint", "seed-error", "unexplained"};
 std::string_view name(Verdict verdict);
 
 /// The result of the seed's own method for one cell.
@@ -107,6 +109,10 @@ bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& repl
 
 /// The verdict of the matching rule, which compares `range` with the rounding interval of the cell's number.
 Verdict assess(const data::TableCell& cell, const data::Interval& range);
+
+/// Makes an unexplained cell a misprint or a likely one if another digit in one place, of the unit u, meets `range`: by
+/// chance that happens to (width of the cell's rounding + width of the range)/u of the cells that differ so much.
+void explain_by_one_digit(const data::Table& table, ReplayedCell& cell);
 
 /// Ids of the tables that can be replayed.
 std::vector<std::string> replayable_tables();

@@ -81,6 +81,7 @@ const std::vector<Part>& parts() {
        {"id"},
        {{"match", ", cells: match", worse, better, 1},
         {"misprint", ", cells: misprint", changed, changed, 1},
+        {"likely-misprint", ", cells: likely-misprint", changed, changed, 1},
         {"seed-error", ", cells: seed-error", changed, changed, 1},
         {"unexplained", ", cells: unexplained", better, worse, 1}}},
       {"/claims", "claim", {"id"}, {{"verdict", "", changed, changed}}},
@@ -96,7 +97,7 @@ json with_counts(json report) {
   if (!report.contains(tables)) return report;
   for (json& table : report[tables]) {
     if (!table.is_object()) continue;
-    for (const char* verdict : {"match", "misprint", "seed-error", "unexplained"})
+    for (const char* verdict : {"match", "misprint", "likely-misprint", "seed-error", "unexplained"})
       table[verdict] = std::ranges::count_if(
           list_at(table, "/cells"), [&](const json& cell) { return text_at(cell, "verdict") == verdict; });
   }

@@ -124,6 +124,7 @@ Json table_counts_json(const Replay& replay) {
           {"judged", replay.cells.size() - replay.count(Verdict::input)},
           {"match", replay.count(Verdict::match)},
           {"misprint", replay.count(Verdict::misprint)},
+          {"likely_misprint", replay.count(Verdict::likely_misprint)},
           {"seed_error", replay.count(Verdict::seed_error)},
           {"unexplained", replay.count(Verdict::unexplained)},
           {"worst_column", worst == nullptr ? Json() : column_json(*worst)},

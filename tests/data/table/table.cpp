@@ -185,7 +185,7 @@ TEST_CASE("errata that do not fit are refused with file, line and column") {
         "errata.csv:2:1: must quote the cell of t as '2.5'");
   CHECK(refusal_of(table, "t,0,L,2.5,2.6,identity,why\n") == "errata.csv:2:3: must be a row number from 1");
   CHECK(refusal_of(table, "t,1,L,2.5,2.6,guess,why\n") ==
-        "errata.csv:2:15: must be identity, trend, glyph or unreadable");
+        "errata.csv:2:15: must be identity, trend, replay, glyph or unreadable");
   CHECK(refusal_of(table, "t,1,L,2.5,,trend,why\n") ==
         "errata.csv:2:11: must not be empty unless the kind is unreadable");
   CHECK(refusal_of(table, "t,1,L,2.5,2.6,identity,\n") == "errata.csv:2:24: must give a reason");

@@ -29,16 +29,6 @@ std::string other_digit(const MissedCell& missed) {
   return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
 }
 
-/// The other length, if both L and L/B are printed and contradict each other.
-std::string other_length(const MissedCell& missed) {
-  if (!missed.table.cell(missed.row, "L").is_doubtful()) return "";
-  const data::Interval& ratio = missed.table.cell(missed.row, "L/B").number->rounding;
-  RowInput input = missed.input;
-  input.length = ratio.times(missed.nip.sheet_thickness);
-  return fmt::format("the row's L and L/B contradict each other; {} at the L of L/B",
-                     meets(missed, range_with(missed, input, missed.method)) ? "met" : "not met either");
-}
-
 /// The value of the input that would give the printed number, by linear extrapolation from the ends of its interval; the
 /// other inputs are at the midpoints of theirs. `put` sets the input.
 template <class Put>
@@ -123,8 +113,7 @@ std::string load_note(double replayed, double stated) {
 
 std::string attempts(const MissedCell& missed) {
   std::string text;
-  for (const auto& attempt :
-       {other_length, other_shear, other_digit, needed_length, needed_creep, other_elements}) {
+  for (const auto& attempt : {other_shear, other_digit, needed_length, needed_creep, other_elements}) {
     const std::string outcome = attempt(missed);
     if (!outcome.empty()) text += (text.empty() ? "" : "; ") + outcome;
   }

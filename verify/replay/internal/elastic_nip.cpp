@@ -40,7 +40,10 @@ class RowReplay {
     const data::TableCell& cell = table_.cell(row_, column);
     const data::Interval range = replayed_.range(column);
     const Verdict verdict = is_input(column) ? Verdict::input : assess(cell, range);
-    return {row_, column, replayed_.at_centre.at(column), range, verdict, note(cell, column, verdict)};
+    ReplayedCell result{row_,  column,  replayed_.at_centre.at(column),
+                        range, verdict, note(cell, column, verdict)};
+    explain_by_one_digit(table_, result);
+    return result;
   }
 
  private:

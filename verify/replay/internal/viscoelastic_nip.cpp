@@ -61,6 +61,7 @@ class ViscoelasticRowReplay {
     }
     result.note = note(result, cell);
     if (result.verdict == Verdict::unexplained) explain(result, cell);
+    explain_by_one_digit(table_, result);
     return result;
   }
 
