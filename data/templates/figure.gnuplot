@@ -14,30 +14,34 @@ set dashtype 6 (14,4,2,4,2,4)
 set dashtype 7 (8,8)
 set dashtype 8 (4,2,2,2)
 {{#id}}
-set terminal svg noenhanced size {{width}},{{height}} font "Helvetica,14" background "#ffffff"
+set terminal svg enhanced size {{width}},{{height}} font "Helvetica,14" background "#ffffff"
 set key outside right top Left reverse samplen 4 spacing 1.1
-set multiplot layout {{rows}},{{columns}} title "{{id}}: {{title}}\n{{#notes}}{{.}}\n{{/notes}}nipref figures {{id}}" font "Helvetica,15"
+set multiplot layout {{rows}},{{columns}} title "{{id}}: {{title}}\n{{#notes}}{{.}}\n{{/notes}}nipref figures {{id}}" font "Helvetica,15" noenhanced
 {{/id}}
 {{^id}}
-set terminal svg noenhanced size 480,{{#long_key}}400{{/long_key}}{{^long_key}}330{{/long_key}} font "Helvetica,13" background "#ffffff"
+set terminal svg enhanced size 480,{{#long_key}}400{{/long_key}}{{^long_key}}330{{/long_key}} font "Helvetica,13" background "#ffffff"
 set key below center {{#long_key}}vertical maxrows 3{{/long_key}}{{^long_key}}horizontal{{/long_key}} Left reverse samplen 2 width -2
 set offsets graph 0, graph 0, graph 0.08, graph 0
 {{/id}}
+# Powers of ten on logarithmic axes alone are enhanced text: names with underscores stay as they are.
+set key noenhanced
 set grid lc rgb "#dddddd" lw 0.5
 {{#panels}}
 {{#series}}
 $series{{number}} << END
 {{{points}}}END
 {{/series}}
-set xlabel "{{x_axis.label}}"
-set ylabel "{{y_axis.label}}"
+set xlabel "{{x_axis.label}}" noenhanced
+set ylabel "{{y_axis.label}}" noenhanced
 set format "%g"
 unset logscale
 {{#x_axis.logarithmic}}
 set logscale x
+set format x "10^{%T}"
 {{/x_axis.logarithmic}}
 {{#y_axis.logarithmic}}
 set logscale y
+set format y "10^{%T}"
 {{/y_axis.logarithmic}}
 {{^y_axis.logarithmic}}
 {{^id}}
@@ -49,10 +53,14 @@ set size {{#equal_scales}}ratio -1{{/equal_scales}}{{^equal_scales}}noratio{{/eq
 {{#contours}}
 $grid << END
 {{{points}}}END
-set title "{{label}}"
+set title "{{label}}" noenhanced
 set contour base
 unset surface
 set cntrparam levels incremental -10,{{step}},10
+set palette maxcolors 0 defined (-1 "#0072B2", -0.5 "#8fbfdd", 0 "#ffffff", 0.5 "#eeb184", 1 "#D55E00")
+set palette maxcolors {{colours}}
+set cbrange [-{{largest}}:{{largest}}]
+set cbtics {{tics}}
 set table $contours
 splot $grid using 1:2:3 with lines
 unset table
@@ -63,10 +71,10 @@ set yrange [{{y_first}}:{{y_last}}]
 {{/contours}}
 plot \
 {{#plots}}
-  {{#contours_drawn}}$contours using 1:($3 > 1e-9 ? $2 : NaN) with lines lw 1.2 dt 1 lc rgb "#D55E00" notitle, \
-  $contours using 1:($3 < -1e-9 ? $2 : NaN) with lines lw 1.2 dt (8,5) lc rgb "#0072B2" notitle, \
-  $contours using 1:(abs($3) <= 1e-9 ? $2 : NaN) with lines lw 2.2 dt 1 lc rgb "#000000" notitle, \
-  $contours using 1:2:(sprintf("%g", abs($3) < 1e-9 ? 0 : $3)) every 60::25 with labels font ",11" \
+  {{#contours_drawn}}$grid using 1:2:3 with image notitle, \
+  $contours using 1:($3 > 1e-9 ? $2 : NaN) with lines lw 0.7 dt 1 lc rgb "#555555" notitle, \
+  $contours using 1:($3 < -1e-9 ? $2 : NaN) with lines lw 0.7 dt (6,4) lc rgb "#555555" notitle, \
+  $contours using 1:(abs($3) <= 1e-9 ? $2 : NaN) with lines lw 2 dt 1 lc rgb "#000000" \
   {{/contours_drawn}}{{#line}}{{data}} with lines lw 2 dt {{style}} lc rgb colour[{{style}}] \
   {{/line}}{{#dots}}{{data}} with points pt 7 ps 0.2 lc rgb colour[{{style}}] \
   {{/dots}}{{#marked-line}}{{data}} with linespoints lw 1 dt 1 pt open[{{style}}] ps 0.6 pi {{every}} lc rgb colour[{{style}}] \

@@ -103,6 +103,7 @@ struct SeedForm {
 struct Quantity {
   std::string name;
   std::string definition;  ///< one line
+  std::string notation;    ///< the same with its formulas between backticks, see formula.hpp
   std::string source;      ///< seed and equation number
   std::string scale;       ///< what errors are measured against, in words
   std::string unit = "1";  ///< of the value; 1: none

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
@@ -16,6 +19,9 @@
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
+#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -48,30 +54,47 @@ GoldenSample sample_golden(const Quantity& quantity) {
   return {std::move(file), std::move(checked)};
 }
 
-Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) {
-  Report report;
-  report.command = command_of(line);
-  report.seed = line.option_or_usual("seed");
-  // Before the audit, which would build ref's nodes: their cost is measured.
-  report.speed = bench_all(bench_everything(), progress);
-  audits.do_blocks(progress);
-  Audited audited = audits.found();
-  report.quantities = std::move(audited.quantities);
-  report.hard_cases = std::move(audited.contacts.hard_cases);
-  report.scenes = std::move(audited.contacts.scenes);
-  report.witness = outside_witness();
-  report.tables = replay_and_correct(replayable_tables(), progress);
-  report.tables_fall_short = fall_short(report.tables);
-  const std::vector<std::pair<const char*, std::function<void()>>> statements{
-      {"claims", [&] { report.claims = check_all(claims()); }},
-      {"limits", [&] { report.limits = limits(); }},
-      {"errata", [&] { report.errata = settle_all(formula_errata()); }}};
-  progress.each(
-      "statements", statements, [](const auto& one) { return one.first; },
-      [](const auto& one) { one.second(); });
-  progress.each("golden", catalogue(), &Quantity::name,
-                [&](const Quantity& quantity) { report.golden.push_back(sample_golden(quantity)); });
-  return report;
+/// A part of a report: what it is about, with the first words of the lines that tell it in the text, and its work.
+struct ReportPart {
+  std::string about;
+  std::vector<std::string> heads;
+  std::function<void()> work;
+};
+
+/// What takes seconds comes first.
+std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draws, Progress& progress) {
+  std::vector<ReportPart> parts{
+      {"errata", {"errata"}, [&] { report.errata = settle_all(formula_errata()); }},
+      {"limits", {"limits"}, [&] { report.limits = limits(); }},
+      {"claims", {"claims"}, [&] { report.claims = check_all(claims()); }},
+      {"printed tables",
+       {"tables", "seeds"},
+       [&] {
+         report.tables = replay_and_correct(replayable_tables(), progress);
+         report.tables_fall_short = fall_short(report.tables);
+       }},
+      {"speed", {"speed"}, [&] { report.speed = bench_all(bench_everything(), progress); }},
+      {"accuracy and random contacts",
+       {"audit", "contacts", "witness"},
+       [&] {
+         audits.do_blocks(progress);
+         Audited audited = audits.found();
+         report.quantities = std::move(audited.quantities);
+         report.hard_cases = std::move(audited.contacts.hard_cases);
+         report.scenes = std::move(audited.contacts.scenes);
+         report.witness = outside_witness();
+       }},
+      {"golden values", {"golden"}, [&] {
+         progress.each("golden", catalogue(), &Quantity::name,
+                       [&](const Quantity& quantity) { report.golden.push_back(sample_golden(quantity)); });
+       }}};
+  if (draws)
+    parts.push_back({"figures", {}, [&] {
+                       progress.each("figures", figures(), &FigurePlan::id, [&](const FigurePlan& plan) {
+                         report.figures.push_back(compute(plan));
+                       });
+                     }});
+  return parts;
 }
 
 /// The folder that the report goes to, made now: what cannot be written is refused before anything is done.
@@ -95,14 +118,31 @@ std::optional<std::string> older_report(const CommandLine& line) {
   return text;
 }
 
+/// Draws each script once: the page of a report that grows shows most plots again.
+Drawer remembering(Drawer draw) {
+  auto drawn = std::make_shared<Cache<std::string, std::optional<std::string>>>();
+  return [=](const std::string& script) { return *drawn->at(script, [&] { return draw(script); }); };
+}
+
 /// Says where it is and how large.
-std::string write_page(const fs::path& folder, const std::string& answer) {
-  const std::string page = report_page(answer, drawn_by_gnuplot);
+std::string write_page(const fs::path& folder, const std::string& answer, const Drawer& draw) {
+  const std::string page = report_page(answer, draw);
   const fs::path file = folder / "index.html";
   write_output_file((folder / "report.json").string(), answer);
   write_output_file(file.string(), page);
   return fmt::format("{} ({:.1f} MB, opens from the file)", file.string(),
                      1e-6 * static_cast<double>(page.size()));
+}
+
+/// Does one part after the other, until the process is interrupted. `finished` is told each part but the last.
+void do_parts(Report& report, const std::vector<ReportPart>& parts,
+              const std::function<void(const ReportPart&)>& finished) {
+  for (std::size_t i = 0; i < parts.size() && !interrupted(); ++i) {
+    parts[i].work();
+    report.to_come.clear();
+    for (const ReportPart& later : std::span(parts).subspan(i + 1)) report.to_come.push_back(later.about);
+    if (!report.to_come.empty()) finished(parts[i]);
+  }
 }
 
 Json golden_json(const std::vector<GoldenSample>& samples) {
@@ -134,6 +174,7 @@ Json report_json(const Report& report) {
           {"figures", json_list(report.figures, figure_json)},
           {"times", {{"plots", speed_plots_json(report.speed.rows)}}},
           {"summary", summary_json(report)},
+          {"to_come", json_list(report.to_come)},
           {"comparison", report.comparison ? comparison_json(*report.comparison) : Json()}};
 }
 
@@ -143,16 +184,25 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   const auto folder = output_folder(line);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  Report report = collected(line, audits, progress);
-  if (folder)
-    progress.each("figures", figures(), &FigurePlan::id,
-                  [&](const FigurePlan& plan) { report.figures.push_back(compute(plan)); });
+  Report report;
+  report.command = command_of(line);
+  report.seed = line.option_or_usual("seed");
+  const Drawer draw = remembering(drawn_by_gnuplot);
+  const std::vector<ReportPart> parts = report_parts(report, audits, folder.has_value(), progress);
+  progress.tell(fmt::format("nipref report does these parts, one after the other: {}\n",
+                            fmt::join(mapped(parts, &ReportPart::about), ", ")));
+  do_parts(report, parts, [&](const ReportPart& part) {
+    const std::string answer = answer_text("report", report_json(report), line.no_times);
+    const std::string page = folder ? write_page(*folder, answer, draw) + ", and grows" : "";
+    progress.tell(
+        plain(report_lines(report_text(answer_text("report", report_json(report)), page), part.heads)));
+  });
   if (older)
     report.comparison = compare_reports(*older, answer_text("report", report_json(report), line.no_times));
   const Json found = report_json(report);
   const std::string answer = answer_text("report", found, line.no_times);
   const std::string page =
-      folder ? write_page(*folder, answer) : "nipref report -o DIR writes all of it as DIR/index.html";
+      folder ? write_page(*folder, answer, draw) : "nipref report -o DIR writes all of it as DIR/index.html";
   const auto text = [&] {
     return report_text(answer_text("report", found), page) +
            (report.comparison ? "\n" + text_of("comparison.txt", comparison_json(*report.comparison)) : "");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/figures/figure.hpp>
@@ -155,14 +156,22 @@ std::string rows_of(const TemplateData& series) {
   return text;
 }
 
-/// Adds the points in gnuplot's grid format: a block of all x for each y, separated by empty lines.
+/// Adds the points in gnuplot's grid format: a block of all x for each y, separated by empty lines; and a scale of colours, one
+/// from each contour to the next, that is as long below 0 as above.
 void add_grid(TemplateData& contours) {
   const TemplateData &x = contours["x"], &y = contours["y"];
   std::string text;
   for (std::size_t i = 0; i < contours["values"].size(); ++i)
     text += fmt::format("{}{} {} {}\n", i > 0 && i % x.size() == 0 ? "\n" : "", x[i % x.size()].get<double>(),
                         y[i / x.size()].get<double>(), contours["values"][i].get<double>());
+  const double step = contours["step"];
+  double steps = 1;  // from 0 to the end of the colours
+  for (const TemplateData& value : contours["values"])
+    steps = std::max(steps, std::ceil(std::fabs(value.get<double>()) / step - 1e-9));
   contours.update({{"points", text},
+                   {"largest", steps * step},
+                   {"colours", 2 * steps},
+                   {"tics", step * std::ceil(steps / 5)},
                    {"x_first", x.front()},
                    {"x_last", x.back()},
                    {"y_first", y.front()},

@@ -107,11 +107,26 @@ Json errata_json(const data::TableSummary& table) {
   return errata;
 }
 
+/// The columns that label rows, or those that do not.
+Json columns_json(const data::Table& table, bool keys) {
+  std::vector<Json> columns;
+  for (const data::TableColumn& column : table.columns) {
+    if (column.is_key == keys)
+      columns.push_back({{"column", column.name},
+                         {"unit", column.unit == "1" ? Json() : Json(column.unit)},
+                         {"power_of_ten", column.scale_exponent == 0 ? Json() : Json(column.scale_exponent)},
+                         {"meaning", column.meaning}});
+  }
+  return columns;
+}
+
 Json table_json(const Replay& replay, bool all) {
   const auto to_json = [&](const ReplayedCell& cell) { return cell_json(replay, cell, all); };
   return {{"id", replay.table.id},
           {"title", replay.table.title},
           {"method", replay.method},
+          {"keys", columns_json(replay.table, true)},
+          {"columns", columns_json(replay.table, false)},
           {"costs", costs_json(replay)},
           {"cells", json_list(replay.cells, to_json)},
           {"_match", replay.count(Verdict::match)},

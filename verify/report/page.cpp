@@ -81,6 +81,7 @@ void draw_all(TemplateData& rows, const Drawer& draw) {
 /// The answer, rearranged for the page's template.
 TemplateData arranged(const std::string& answer, const Drawer& draw) {
   TemplateData page = TemplateData::parse(answer);
+  page["coming"] = !page["to_come"].empty();
   TemplateData& rows = page["audit"]["rows"];
   join(rows, page["quantities"], {"quantity"});
   join(page["golden"], page["golden_values"], {"quantity"});
@@ -94,6 +95,7 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
               {"parameters", figure["parameters"]},
               {"plot", figure}};
   for (TemplateData& table : page["tables"]["tables"]) {
+    join(table["cells"], table["columns"], {"column"});
     for (TemplateData& cell : table["cells"]) cell["judged"] = cell["verdict"] != "input";
     table["rows"] = grouped(table["cells"], {"row"});
     table["columns"] = table["rows"].empty() ? TemplateData() : table["rows"].front()["rows"];
@@ -123,6 +125,18 @@ std::string report_text(const std::string& answer, const std::string& where_more
   TemplateData data = TemplateData::parse(answer);
   data["page"] = where_more_is;
   return folded(filled_text(template_text("report.txt"), data));
+}
+
+std::string report_lines(const std::string& text, const std::vector<std::string>& heads) {
+  std::istringstream lines(text);
+  std::string chosen;
+  bool is_chosen = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(' '))
+      is_chosen = std::ranges::any_of(heads, [&](const auto& head) { return line.starts_with(head + " "); });
+    if (is_chosen) chosen += line + "\n";
+  }
+  return chosen;
 }
 
 namespace {

@@ -183,6 +183,7 @@ Json quantities_json(const std::vector<AuditResult>& results) {
     return Json{{"quantity", quantity.name},
                 {"subject", quantity.subject},
                 {"definition", quantity.definition},
+                {"notation", quantity.notation},
                 {"measured_against", quantity.scale},
                 {"plot", error_plot_json(result)}};
   });

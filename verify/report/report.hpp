@@ -74,6 +74,7 @@ struct Report {
   std::vector<GoldenSample> golden;
   std::vector<Figure> figures = {};                 ///< only if a page is written
   std::optional<ReportComparison> comparison = {};  ///< with an older report, if one is given
+  std::vector<std::string> to_come = {};            ///< parts that this run has not come to yet
 
   /// True if all promises are kept. Ratios of times, which depend on the machine, count only if `strict`.
   [[nodiscard]] bool kept(bool strict) const;
@@ -112,5 +113,8 @@ std::string report_page(const std::string& answer, const Drawer& draw);
 /// The answer as one screen of 80 columns, by the template report.txt: the build, a line or two for each part, and the path
 /// of the page.
 std::string report_text(const std::string& answer, const std::string& where_more_is);
+
+/// Those lines of such a text that begin with one of the heads, "errata", with the lines that go on with them.
+std::string report_lines(const std::string& text, const std::vector<std::string>& heads);
 
 }  // namespace nipref::verify

@@ -14,6 +14,7 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/verify/support/formula.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -173,6 +174,7 @@ void add_formats(mustache::data& data) {
                                                  {"decimal", decimal_text},
                                                  {"exact", exact_text},
                                                  {"shell", word_of_shell},
+                                                 {"mathml", with_mathml},
                                                  {"trimmed", without_end},
                                                  {"table", table_text},
                                                  {"good", good},

@@ -215,10 +215,10 @@ TEST_CASE("a plot stands in the report's page as a picture, encoded as RFC 3986 
 }
 
 TEST_CASE("what the templates of a report name is there: a name that is not would leave a gap") {
-  std::set<std::string> known{"each",    "key",   "value",   "page",       "subjects", "ways",
-                              "first",   "count", "rows",    "columns",    "judged",   "drawn",
-                              "picture", "as",    "off",     "two_digits", "decimal",  "shell",
-                              "good",    "bad",   "message", "interrupted"};
+  std::set<std::string> known{"each",    "key",   "value",   "page",        "subjects", "ways",
+                              "first",   "count", "rows",    "columns",     "judged",   "drawn",
+                              "picture", "as",    "off",     "two_digits",  "decimal",  "shell",
+                              "good",    "bad",   "message", "interrupted", "coming", "mathml"};
   Report report = small_report();
   report.comparison = ReportComparison{"abc", "", {{Change::slower, "speed", "100", "70"}}};
   report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
@@ -276,6 +276,24 @@ TEST_CASE("the report's page tells what the report holds") {
     CAPTURE(name(verdict));
     CHECK(times_in_page(page, "class=\"keep " + std::string(name(verdict)) + "\"") == cells);
   }
+}
+
+TEST_CASE("a page that grows says what is still to come, and lines about a part are found by their heads") {
+  Report report = small_report();
+  CHECK_FALSE(in_page(small_page(), "This page grows"));
+  report.golden.clear();
+  report.to_come = {"golden values", "figures"};
+  const std::string page = report_page(answer_of(report), empty_drawing);
+  CHECK(fault_of(page) == "");
+  CHECK(in_page(page,
+                "Still to come: <span class=\"list\"><span>golden values</span><span>figures</span></span>"));
+  const std::string text = plain(report_text(answer_of(report), "somewhere"));
+  CHECK(report_lines(text, {"page"}) == "page       somewhere\n");
+  const std::string lines = report_lines(text, {"tables", "seeds"});
+  CHECK(lines.starts_with("tables "));
+  CHECK(in_page(lines, "\nseeds "));
+  CHECK(in_page(lines, "low"));  // of the line that goes on
+  CHECK_FALSE(in_page(lines, "claims"));
 }
 
 TEST_CASE("what became of an older report stands at the top of the page") {

@@ -57,6 +57,23 @@ TEST_CASE("a run of several parts is not silent where they meet, and counts its 
   CHECK(told.texts[0] == "nipref: audit: 0 of 2 done, now I1 points, 20 s, about 30 s left\n");
 }
 
+TEST_CASE("lines that stay take the place of a bar, and are silent where progress is") {
+  Told told;
+  told.columns = 80;
+  {
+    Progress progress(told.output());
+    progress.begin("audit", 4);
+    progress.next("I1");
+    progress.tell("errata: all\n");
+    progress.tell("limits: all\n");
+    CHECK(told.texts.back() == "limits: all\n");
+  }
+  REQUIRE(told.texts.size() == 3);  // nothing is wiped in the end
+  CHECK(told.texts[1] == "\r\x1b[Kerrata: all\n");
+  Progress silent({});
+  silent.tell("nothing\n");
+}
+
 TEST_CASE("on a terminal progress is a bar that is never wider than the window, and is wiped in the end") {
   const std::string wipe = "\r\x1b[K";
   for (const std::size_t columns : {1U, 5U, 20U, 40U, 60U, 80U, 200U}) {

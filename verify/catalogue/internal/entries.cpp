@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/formula.hpp>
 #include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -113,7 +114,8 @@ Quantity quantity_of(std::string_view name, const Row& row) {
   quantity.is_costly = row.get<bool>("costly").value_or(false);
   quantity.source = row.text("source");
   quantity.scale = row.get<std::string>("scale").value_or("the value");
-  quantity.definition = row.text("definition");
+  quantity.notation = row.text("definition");
+  quantity.definition = without_marks(quantity.notation);
   quantity.seed_forms = row.forms();
   return quantity;
 }

@@ -73,6 +73,11 @@ void Progress::at(double part, std::string detail) {
   show(seconds_between_bars);
 }
 
+void Progress::tell(const std::string& lines) {
+  if (output_.write && !lines.empty()) output_.write((line_is_open_ ? start_and_wipe : "") + lines);
+  line_is_open_ = false;
+}
+
 void Progress::show(double seconds_since_bar) {
   if (!output_.write) return;
   const double now = output_.seconds();

@@ -50,6 +50,9 @@ class Progress {
   /// The share of the item that is done, 0 to 1, and which detail of it is being worked on.
   void at(double part, std::string detail = "");
 
+  /// Writes lines that stay.
+  void tell(const std::string& lines);
+
  private:
   /// Does nothing if a bar, or a line, was shown not so long ago.
   void show(double seconds_since_bar);

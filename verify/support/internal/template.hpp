@@ -26,6 +26,7 @@ std::string template_text(const std::string& name);
 ///   as: the number or the text behind a format specification of {fmt} and a space, as in ".3g 0.12345"; with % behind the
 ///   specification the number is multiplied by 100;
 ///   decimal: hexadecimal numbers in it with six digits; exact: so with the hexadecimal number in brackets behind;
+///   mathml: HTML with its formulas in MathML, of text that is not escaped, see formula.hpp;
 ///   shell: as a word of the shell; trimmed: without commas, semicolons and white space at its end; good, bad: in the colour of a verdict
 ///   on a terminal; table: in columns, of lines with " | " between cells: the first has the heads as TextTable takes them,
 ///   one that is indented by four stands below the row before it.

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <nipref/verify/support/formula.hpp>
+#include <nipref/verify/support/internal/template.hpp>
+
+namespace nipref::verify {
+namespace {
+
+const std::map<std::string_view, std::string_view> signs{
+    {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"eps", "ε"},
+    {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},
+    {"xi", "ξ"},    {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},  {"tau", "τ"},     {"phi", "φ"},
+    {"chi", "χ"},   {"psi", "ψ"},   {"omega", "ω"}, {"Delta", "Δ"},  {"Phi", "Φ"},     {"Psi", "Ψ"},
+    {"Omega", "Ω"}, {"inf", "∞"},   {"int", "∫"},   {"sum", "∑"},    {"<=", "≤"},      {">=", "≥"},
+    {"+-", "±"},    {"->", "→"},    {"*", "∗"},     {"-", "−"},      {"'", "′"},       {"''", "″"}};
+
+std::string shown(const std::string& name) {
+  const auto sign = signs.find(name);
+  return sign == signs.end() ? escaped_for_html(name) : std::string(sign->second);
+}
+
+std::string element(const std::string& name, const std::string& content) {
+  return "<" + name + ">" + content + "</" + name + ">";
+}
+
+constexpr double thin = 0.17;  ///< em
+
+/// An upright name with a thin blank before it.
+std::string spaced(const std::string& name, double after) {
+  return fmt::format("<mo lspace=\"{}em\" rspace=\"{}em\">{}</mo>", thin, after, name);
+}
+
+std::string row(const std::string& content) { return element("mrow", content); }
+
+/// That of x+ and x-, the ends of a contact: no summand follows.
+bool is_sign_of_name(const std::string& formula, std::size_t at) {
+  return at + 1 < formula.size() && (formula[at] == '+' || formula[at] == '-') &&
+         (formula[at + 1] == ' ' || formula[at + 1] == ')');
+}
+
+std::vector<std::string> tokens_of(const std::string& formula) {
+  static const std::set<std::string> pairs{"<=", ">=", "+-", "->", "''"};
+  const auto is = [&](std::size_t at, auto kind) {
+    return at < formula.size() && kind(static_cast<unsigned char>(formula[at])) != 0;
+  };
+  std::vector<std::string> tokens;
+  for (std::size_t at = 0, end = 0; at < formula.size(); at = end) {
+    end = at + 1;
+    if (is(at, isalpha)) {
+      while (is(end, isalpha)) ++end;
+      tokens.push_back(formula.substr(at, end - at));
+      at = end;
+      while (is(end, isdigit)) ++end;
+      if (end == at && is_sign_of_name(formula, at)) ++end;
+      if (end == at) continue;
+      tokens.emplace_back("_");
+    } else if (is(at, isdigit)) {
+      while (is(end, isdigit) || (end < formula.size() && formula[end] == '.')) ++end;
+      if (end < formula.size() && formula[end] == 'e' && (is(end + 1, isdigit) || is(end + 2, isdigit))) {
+        for (end += 2; is(end, isdigit);) ++end;
+      }
+    } else if (formula.compare(at, 3, " / ") == 0) {
+      end = at + 3;
+    } else if (pairs.contains(formula.substr(at, 2))) {
+      end = at + 2;
+    } else if (formula[at] == ' ') {
+      continue;
+    }
+    tokens.push_back(formula.substr(at, end - at));
+  }
+  return tokens;
+}
+
+/// Reads a formula from its tokens, a sum as a row of products, a product as a row of factors.
+class Reader {
+ public:
+  explicit Reader(const std::string& formula) : tokens_(tokens_of(formula)) {}
+
+  /// All of it, in pieces between which lines may be broken.
+  std::string all() {
+    std::string pieces, piece;
+    while (at_ < tokens_.size()) {
+      if (is_between(next()) && !piece.empty()) {
+        pieces += element("math", piece) + " ";
+        piece.clear();
+      }
+      piece += is_between(next()) || is_closing(next()) ? element("mo", shown(take())) : product();
+    }
+    return pieces + element("math", piece);
+  }
+
+ private:
+  static bool is_between(const std::string& token) {
+    static const std::set<std::string> between{"+", "-", "+-", "=", "<", ">", "<=", ">=", "->", ","};
+    return between.contains(token);
+  }
+  static bool is_closing(const std::string& token) { return token == ")" || token == "]"; }
+
+  [[nodiscard]] std::string next() const { return at_ < tokens_.size() ? tokens_[at_] : ""; }
+  std::string take() { return at_ < tokens_.size() ? tokens_[at_++] : ""; }
+
+  /// Up to the bracket that closes it, or the end.
+  std::string sum() {
+    std::string content;
+    while (at_ < tokens_.size() && !is_closing(next()))
+      content += is_between(next()) ? element("mo", shown(take())) : product();
+    return content;
+  }
+
+  std::string product() {
+    std::string before, factors;  // what stands before a fraction's numerator: the sign of an integral
+    while (at_ < tokens_.size() && !is_between(next()) && !is_closing(next())) {
+      if (next() == " / ") {
+        take();
+        const std::string denominator = factor(true);
+        factors = element("mfrac", row(factors) + row(denominator));
+      } else if (next() == "int" || next() == "sum") {
+        before += factors + factor(false);
+        factors.clear();
+      } else {
+        factors += factor(false);
+      }
+    }
+    return before + factors;
+  }
+
+  /// A name, a number or a bracket with its indices. `bare`: without its brackets, if it has them.
+  std::string factor(bool bare) {
+    std::string base = atom(bare), below, above;
+    for (bool more = true; more;) {
+      more = false;
+      for (auto& [sign, index] : {std::pair<const char*, std::string*>("_", &below), {"^", &above}}) {
+        if (next() != sign) continue;
+        take();
+        *index = this->index(*sign == '_');
+        more = true;
+      }
+      if (next() == "'" || next() == "''") {
+        above += element("mo", shown(take()));
+        more = true;
+      }
+    }
+    if (!below.empty() && !above.empty()) return element("msubsup", base + row(below) + row(above));
+    if (!below.empty()) return element("msub", base + row(below));
+    return above.empty() ? base : element("msup", base + row(above));
+  }
+
+  /// A sign below a name stands alone.
+  std::string index(bool below) {
+    const bool is_signed = next() == "-" || next() == "+";
+    const std::string sign = is_signed ? element("mo", shown(take())) : "";
+    return is_signed && below ? sign : sign + atom(true);
+  }
+
+  std::string atom(bool bare) {
+    const std::string token = take();
+    if (token == "(" || token == "[") {
+      const std::string content = sum(), closing = take();
+      return bare ? row(content) : row(element("mo", token) + content + element("mo", closing));
+    }
+    if (token == "sqrt") return element("msqrt", atom(true));
+    if (std::isdigit(static_cast<unsigned char>(token[0])) != 0) return number(token);
+    if (std::isalpha(static_cast<unsigned char>(token[0])) == 0 || token == "int" || token == "sum")
+      return element("mo", token == " / " ? "/" : shown(token));
+    const std::string of = token.substr(1);
+    if (token[0] == 'd' && (of.size() == 1 || signs.contains(of)))
+      return row(spaced("d", 0) + element("mi", shown(of)));
+    return token.size() == 1 || signs.contains(token) ? element("mi", shown(token)) : spaced(token, thin);
+  }
+
+  /// 1e-4 as a power of ten.
+  static std::string number(const std::string& token) {
+    const std::size_t e = token.find('e');
+    if (e == std::string::npos) return element("mn", token);
+    const std::string factor = token.substr(0, e), power = token.substr(e + 1);
+    return row((factor == "1" ? "" : element("mn", factor) + element("mo", "·")) +
+               element("msup", element("mn", "10") + element("mn", power)));
+  }
+
+  std::vector<std::string> tokens_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::string without_marks(std::string text) {
+  std::erase(text, '`');
+  return text;
+}
+
+std::string with_mathml(const std::string& text) {
+  std::string markup;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = text.find('`', at), close = text.find('`', open + 1);
+    if (open == std::string::npos || close == std::string::npos)
+      return markup + escaped_for_html(text.substr(at));
+    markup +=
+        escaped_for_html(text.substr(at, open - at)) + Reader(text.substr(open + 1, close - open - 1)).all();
+    at = close + 1;
+  }
+  return markup;
+}
+
+}  // namespace nipref::verify
