@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -12,8 +11,6 @@ namespace nipref::ref {
 namespace {
 
 using Index = Matrix::Index;
-
-std::atomic<long> solutions = 0;
 
 /// int_0^x e^(-s (x - t)) t^k/k! dt, k = 0, 1, 2.
 std::array<ComplexFloat, 3> faded_powers(const ComplexFloat& s, const Float& x) {
@@ -103,10 +100,7 @@ RollingSolution::RollingSolution(std::shared_ptr<const RollingSheet> sheet, Trac
       outside_(outside_panels(kernels.far(), sheet_->resolution(), tractions_.panels().front(), nats)),
       nats_(nats) {
   solve(kernels);
-  ++solutions;
 }
-
-long RollingSolution::solved() { return solutions; }
 
 /// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
 /// b_j n_j, A^2.

@@ -27,8 +27,6 @@ class RollingSolution {
   /// Integrals are good to about e^-nats.
   RollingSolution(std::shared_ptr<const RollingSheet> sheet, Tractions tractions, double nats,
                   SheetKernels& kernels);
-  /// How many this program has solved so far: nearly all of the work.
-  static long solved();
 
   [[nodiscard]] const Float& half_length() const { return tractions_.half_length(); }
   [[nodiscard]] const Float& edge_displacement() const { return edge_displacement_; }
