@@ -13,26 +13,32 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double decayed = 40;  ///< nats after which something counts no more
+
 /// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and falls
-/// like a power from there: the rule resolves a factor of 150 in the distance. What oscillates does so until it has decayed.
-std::vector<double> cuts(const std::vector<Complex>& rates, double farthest) {
-  constexpr double few_lengths = 6, radians = 20, decayed = 40, resolved_ratio = 150;
+/// like a power from there: the rule resolves a factor of 150 in the distance. What oscillates does so until it has decayed
+/// against what it is at the distance `nearest`, that of the contact.
+std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, double farthest) {
+  constexpr double few_lengths = 6, radians = 20, resolved_ratio = 150;
   std::vector<double> result;
   for (const Complex& rate : rates) {
     const double size = std::abs(rate);
     double cut = few_lengths / size;
-    for (; rate.imag() != 0 && rate.real() * cut < decayed && cut < farthest;
-         cut += std::min(cut, radians / size))
-      result.push_back(cut);
+    if (rate.imag() != 0) {
+      cut = std::max(cut, nearest);
+      for (; rate.real() * (cut - nearest) < decayed && cut < farthest; cut += std::min(cut, radians / size))
+        result.push_back(cut);
+    }
     for (; cut < 0.5 * farthest; cut *= resolved_ratio) result.push_back(cut);
   }
   return result;
 }
 
-/// Whether something that oscillates has not decayed at the distance, and is no polynomial over the width.
-bool oscillates(const std::vector<Complex>& rates, double distance, double width) {
+/// Whether something that oscillates has not decayed at the distance, against what it is at the distance `nearest`, and is
+/// no polynomial over the width.
+bool oscillates(const std::vector<Complex>& rates, double nearest, double distance, double width) {
   return std::ranges::any_of(rates, [&](const Complex& rate) {
-    return rate.imag() != 0 && rate.real() * distance < 40 && std::abs(rate) * width > 5;
+    return rate.imag() != 0 && rate.real() * (distance - nearest) < decayed && std::abs(rate) * width > 5;
   });
 }
 
@@ -104,15 +110,16 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
 }
 
 /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
-void Tractions::append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel,
+void Tractions::append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
                              bool for_layers, double tolerance, Nodes& nodes) const {
-  const double reach = Tractions::reach(tolerance);
+  const double reach = Tractions::reach(tolerance), outside = place.outside();
+  const double singular = singular_at(place, mirrored);
   const double gap = std::max(panel.left - singular, singular - panel.right);
   std::vector<double> ends{panel.left, panel.right};
   for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
     if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
   }
-  for (const double cut : cuts(kernel.rates, std::max(gap, 0.0) + panel.width())) {
+  for (const double cut : cuts(kernel.rates, outside, std::max(gap, 0.0) + panel.width())) {
     for (const double end : {singular - cut, singular + cut})
       if (panel.left < end && end < panel.right) ends.push_back(end);
   }
@@ -127,7 +134,7 @@ void Tractions::append_panel(const Panel& panel, double singular, bool mirrored,
 
 void Tractions::cut_for_layers(const Panel& panel, std::vector<double>& ends) const {
   if (!panel.at_end) return;
-  for (const double cut : cuts(layer_rates(), panel.right)) ends.push_back(cut);
+  for (const double cut : cuts(layer_rates(), 0, panel.right)) ends.push_back(cut);
 }
 
 void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
@@ -160,10 +167,11 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
 bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
                                     double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_[p];
-  const double singular = mirrored ? 2 * half_length_ - place.e : place.e, width = panel.width();
+  const double singular = singular_at(place, mirrored), width = panel.width();
   const double gap = std::max(panel.left - singular, singular - panel.right);
   if (gap <= 0) return false;
-  if (!kernel.rates.empty() && (gap < width || width > 8 || oscillates(kernel.rates, gap, width)))
+  if (!kernel.rates.empty() &&
+      (gap < width || width > 8 || oscillates(kernel.rates, place.outside(), gap, width)))
     return false;
   // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
   // e^(2.1 gap) as large as on the panel.
@@ -237,10 +245,9 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
     for (const bool mirrored : {false, true}) {
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
-      const double singular = mirrored ? 2 * half_length_ - place.e : place.e;
-      if (acts_on(panel, singular, kernel, tolerance) &&
+      if (acts_on(panel, singular_at(place, mirrored), kernel, tolerance) &&
           !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
-        append_panel(panel, singular, mirrored, kernel, false, tolerance, nodes);
+        append_panel(panel, place, mirrored, kernel, false, tolerance, nodes);
     }
     if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
   }
@@ -250,10 +257,9 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
 void Tractions::add_layers(const Place& place, const Kernel& kernel, double tolerance,
                            Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_.front();
-  const double singular = place.trailing ? 2 * half_length_ - place.e : place.e;
-  if (!acts_on(panel, singular, kernel, tolerance)) return;
+  if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance)) return;
   Nodes nodes;
-  append_panel(panel, singular, place.trailing, kernel, true, tolerance, nodes);
+  append_panel(panel, place, place.trailing, kernel, true, tolerance, nodes);
   if (place.trailing) std::ranges::transform(nodes.alpha, nodes.alpha.begin(), std::negate{});
   Eigen::MatrixXd on_p, on_q;
   kernel.at(nodes.alpha, on_p, on_q);

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -93,7 +94,13 @@ class Tractions {
     double e;
     bool trailing;
     std::size_t done;  ///< number of the panel that has been integrated, or of none
+
+    [[nodiscard]] double outside() const { return std::max(-e, 0.0); }  ///< its distance from the contact
   };
+  /// Where a kernel is singular on the half of the place, or, mirrored, on the other.
+  [[nodiscard]] double singular_at(const Place& place, bool mirrored) const {
+    return mirrored ? 2 * half_length_ - place.e : place.e;
+  }
   /// Where a kernel that decays is below the tolerance.
   [[nodiscard]] static double reach(double tolerance) { return -std::log(tolerance) / 2.1; }
   /// Whether a panel is within the reach of a kernel that is singular at a place.
@@ -110,8 +117,8 @@ class Tractions {
   };
   /// The ends of the pieces into which the layers cut the panel at the end.
   void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;
-  void append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel, bool for_layers,
-                    double tolerance, Nodes& nodes) const;
+  void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
+                    bool for_layers, double tolerance, Nodes& nodes) const;
   void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
                     double tolerance, Nodes& nodes) const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;

@@ -269,3 +269,18 @@ TEST_CASE("next to the leading end the strain rounds as the pressure does that m
   // Nearly all of the strain is theta2 times the pressure there.
   CHECK(strain.error / std::fabs(strain.value) > 0.3 * pressure.error / pressure.value);
 }
+
+TEST_CASE("far behind a contact, what oscillates counts against what it has left, not what it began with") {
+  const auto material = data::operator_solid({.p = {342.5, 1.59, 1.0},
+                                              .q = {1.3514e9, 6.371e6, 4.433e6},
+                                              .p_dilatation = {342.5, 1.59, 1.0},
+                                              .q_dilatation = {1.2437e9, 5.864e6, 4.079e6}});
+  const data::ViscoelasticNip nip{12568, 0.0844, material, 0.1753};
+  const auto asked = fast::converged_for_length(nip, 4.974, 1e-6);
+  const auto truth = fast::converged_for_length(nip, 4.974, 1e-13);
+  for (const double place : {-9.0, -11.0, -14.0, -20.0, -107.0}) {
+    const fast::Estimate found = asked.normal_displacement(place), other = truth.normal_displacement(place);
+    CAPTURE(place);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}
