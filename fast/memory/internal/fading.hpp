@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
+#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
@@ -19,11 +20,13 @@ struct SurfacePoint {
 SurfacePoint surface_point(Two at, Accuracy accuracy);
 
 /// A real rate, and the integrals of e^(-rate (w - start)) I(w) that depend on it alone, for the kernels it was made
-/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity).
+/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity); and for large rates those of
+/// the smooth part's derivative.
 struct Fade {
   Two rate;
   std::array<CorePieces, kernel_count> core{};
   std::array<double, kernel_count> beyond{};
+  std::array<std::optional<SmoothMemory<double>>, kernel_count> slope{};
 };
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
@@ -33,6 +36,7 @@ struct OscillatingFade {
   Complex rate;
   std::array<std::optional<OscillatingCore>, kernel_count> core{};
   std::array<Complex, kernel_count> beyond{};
+  std::array<std::optional<SmoothMemory<Complex>>, kernel_count> slope{};
 };
 
 OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
@@ -54,7 +58,7 @@ Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, con
                                    Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0: to a few units in the last place of its size
-/// for real rates and for complex ones above 400, which may make it far smaller than I; to such units of I for others.
+/// for real rates and for complex ones from polynomial_from on, which may make it far smaller than I; to such units of I for others.
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
                                Accuracy accuracy);

@@ -3,7 +3,6 @@
 
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
-#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
@@ -18,7 +17,7 @@ constexpr double faded = 40;
 constexpr double smooth_ratio = 6;
 
 /// The smooth part of I1 on any piece of [-1/2, 1/2].
-double smooth_part(double w, double length, double rate, Accuracy accuracy) {
+double smooth_rest(double w, double length, double rate, Accuracy accuracy) {
   const GaussRule& gauss = gauss_rule_for(rate * length, accuracy);
   Nodes smooth;
   sheet_code().even_rest(Component::I1, w, length, gauss.at.data(), smooth.data(), gauss.at.size());
@@ -49,14 +48,14 @@ double log_behind(double a, double rate) {
 /// I1 on a piece of [0, 1/2].
 double inner_ahead(double p, double length, double rate, Accuracy accuracy) {
   if (p > 0 && p + length <= smooth_ratio * p) return by_rule(Kernel::I1, p, 1, length, rate, accuracy);
-  return log_ahead(p, length, rate) + smooth_part(p, length, rate, accuracy);
+  return log_ahead(p, length, rate) + smooth_rest(p, length, rate, accuracy);
 }
 
 /// I1 on a piece behind the load from the distance a <= 1/2 down to c.
 double inner_behind(double a, double c, double length, double rate, Accuracy accuracy) {
   if (a <= smooth_ratio * c) return by_rule(Kernel::I1, a, -1, length, rate, accuracy);
   const double missing = c > 0 ? std::exp(-rate * length) * log_behind(c, rate) : 0;
-  return log_behind(a, rate) - missing + smooth_part(-a, length, rate, accuracy);
+  return log_behind(a, rate) - missing + smooth_rest(-a, length, rate, accuracy);
 }
 
 /// A piece from w to `end` = w + length on one side of the load and on one side of 1/2.
@@ -169,7 +168,10 @@ Complex memory_of_inverse(double w, Complex rate) {
 OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
     : kernel_(kernel), rate_(rate), accuracy_(accuracy) {
   const double size = std::abs(rate), tiny = nearest_panel(size), most = 12 / size;
-  if (size > by_parts_from) return;
+  if (size >= polynomial_from && (kernel == Kernel::I1 || kernel == Kernel::I3)) {
+    smooth_.emplace(smooth_part(kernel), rate);
+    return;
+  }
   // Each is the beginning of a panel that ends at the one before.
   for (double w = 1; w > tiny; w -= std::min(most, w * 2 / 3)) stops_.push_back(w);
   stops_.insert(stops_.end(), {tiny, 0, -tiny});
@@ -183,8 +185,8 @@ OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
 }
 
 Complex OscillatingCore::from(double w) const {
-  if (stops_.empty()) {
-    const Complex smooth = smooth_memory_by_parts(kernel_, 0, w, rate_);
+  if (smooth_) {
+    const Complex smooth = smooth_->from(w);
     if (kernel_ != Kernel::I1) return smooth;
     const Complex beyond = faded_exp(rate_ * (nearest - w)) * memory_of_inverse(nearest, rate_);
     return smooth - (std::log(std::fabs(w)) + memory_of_inverse(w, rate_) - beyond) / rate_;

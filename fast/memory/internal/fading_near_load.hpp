@@ -1,8 +1,10 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
+#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
@@ -25,8 +27,8 @@ Complex memory_under_load(Kernel kernel, double w, double end, double length, Co
                           Accuracy accuracy);
 
 /// int_w^1 e^(-rate (x - w)) I(x) dx from many places w of [-1, 1], for a complex rate. It is kept at the ends of the panels
-/// of memory_under_load, so that each place needs its own panel only. For rates above by_parts_from the logarithm is integrated
-/// in closed form and the smooth rest by parts. Kernel::I1 or Kernel::I3.
+/// of memory_under_load, so that each place needs its own panel only. From polynomial_from on the logarithm is
+/// integrated in closed form and the smooth rest is a SmoothMemory. Kernel::I1 or Kernel::I3.
 class OscillatingCore {
  public:
   OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy);
@@ -38,6 +40,7 @@ class OscillatingCore {
   Accuracy accuracy_;
   std::vector<double> stops_;  ///< from 1 down to -1
   std::vector<Complex> from_stops_;
+  std::optional<SmoothMemory<Complex>> smooth_;
 };
 
 }  // namespace nipref::fast::internal

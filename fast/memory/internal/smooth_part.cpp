@@ -1,89 +1,111 @@
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include <nipref/fast/memory/internal/smooth_part.hpp>
-#include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/regular_parts.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
+namespace {
 
-const SmoothPart& SmoothPart::of(Kernel kernel) {
-  static const SmoothPart of_I1(Kernel::I1), of_I3(Kernel::I3);
-  return kernel == Kernel::I1 ? of_I1 : of_I3;
+constexpr double negligible = 1e-18;  ///< of kernels, whose size is 1
+
+template <typename Coefficient>
+using Coefficients = std::array<Coefficient, Series<Coefficient>::most_terms>;
+
+/// c'_k = c'_(k + 2) + 2 (k + 1) c_(k + 1)/half_width of the derivative c', of which later ones are known.
+template <typename Coefficient>
+Coefficient slope_coefficient(const Coefficients<Coefficient>& of, const Coefficients<Coefficient>& slope,
+                              std::size_t k) {
+  const auto at = [k](const auto& all, std::size_t more) {
+    return k + more < all.size() ? all[k + more] : Coefficient(0);
+  };
+  return at(slope, 2) + 2 * static_cast<double>(k + 1) / Series<Coefficient>::half_width * at(of, 1);
 }
 
-SmoothPart::SmoothPart(Kernel kernel) {
+Series<double> through_chebyshev_points(Kernel kernel) {
   const auto value = [kernel](double w) {
     if (kernel == Kernel::I3) return I3(w);
     double at[] = {w};
     regular_I1(at, at);
     return at[0];
   };
-  for (std::size_t k = 0; k < points; ++k) {
-    for (std::size_t j = 0; j < points; ++j) {
-      const double angle = (static_cast<double>(j) + 0.5) * std::numbers::pi / points;
-      coefficients_[0][k] +=
-          2.0 / points * value(half * std::cos(angle)) * std::cos(static_cast<double>(k) * angle);
-    }
+  Coefficients<double> result{};
+  constexpr std::size_t points = result.size();  // even, so that none is at 0
+  for (std::size_t j = 0; j < points; ++j) {
+    const double angle = (static_cast<double>(j) + 0.5) * std::numbers::pi / points;
+    const double here = 2.0 / points * value(Series<double>::half_width * std::cos(angle));
+    for (std::size_t k = 0; k < points; ++k) result[k] += here * std::cos(static_cast<double>(k) * angle);
   }
-  for (std::size_t order = 1; order < coefficients_.size(); ++order) {
-    // c'_(k-1) = c'_(k+1) + 2 k c_k; the first coefficients count twice.
-    const auto& now = coefficients_[order - 1];
-    auto& next = coefficients_[order];
-    for (std::size_t k = points - 1; k > 0; --k)
-      next[k - 1] = next[k + 1] + 2 * static_cast<double>(k) * now[k] / half;
-  }
-  count();
+  return {result, negligible};
 }
 
-void SmoothPart::count() {
-  constexpr double negligible = 1e-18;
-  for (std::size_t order = 0; order < coefficients_.size(); ++order) {
-    const double tolerance =
-        negligible * std::pow(by_parts_from, std::max(static_cast<double>(order) - 1, 0.0));
-    std::size_t& count = counts_[order] = points;
-    for (double tail = 0; count > 1; --count) {
-      tail += std::fabs(coefficients_[order][count - 1]);
-      if (tail > tolerance) break;
-    }
+Series<double> slope(const Series<double>& series) {
+  Coefficients<double> result{};
+  for (std::size_t k = result.size(); k-- > 0;)
+    result[k] = slope_coefficient(series.coefficients(), result, k);
+  return {result, negligible};
+}
+
+template <typename Rate>
+Series<Rate> memory_polynomial(const Series<double>& f, Rate rate) {
+  Coefficients<Rate> result{}, slope{};
+  const Rate step = 1.0 / rate;
+  for (std::size_t k = f.terms(); k-- > 0;) {
+    slope[k] = slope_coefficient(result, slope, k);
+    result[k] = (f.coefficients()[k] + slope[k]) * step;
   }
+  return {result, negligible * std::abs(step)};
 }
 
-double SmoothPart::operator()(int order, double w) const {
-  double value[1];
-  at(order, {&w, 1}, value);
-  return value[0];
-}
+double faded_by(double nats) { return std::exp(-nats); }
+Complex faded_by(Complex nats) { return faded_exp(nats); }
 
-void SmoothPart::at(int order, std::span<const double> w, std::span<double> values) const {
-  constexpr std::size_t at_once = 8;
-  const auto& c = coefficients_[static_cast<std::size_t>(order)];
-  for (std::size_t first = 0; first < w.size(); first += at_once) {
-    const std::size_t count = std::min(at_once, w.size() - first);
-    std::array<double, at_once> t{}, above{}, here{};
-    for (std::size_t i = 0; i < count; ++i) t[i] = w[first + i] / half;
-    for (std::size_t k = counts_[static_cast<std::size_t>(order)] - 1; k > 0; --k) {
-      for (std::size_t i = 0; i < at_once; ++i)
-        above[i] = std::exchange(here[i], 2 * t[i] * here[i] - above[i] + c[k]);
-    }
-    for (std::size_t i = 0; i < count; ++i) values[first + i] = t[i] * here[i] - above[i] + c[0] / 2;
+}  // namespace
+
+template <typename Coefficient>
+Series<Coefficient>::Series(const std::array<Coefficient, most_terms>& coefficients, double negligible)
+    : coefficients_(coefficients) {
+  for (double tail = 0; terms_ > 1; --terms_) {
+    tail += std::abs(coefficients_[terms_ - 1]);
+    if (tail > negligible) break;
   }
 }
 
-Complex smooth_memory_by_parts(Kernel kernel, int first, double w, Complex rate) {
-  constexpr double negligible = 1e-20;
-  const SmoothPart& smooth = SmoothPart::of(kernel);
-  const Complex kept = faded_exp(rate * (nearest - w)), step = inverse(rate);
-  Complex sum = 0, power = step;
-  for (int order = first; order <= SmoothPart::derivatives; ++order, power *= step) {
-    sum += (kept == 0.0 ? smooth(order, w) : smooth(order, w) - kept * smooth(order, nearest)) * power;
-    if (std::norm(power) < negligible * negligible * std::norm(step)) break;
-  }
-  return sum;
+template <typename Coefficient>
+Coefficient Series<Coefficient>::operator()(double w) const {
+  const double t = w / half_width;
+  Coefficient here = 0, above = 0;
+  for (std::size_t k = terms_ - 1; k > 0; --k)
+    above = std::exchange(here, 2 * t * here - above + coefficients_[k]);
+  return t * here - above + 0.5 * coefficients_[0];
 }
+
+const Series<double>& smooth_part(Kernel kernel) {
+  static const Series<double> of_I1 = through_chebyshev_points(Kernel::I1),
+                              of_I3 = through_chebyshev_points(Kernel::I3);
+  return kernel == Kernel::I1 ? of_I1 : of_I3;
+}
+
+const Series<double>& slope_of_smooth_part(Kernel kernel) {
+  static const Series<double> of_I1 = slope(smooth_part(Kernel::I1)), of_I3 = slope(smooth_part(Kernel::I3));
+  return kernel == Kernel::I1 ? of_I1 : of_I3;
+}
+
+template <typename Rate>
+SmoothMemory<Rate>::SmoothMemory(const Series<double>& f, Rate rate)
+    : rate_(rate), polynomial_(memory_polynomial(f, rate)), at_nearest_(polynomial_(nearest)) {}
+
+template <typename Rate>
+Rate SmoothMemory<Rate>::from(double w) const {
+  const Rate kept = faded_by(rate_ * (nearest - w));
+  return kept == 0.0 ? polynomial_(w) : polynomial_(w) - kept * at_nearest_;
+}
+
+template class Series<double>;
+template class SmoothMemory<double>;
+template class SmoothMemory<Complex>;
 
 }  // namespace nipref::fast::internal

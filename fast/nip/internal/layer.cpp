@@ -19,11 +19,12 @@ constexpr double asymptotic_from = 40;
 /// 1/(2z) sum_k (2k - 1)!!/(2 z^2)^k up to its smallest term, and what is added to it beside the real axis.
 Complex asymptotic_dawson(Complex square, Complex z) {
   const Complex step = 0.5 / square;
+  const double step_size = std::abs(step);
   Complex term = 1, sum = 1;
-  for (int k = 1; k < 40; ++k) {
-    const Complex next = term * step * (2.0 * k - 1);
-    if (std::abs(next) >= std::abs(term) || std::abs(next) < 1e-17) break;
-    term = next;
+  double size = 1;
+  for (double factor = 1; factor * step_size < 1 && size > 1e-17; factor += 2) {
+    term *= factor * step;
+    size *= factor * step_size;
     sum += term;
   }
   sum /= 2.0 * z;

@@ -3,7 +3,6 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/sheet/field.hpp>
@@ -55,7 +54,7 @@ void RollingKernels::add_terms(Sum& sum, const MemoryOf& memory) const {
     const Complex part =
         terms * amplitude * std::visit([&](const auto& fade) -> Complex { return memory(fade); }, fades_[k]);
     sum.value += part.real();
-    sum.size += std::abs(part);
+    sum.size += std::fabs(part.real()) + std::fabs(part.imag());
   }
 }
 
@@ -107,7 +106,7 @@ Tractions::Kernel RollingKernels::strain() const {
     });
     // Slopes for complex rates that are not large are differences of numbers of the size of I3.
     for (const auto& [amplitude, rate] : sheet_.normal.terms)
-      if (rate.imag() != 0 && std::abs(rate) <= internal::by_parts_from)
+      if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from)
         sum.size += std::abs(amplitude) * pi / 2;
     for (const auto& [amplitude, rate] : sheet_.theta2) {
       if (alpha < 0) sum.add(-pi * (amplitude * std::exp(rate * alpha)).real());
