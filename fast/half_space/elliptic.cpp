@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/internal/compliance_table.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
@@ -14,6 +15,7 @@
 namespace nipref::fast {
 
 using data::BadInput;
+using internal::Compliance;
 
 namespace {
 
@@ -95,15 +97,15 @@ class Parameter {
 /// The integrands of Balance::sums as functions of u/K.
 class Terms {
  public:
-  Terms(const Ellipse& ellipse, const SurfaceResponse& response)
+  Terms(const Ellipse& ellipse, const Compliance& compliance)
       : ellipse_(ellipse),
-        response_(response),
+        compliance_(compliance),
         parameter_(ellipse.b / ellipse.a),
         factor_(parameter_.quarter_period() / ellipse.a) {}
 
   std::array<double, 5> operator()(double share) const {
     const auto [from_major, m] = parameter_.at(share);
-    const double weight = factor_ * checked_compliance(response_, from_major.turned(ellipse_.major));
+    const double weight = factor_ * compliance_(from_major.turned(ellipse_.major));
     const double m11 = m.cosine * m.cosine, m12 = m.cosine * m.sine, m22 = m.sine * m.sine;
     return {weight * m11 * m11, weight * m11 * m12, weight * m11 * m22, weight * m12 * m22,
             weight * m22 * m22};
@@ -111,22 +113,22 @@ class Terms {
 
  private:
   Ellipse ellipse_;
-  const SurfaceResponse& response_;
+  const Compliance& compliance_;
   Parameter parameter_;
   double factor_;
 };
 
 using Mesh = internal::AdaptedPanels<5>;
 
-Mesh adapted_mesh(const Ellipse& ellipse, const SurfaceResponse& response) {
-  return internal::adapt_panels<5>(Terms(ellipse, response), -1, 1);
+Mesh adapted_mesh(const Ellipse& ellipse, const Compliance& compliance) {
+  return internal::adapt_panels<5>(Terms(ellipse, compliance), -1, 1);
 }
 
 /// The integrals for an ellipse, on the panels that were made for a similar one.
-Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
+Balance balance(const Ellipse& ellipse, const Indenter& body, const Compliance& compliance,
                 const std::vector<internal::Subinterval>& panels) {
   Balance result{{}, scaled_curvatures(ellipse, body)};
-  const Terms terms(ellipse, response);
+  const Terms terms(ellipse, compliance);
   for (const internal::Subinterval& panel : panels) {
     internal::visit_nodes(panel, [&](double share, double weight) {
       const std::array<double, 5> term = terms(share);
@@ -231,6 +233,18 @@ Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& 
   return {shape.a * scale, shape.b * scale, shape.major};
 }
 
+/// By a table of the compliance. Where the panels of the first ellipse do not do for those to which it turns, as the peaks of
+/// the compliance stay where they are, they are made anew for each.
+Ellipse approximate_ellipse(const Indenter& body, const Compliance& table) {
+  const Ellipse shape = first_shape(body);
+  const Mesh mesh = adapted_mesh(shape, table);
+  Ellipse ellipse = of_fitting_size(shape, body, mesh);
+  const auto on = [&](const Ellipse& at, const Mesh& used) { return balance(at, body, table, used.panels); };
+  if (std::isinf(solve(ellipse, [&](const Ellipse& at) { return on(at, mesh); })))
+    solve(ellipse, [&](const Ellipse& at) { return on(at, adapted_mesh(at, table)); });
+  return ellipse;
+}
+
 void check_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
 }
@@ -248,25 +262,22 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
     static_cast<void>(checked_compliance(response, axis));
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   constexpr int most_meshes = 10;
-  Ellipse ellipse = first_shape(body);
-  Mesh mesh = adapted_mesh(ellipse, response);
-  ellipse = of_fitting_size(ellipse, body, mesh);
-  const auto on_panels = [&](const Ellipse& at) { return balance(at, body, response, mesh.panels); };
+  const Compliance exact = [&](Direction psi) { return checked_compliance(response, psi); };
+  Ellipse ellipse = approximate_ellipse(body, internal::ComplianceTable(exact));
+  Mesh mesh = adapted_mesh(ellipse, exact);
+  const auto on_panels = [&](const Ellipse& at) { return balance(at, body, exact, mesh.panels); };
   double change = solve(ellipse, on_panels);
   for (int meshes = 1; meshes < most_meshes && !(change < rounding); ++meshes) {
-    // The panels are fixed to the ellipse, whereas a peak of the compliance stays where it is as the ellipse turns.
-    if (meshes > 2 && std::isinf(change))
-      solve(ellipse, [&](const Ellipse& at) {
-        return balance(at, body, response, adapted_mesh(at, response).panels);
-      });
-    mesh = adapted_mesh(ellipse, response);
+    const double before = change;
+    mesh = adapted_mesh(ellipse, exact);
     change = solve(ellipse, on_panels);
+    if (std::isfinite(before) && change > before / 2) break;  // stagnation: the compliance is no better known
   }
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;
   const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
   major_ = backwards ? ellipse.major.turned({-1, 0}) : ellipse.major;
-  const Balance found = balance(ellipse, body, response, mesh.panels);
+  const Balance found = balance(ellipse, body, exact, mesh.panels);
   sum_ = found.sum();
   const auto [e11, e12, e22] = error_of_change(found, mesh);
   set_errors(e11 + change, e12 + change, e22 + change);
