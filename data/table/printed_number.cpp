@@ -29,6 +29,19 @@ std::string half_unit_below(std::string digits) {
   return digits;
 }
 
+/// A number with lost digits: from the one with 0 for all of them to the one with 9.
+std::optional<PrintedNumber> read_with_lost_digits(std::string lowest, int scale_exponent) {
+  std::string highest = lowest;
+  std::ranges::replace(lowest, lost_digit, '0');
+  std::ranges::replace(highest, lost_digit, '9');
+  const auto one = read_printed_number(lowest, scale_exponent);
+  const auto other = read_printed_number(highest, scale_exponent);
+  if (!one || !other) return std::nullopt;
+  const Interval all{std::min(one->rounding.lower, other->rounding.lower),
+                     std::max(one->rounding.upper, other->rounding.upper)};
+  return PrintedNumber{all.middle(), all};
+}
+
 }  // namespace
 
 std::optional<double> read_exact_number(std::string_view text) {
@@ -39,6 +52,8 @@ std::optional<double> read_exact_number(std::string_view text) {
 }
 
 std::optional<PrintedNumber> read_printed_number(std::string_view text, int scale_exponent) {
+  if (text.find(lost_digit) != std::string_view::npos)
+    return read_with_lost_digits(std::string(text), scale_exponent);
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   const std::size_t point = std::min(text.find('.'), text.size());

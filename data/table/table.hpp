@@ -49,6 +49,8 @@ struct TableCell {
   [[nodiscard]] bool is_doubtful() const {
     return is_readable() && erratum && erratum->kind == ErratumKind::unreadable;
   }
+  /// Readable but for a digit or more: its rounding interval is that of all digits that may have stood there.
+  [[nodiscard]] bool has_lost_digit() const { return read_as.find(lost_digit) != std::string::npos; }
   /// False where the seed shows nothing. Such a cell may still be readable: what its row proves is known,
   /// but a comparison with it repeats a comparison with the cells that prove it.
   [[nodiscard]] bool is_printed() const { return !printed.empty(); }

@@ -20,6 +20,11 @@ bool is_without_number(const Replay& replay, const ReplayedCell& cell) {
   return cell.verdict == Verdict::unexplained && !printed_cell(replay, cell).is_readable();
 }
 
+/// Whether a cell matches because a digit is lost, so that any one does.
+bool matches_with_lost_digit(const Replay& replay, const ReplayedCell& cell) {
+  return cell.verdict == Verdict::match && printed_cell(replay, cell).has_lost_digit();
+}
+
 /// The numbers of cells of each verdict; inputs are not counted.
 Json summary_json(const std::vector<Replay>& replays) {
   const auto sum = [&](const auto& count) {
@@ -28,17 +33,20 @@ Json summary_json(const std::vector<Replay>& replays) {
     return total;
   };
   const auto of = [&](Verdict verdict) { return sum([&](const Replay& one) { return one.count(verdict); }); };
-  const auto without_number = [](const Replay& replay) {
-    return std::ranges::count_if(replay.cells,
-                                 [&](const ReplayedCell& cell) { return is_without_number(replay, cell); });
+  const auto with = [&](bool (*is_so)(const Replay&, const ReplayedCell&)) {
+    return sum([is_so](const Replay& replay) {
+      return std::ranges::count_if(replay.cells,
+                                   [&](const ReplayedCell& cell) { return is_so(replay, cell); });
+    });
   };
   return {{"cells", sum([](const Replay& one) { return one.cells.size() - one.count(Verdict::input); })},
           {"match", of(Verdict::match)},
+          {"with_lost_digit", with(matches_with_lost_digit)},
           {"misprint", of(Verdict::misprint)},
           {"likely_misprint", of(Verdict::likely_misprint)},
           {"seed_error", of(Verdict::seed_error)},
           {"unexplained", of(Verdict::unexplained)},
-          {"without_number", sum(without_number)}};
+          {"without_number", with(is_without_number)}};
 }
 
 std::size_t decimals(const std::string& number) {

@@ -25,7 +25,7 @@ std::size_t Replay::count(Verdict verdict) const {
 Verdict assess(const data::TableCell& cell, const data::Interval& range) {
   if (!cell.is_readable()) return Verdict::unexplained;
   if (!cell.number->rounding.meets(range)) return Verdict::unexplained;
-  return cell.read_as == cell.printed ? Verdict::match : Verdict::misprint;
+  return cell.read_as == cell.printed || cell.has_lost_digit() ? Verdict::match : Verdict::misprint;
 }
 
 void explain_by_one_digit(const data::Table& table, ReplayedCell& cell) {

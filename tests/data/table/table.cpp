@@ -99,9 +99,21 @@ TEST_CASE("trailing zeros narrow the rounding interval, signs mirror it") {
   }
 }
 
+TEST_CASE("a lost digit stands for all digits") {
+  const auto number = read_printed_number("118?", 0);
+  REQUIRE(number);
+  CHECK(number->rounding.lower == 1179.5);
+  CHECK(number->rounding.upper == 1189.5);
+  CHECK(number->value == 1184.5);
+  const auto negative = read_printed_number("-2.?4", 1);
+  REQUIRE(negative);
+  CHECK(negative->rounding.lower == -0.2945);
+  CHECK(negative->rounding.upper == -0.2035);
+}
+
 TEST_CASE("what is not a plain number is not read as one") {
-  for (const char* const text :
-       {"", "-", ".5", "5.", "1e3", "5,5", " 5", "5 ", "0x5", "nan", "inf", "1.2.3", "--5", "+", "."}) {
+  for (const char* const text : {"", "?.", "-?-", "-", ".5", "5.", "1e3", "5,5", " 5", "5 ", "0x5", "nan",
+                                 "inf", "1.2.3", "--5", "+", "."}) {
     CAPTURE(text);
     CHECK_FALSE(read_printed_number(text, 0));
   }
