@@ -74,7 +74,7 @@ TEST_CASE("every claim says where it stands") {
     CHECK_FALSE(claim.place.empty());
     CHECK_FALSE(claim.statement.empty());
   }
-  CHECK(ids.size() == 23);
+  CHECK(ids.size() == 36);
 }
 
 TEST_CASE(
@@ -86,6 +86,19 @@ TEST_CASE(
       {"thesis-friction-on-indentation", ClaimVerdict::holds_in_a_range},
       {"thesis-length-without-friction", ClaimVerdict::holds},
       {"thesis-elastic-extremes", ClaimVerdict::holds},
+      {"thesis-direction-of-shear", ClaimVerdict::holds_in_a_range},
+      {"thesis-creep-with-load", ClaimVerdict::holds},
+      {"thesis-creep-with-thickness", ClaimVerdict::holds_in_a_range},
+      {"thesis-resistance-rises-and-falls", ClaimVerdict::holds},
+      {"thesis-trailing-end", ClaimVerdict::holds},
+      {"thesis-leading-longer", ClaimVerdict::holds},
+      {"thesis-speed-times-memory", ClaimVerdict::holds},
+      {"thesis-five-contact-lengths", ClaimVerdict::holds_in_a_range},
+      {"thesis-range-between-cases", ClaimVerdict::holds_in_a_range},
+      {"thesis-thin-strip-kernel", ClaimVerdict::fails},
+      {"thesis-one-root", ClaimVerdict::holds},
+      {"brock2012-separation", ClaimVerdict::holds},
+      {"brock2013-rotation", ClaimVerdict::holds_in_a_range},
       {"brock2012-speed", ClaimVerdict::holds},
       {"brock2012-strip", ClaimVerdict::holds_in_a_range},
       {"brock2013-rayleigh-roots", ClaimVerdict::fails},
@@ -109,6 +122,9 @@ TEST_CASE(
   CHECK(near(number("thesis-resistance-of-short-memory", "F0 tau/(2R)"), 8.33e-6, 1e-8));
   CHECK(near(number("brock2012-ellipse-at-rest", "axes of the exact"), 0.39989, 1e-5));
   CHECK(near(number("brock2012-strip", "exp(-pi/2P), nu = 1/3, c = 0.3"), 2.0e-8, 1e-9));
+  CHECK(near(number("brock2012-separation", "the angle, nu = 1/3"), 21.168, 1e-3));
+  CHECK(near(number("thesis-range-between-cases", "largest change"), 0.058, 1e-3));
+  CHECK(near(number("thesis-one-root", "roots with 18 pi"), 1, 1e-9));
   CHECK(near(number("brock2013-no-root", "Rayleigh root"), 0.42835, 1e-5));
   CHECK(near(number("brock2013-limit-at-45", "smallest speed"), 0.4989960517, 1e-8));
 }

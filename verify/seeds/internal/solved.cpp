@@ -10,6 +10,7 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
@@ -166,6 +167,28 @@ Propagated printed_cell(const Request& request) {
   request.refuse("a row that is printed");
 }
 
+/// mu_R by ten line loads on the leading side that start at `distance` before the nip.
+Propagated started_resistance(const Request& request) {
+  const data::ViscoelasticNip nip{6, request.number("thickness", "2"), solid_of(request), 1};
+  const double half_thicknesses = request.number("distance", "1") / nip.half_thickness();
+  const fast::ViscoelasticLineLoadMethod method{10, 10, half_thicknesses, 0};
+  return printed_form(
+      fast::viscoelastic_line_loads_by_search(nip, method, request.number("load", "0")).rolling_resistance);
+}
+
+/// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
+Propagated of_sliding_sphere(const Request& request) {
+  const data::IsotropicSolid& steel = data::seed::steel;
+  const data::HalfSpaceProblem problem{
+      .body = data::ElasticSphere{1, steel, true},
+      .half_space = data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
+      .speed = request.number("speed", "0") * std::sqrt(steel.shear / steel.density),
+      .direction = request.number("direction", "0"),
+      .given = data::GivenNormalForce{1e-6},
+      .profile = {}};
+  return result_of(request, *solve_half_space(problem));
+}
+
 /// Solves contacts and caches them, since formulas need several results of one contact.
 class SolvedNumbers {
  public:
@@ -179,6 +202,8 @@ class SolvedNumbers {
         {"printed", of_quantity},
         {"material", of_material},
         {"table", printed_cell},
+        {"started", started_resistance},
+        {"sliding_sphere", of_sliding_sphere},
         {"thin_solid",
          [](const Request& one) {
            const ThinStandardSolid solid = thin_standard_solid(one.number("memory", "1"));
@@ -230,12 +255,13 @@ class SolvedNumbers {
 
   Propagated rolling(const Request& request) {
     const Common in(request);
-    const data::ViscoelasticNipProblem problem{.nip = {in.radius, in.thickness, solid_of(request), 1},
+    const double speed = request.number("speed", "1");
+    const data::ViscoelasticNipProblem problem{.nip = {in.radius, in.thickness, solid_of(request), speed},
                                                .given = in.given(),
                                                .method = {},
                                                .profile = {}};
     return result_of(request, solve_once(request.text_of("solid", "thesis"), in,
-                                         {request.number("memory", "1")}, problem));
+                                         {request.number("memory", "1"), speed}, problem));
   }
 
   std::map<std::pair<std::string, std::vector<double>>, SolvedInDouble> contacts_;

@@ -54,7 +54,10 @@ class Formulas {
 ///   - ref, fast, printed: a quantity of the catalogue by ref, by fast, or as the seed prints it. Its arguments are decimal
 ///     texts as on the command line; $x is the value of x;
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
-///     for the place of a distribution, and young, poisson, friction or solid, memory; the nip of the thesis is default;
+///     for the place of a distribution, and young, poisson, friction or solid, memory, speed; by default as in the thesis;
+///   - started: mu_R by the thesis's line loads. Keys: thickness, load, memory, and distance, from which they start;
+///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed, in
+///     that of the sphere's shear waves;
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
 ///   - thin_solid: leading_share or resistance of thin_standard_solid(). Key: memory;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
