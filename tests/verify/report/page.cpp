@@ -218,7 +218,7 @@ TEST_CASE("what the templates of a report name is there: a name that is not woul
   std::set<std::string> known{"each",    "key",   "value",   "page",        "subjects", "ways",
                               "first",   "count", "rows",    "columns",     "judged",   "drawn",
                               "picture", "as",    "off",     "two_digits",  "decimal",  "shell",
-                              "good",    "bad",   "message", "interrupted", "coming", "mathml"};
+                              "good",    "bad",   "message", "interrupted", "coming",   "mathml"};
   Report report = small_report();
   report.comparison = ReportComparison{"abc", "", {{Change::slower, "speed", "100", "70"}}};
   report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
@@ -260,6 +260,8 @@ TEST_CASE("the report's page tells what the report holds") {
   CHECK(in_page(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
   CHECK(in_page(page, "Boost &lt;ooura&gt;"));
   CHECK(in_page(page, "elastic nip &lt;converged&gt;"));
+  CHECK(in_page(page, "title=\"seed-error; true: "));                // of a cell as it is printed
+  CHECK(in_page(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // its paragraph
   CHECK(in_page(page, "nipref report -o &apos;a &amp; b&apos;"));
   CHECK(in_page(page, "\u2717 MISSED"));
   std::size_t left_out = 0, unexplained = 0;
