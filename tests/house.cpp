@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -226,6 +227,53 @@ TEST_CASE("file names in comments are those of files") {
       CHECK(std::ranges::any_of(files, [&](const std::string& file) { return file.ends_with(name); }));
     }
   }
+}
+
+TEST_CASE("what the pages of ref point to exists: files, sections, lemmas, and tests by their names") {
+  static const std::regex link(R"(\[([^\]]+)\]\(([^)#]*)(?:#([^)]*))?\))"), lemma(R"(Lemmas? (\d+))"),
+      heading(R"(\n##+ ([^\n]+))");
+  const auto anchors_of = [](const std::string& page) {
+    Names anchors;
+    for (std::sregex_iterator it(page.begin(), page.end(), heading), end; it != end; ++it) {
+      std::string anchor;
+      for (const char c : (*it)[1].str()) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-')
+          anchor += static_cast<char>(std::tolower(c));
+        if (c == ' ') anchor += '-';
+      }
+      anchors.insert(anchor);
+    }
+    return anchors;
+  };
+  const std::string general = read(top / "ref/README.md");
+  int tests = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(top / "ref")) {
+    const fs::path file = entry.path();
+    if (file.filename() != "README.md") continue;
+    CAPTURE(file);
+    const std::string page = read(file);
+    for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it) {
+      const std::string text = (*it)[1], path = (*it)[2], section = (*it)[3];
+      CAPTURE(text);
+      const fs::path target = path.empty() ? file : (file.parent_path() / path).lexically_normal();
+      REQUIRE(fs::exists(target));
+      if (!section.empty()) CHECK(anchors_of(read(target)).contains(section));
+      if (path.find("../tests/") == std::string::npos) continue;
+      CHECK(read(target).find('"' + text + "\")") != std::string::npos);
+      ++tests;
+    }
+    for (std::sregex_iterator it(page.begin(), page.end(), lemma), end; it != end; ++it)
+      CHECK(general.find("### Lemma " + (*it)[1].str() + ".") != std::string::npos);
+    // A section that says what is proven says which test recomputes it.
+    for (std::size_t at = page.find("\n## "); file.parent_path() != top / "ref" && at != std::string::npos;) {
+      const std::size_t next = page.find("\n## ", at + 1);
+      const std::string section = page.substr(at, next - at);
+      CAPTURE(section.substr(0, section.find('\n', 1)));
+      CHECK(section.find("../../tests/") != std::string::npos);
+      at = next;
+    }
+  }
+  CHECK(tests > 60);
 }
 
 TEST_CASE("ref and fast mirror each other: the same path is the same thing, computed by either") {

@@ -66,11 +66,7 @@ int proven_terms(const data::ElasticNip& nip, double contact_length, int digits)
 /// Contact that carries `load` per unit width, > 0 and finite, with a length and digits as above; BadInput
 /// otherwise.
 ///
-/// Only one length does. With q the derivative of the pressure and V the kernel's operator, V q = -2y on (-A,
-/// A), and the load is -int y q dy = (1/2) int q V q dy, the largest value of -int 2y r dy - (1/2) int r V r
-/// dy over all odd r on (-A, A), as V is positive definite. Lengthened by a factor l >= 1 the solution for A
-/// is such an r for lA, for which that is at least l^2 times as much, as x K(x) rises (proven_expansion.hpp).
-/// So W(lA) >= l^2 W(A): the length that carries W lies between A and A sqrt(W/W(A)) for any A.
+/// Only one length does, as the load grows at least with the square of the length: ref/elastic_nip/README.md.
 ProvenElasticNip proven_for_load(const data::ElasticNip& nip, double load, int digits);
 
 }  // namespace nipref::ref

@@ -12,14 +12,13 @@ namespace nipref::ref {
 ///
 ///     (1/pi) int_{-1}^{1} I1(A (t - s)) q(s) ds = -t,    |t| <= 1,    q = p'/(2A) odd,
 ///
-/// as p vanishes at the ends; and every solution q gives a pressure that does. With p/(2A) = sum_m c_m sin(mu
-/// theta), t = cos(theta), mu = 2m + 1, and q = -sum_m mu c_m T_mu(t)/sqrt(1 - t^2), the logarithm of I1
-/// acts in closed form and the odd part of the rest has coefficients g_mn,
+/// With p/(2A) = sum_m c_m sin(mu theta), t = cos(theta), mu = 2m + 1, the logarithm of I1 acts in closed form and the odd
+/// part of the rest has coefficients g_mn,
 ///
 ///     c_m + (1/2) sum_n g_mn nu c_n = delta_m0,    [J(A(t - s)) - J(A(t + s))]/2 = sum g_mn T_mu(t) T_nu(s).
 ///
 /// Gauss-Chebyshev at theta_i = (2i + 1) pi/(4n) has (2/n)^2 cos(mu theta_i) cos(nu theta_j) summed over the
-/// values at the nodes for g_mn.
+/// values at the nodes for g_mn. See ref/elastic_nip/README.md, Contacts without friction.
 class ChebyshevSystem {
  public:
   ChebyshevSystem(Float half_length, int size, SmoothKernel& kernel);

@@ -31,20 +31,10 @@ class ContactFunctionals {
   [[nodiscard]] Interval normal_displacement(const SurfacePoint& place) const;
   /// Along the surface, away from the middle; beta = theta2/N.
   [[nodiscard]] Interval tangential_displacement(const SurfacePoint& place, const Interval& beta) const;
-  /// v's derivative along the surface, in b/(2R): with P = p/(2A) and by parts, as P vanishes at the ends,
-  ///
-  ///     v' = (2A/pi) int I3(A (t - s)) P'(s) ds - beta p(t),   int I3 P' ds = -int_0^pi I3(A (t - cos theta)) sum_m mu c_m
-  ///     cos(mu theta) dtheta,
-  ///
-  /// by the same nodes. I3(A (t - cos theta)) has Fourier coefficients of at most C e^{-k tau}/k, by what
-  /// proven_expansion.hpp says of J_k and as 2x/S <= 1 - g, and mu/k < 1 for those that the nodes fold onto mu, so that
-  /// the quadrature's error is again its own; what the coefficients miss does at most pi times their radius, |I3| being
-  /// below 1.
+  /// v's derivative along the surface, in b/(2R), by parts and by the same nodes.
   [[nodiscard]] Interval strain(const SurfacePoint& place, const Interval& beta) const;
   /// Whether the pressure given by the coefficients falls from the middle to the ends, as a proof; then the
-  /// largest pressure is that in the middle, to the same error. p' = -2A t F(phi)/sqrt(1 - t^2), t =
-  /// sin(phi), F a sum of cosines; it differs from its value in the middle of a cell by at most its slope
-  /// times half of the cell.
+  /// largest pressure is that in the middle, to the same error.
   [[nodiscard]] bool falls_outwards() const;
 
  private:

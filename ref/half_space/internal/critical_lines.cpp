@@ -29,14 +29,7 @@ struct Line {
 
 /// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
 /// given step.
-///
-/// A field u(x3) exp(i k.x) has the strain e(k, u), which is linear in k, and the energy E(k, u). For a wave vector
-/// between two others, E((1 - t) k1 + t k2, u) = (1 - t) E(k1, u) + t E(k2, u) - t (1 - t) E'. Here E' is the energy
-/// of the strain e(k1, u) - e(k2, u) of a plane wave along d = k2 - k1. It is at most density W^2 |u|^2, where W is
-/// the frequency of the fastest such wave. The inertia of a load of the velocity V, density (V.k)^2 |u|^2, obeys the
-/// same rule with V.d instead of W. Let the lines k1 and k2 be subcritical at the frequencies w1 and w2, and let g^2
-/// = w^2 - (V.k)^2 be their reserves. Then the lines between them have a reserve of at least (1 - t) g1^2 + t g2^2 -
-/// t (1 - t) W^2, which is nowhere negative if g1 + g2 >= W.
+/// Proof: ref/half_space/README.md, Critical speeds.
 class Landscape {
  public:
   Landscape(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {

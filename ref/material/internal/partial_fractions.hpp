@@ -12,9 +12,8 @@ struct OscillatingTerm {
 };
 
 /// The terms whose sum is numerator/denominator, one for each root, also for both of a conjugate pair. The
-/// denominator has the higher degree and only simple roots. Proven: for points z_i near the n roots, the discs with
-/// the radii n |D(z_i)|/|d prod (z_i - z_j)|, where d is D's last coefficient, contain the roots, and each contains
-/// one if the discs do not overlap (Smith). Bits are added until they do not.
+/// denominator has the higher degree and only simple roots. Proven: ref/README.md, Lemma 11.
+/// Bits are added until no discs overlap.
 std::vector<OscillatingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
                                                mpfr_prec_t bits);
 

@@ -53,15 +53,7 @@ Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
 }
 
 /// The real or imaginary part, as the kernel needs, of F = G(z) dz/dt e^{i z alpha}/(rate - i z) at the nodes.
-///
-/// term_error: the error of a term is at most 64 2^-p (1 + |alpha z|) |F|. In units of 2^-p and relative to the
-/// modulus, the errors are: 2 for z and the weight; 1 for alpha and rate, hence 4 |alpha z| for alpha z (absolute);
-/// 10 |alpha z| + 4 for the wave, which has two parts; 9 for the denominator, whose modulus is at least |z|/1.2 and
-/// rate/2.2 (see v), and 22 for its square; products and their sums add less than 24. On the paths, (1 + |alpha z|)
-/// times the modulus of the wave is below 11: on the first path, where Im z >= |z| sin(1/2), it is below 2; on the
-/// second |z| < 2.8 and Im z < 1.03 as long as Im z >= 0, and |z| < 3.2 + 2.1 |Im z| afterwards. With |G dz/dt|/|rate
-/// - i z| <= 5 the error of a term is thus at most 64 times 55 2^-p, and that of each of the J+1 partial sums, which
-/// have at most J+1 terms of 55, is at most 55 (J+1) 2^-p.
+/// The error of a term is at most 64 2^-p (1 + |alpha z|) |F|: ref/memory/README.md.
 class Integrand {
  public:
   Integrand(const Exact& alpha, const Exact& rate, bool imaginary, mpfr_prec_t bits)

@@ -10,13 +10,8 @@ ComplexInterval wave(const mpq_class& decay, const mpq_class& angle, mpfr_prec_t
 
 /// int_0^length e^{-(rate - i frequency) v} dv, a proven enclosure; rate, length >= 0.
 ///
-/// By quadrature over 2^m panels of equal length d with |rate - i frequency| d <= 1/2: on each the integrand
-/// is expanded in powers at the panel's start and integrated term by term, the remainder bounded. The panels'
-/// integrals differ by the integrand at their starts alone, and these are added up by doubling,
-///
-///     sum_{p < 2^m} q^p = prod_{j < m} (1 + q^{2^j}),   q = e^{-(rate - i frequency) d},
-///
-/// so that neither many periods nor a rate near 0 cost anything.
+/// Over 2^m panels, so that neither many periods nor a rate near 0 cost anything. Proof: ref/number/README.md, Waves over
+/// panels.
 ComplexInterval damped_wave_integral(const mpq_class& rate, const mpq_class& frequency,
                                      const mpq_class& length, mpfr_prec_t bits);
 

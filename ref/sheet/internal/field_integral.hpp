@@ -43,28 +43,20 @@ Interval field_integral(const FieldIntegrand& integrand, const FieldPoint& at, d
 ///     2 sinh z/S = 1/cosh z - 2z/(S cosh z),    2 cosh z/S = 1/sinh z - 2z/(S sinh z).
 ///
 /// The integrals of the first parts are hyperbolic functions of w and contain all singularities at the loads. The
-/// second parts decrease like z e^{-3z} and are analytic in |Im z| < pi/2. They are integrated by the trapezoidal
-/// rule with step h, whose error is the sum of
+/// second parts are integrated by the trapezoidal rule with step h, whose error is the sum of
 ///
-///     aliasing    4 M e^{t alpha}/(e^{2 pi t/h} - 1), t = 5/4, M = field_line_integral >= the integral along Im z = t
-///                 of |z|^3 e^{|Re z|} (|2z/(S cosh z)| + |2z/(S sinh z)|)
-///     truncation  25 X^4 e^{-(3 - depth) X}, X >= 8 the last node: there the second parts are below 9.3 x e^{-3x}
+///     aliasing    4 M e^{t alpha}/(e^{2 pi t/h} - 1), t = field_line, M = field_line_integral
+///     truncation  25 X^4 e^{-(3 - depth) X}, X >= 8 the last node
 ///
-/// times alpha where the integral is odd in alpha, times depth where it is odd in depth: |sin alpha z| <= alpha |z|
-/// e^{t alpha}, |sinh sz| <= s |z| e^{s |Re z|}, and 2/|z| < |z|^3 on the line. At the twofold pole cosh sz cos(alpha
-/// z) - 1 is summed and K5(0) added. Everything else is interval arithmetic.
+/// times alpha where the integral is odd in alpha, times depth where it is odd in depth. At the twofold pole cosh sz
+/// cos(alpha z) - 1 is summed and K5(0) added. Proof: ref/sheet/README.md, Inside the sheet.
 Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr double field_line_integral = 64;  ///< proven by tests/ref/sheet/field.cpp
 inline constexpr double field_line = 1.25;
 
 /// The integral for alpha >= 1 from the roots z_n: -2 Im or 2 Re of sum_n c_n e^{i alpha z_n} and the residue at 0,
-/// with c_n = z^power cosh(sz) (or sinh)/(2 cosh z) or -z^(power+1) cosh(sz)/(2 cosh^3 z). Both sides are analytic in
-/// w for alpha > 0, |depth| < 1, continuous to depth 1 and equal on the middle plane (residue_series()).
-///
-/// With x = Re z_n < y = Im z_n: |cosh sz| <= e^x <= 3.02 |cosh z_n| (as sinh x <= |cosh z_n| >= 0.99), |z|/|cosh^2
-/// z| <= 1.61, so that |c_n| <= 2.5 |z_n| <= 5 y_n, or s 10 y_n^2 if odd in depth. For alpha >= 1 the truncation
-/// error after the first N >= 1 roots, with y_n > (n - 1/2) pi, is below 1300 (N + 1)^2 e^{-(N + 1/2) pi alpha},
-/// times s if odd in depth.
+/// with c_n = z^power cosh(sz) (or sinh)/(2 cosh z) or -z^(power+1) cosh(sz)/(2 cosh^3 z). The truncation error after the
+/// first N >= 1 roots is below 1300 (N + 1)^2 e^{-(N + 1/2) pi alpha}, times s if odd in depth. Proof: the same page.
 Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 
 }  // namespace nipref::ref

@@ -20,24 +20,16 @@ bool residues_are_cheaper(double x, double nats);
 ///     even    -2 pi Im sum_n c_n e^{i x z_n}
 ///     odd     pi/4 + 2 pi Re sum_n c_n e^{i x z_n}        (pi/4: half the residue 1/2 of the pole at 0)
 ///
-/// The lines Im z = k pi, k = 1, 2, ..., lie between the roots; there |S| >= max(2 k pi, |sinh 2 Re z|), so
-/// that the integral around -k < Re z < k below such a line tends to that along the real axis, and the series
-/// is exact. As S' = 4 cosh^2 z and sinh z = -z/cosh z at a root,
-///
 ///     normal    z/(2 cosh^4 z)     I3  1/(2 cosh^2 z)     I4  -1/(2 cosh^3 z)     I5  1/(2 cosh z)
 ///     I6_alpha  1/(2 z cosh^2 z)   I6_eta  1/(2 z cosh z)                         I7  -z/(2 cosh^3 z)
 ///
-/// are the c_n. They are below 1: cosh 2z = +-sqrt(1 + 4 z^2) makes |cosh^2 z| >= f(|z|) with f(r) =
-/// (sqrt(4 r^2 - 1) - 1)/2; as |z| > pi/2 (SheetRoot), f(pi/2) > 0.98 and f' >= 1, f >= 0.98 and |z|/f <=
-/// 1.61. With Im z_n > (n - 1/2) pi the terms beyond N then sum to less than 2 pi e^{-(N+1/2) pi x}/(1 -
-/// e^{-pi x}) <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
+/// with the residues c_n, all below 1. The terms beyond N sum to less than 7 e^{-(N+1/2) pi x}, which widens the interval;
+/// the terms are in interval arithmetic. Proof: ref/sheet/README.md, Kernels.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 
 /// The correction to the trapezoidal rule with step h, see transform(), for the poles z_k of G below the line Im z =
-/// 4 pi lines, after which only the aliasing from that line remains as its error. The rule's sum is the integral of
-/// G(z) cos(x z) cot(pi z/h)/(2i) around the real axis. Moving its upper half up and its lower half down across the
-/// poles adds their residues. Let r_k be the residue of G: c_n at a root, -4/(3 z_k) at the poles z_k = (2k + 1) 2 pi
-/// i/3 of `normal`. Then the correction is
+/// 4 pi lines, after which only the aliasing from that line remains as its error. With r_k the residue of G, c_n at a
+/// root and -4/(3 z_k) at the poles z_k = (2k + 1) 2 pi i/3 of `normal`, it is
 ///
 ///     -2 pi i sum_k r_k cos(x z_k)/(e^{-2 pi i z_k/h} - 1),    odd: sin(x z_k).
 ///
@@ -51,9 +43,7 @@ Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, do
 ///     x > 0    even -2 pi Im, odd +2 pi Re of sum_n c_n e^{i x z_n}/(rate - i z_n)
 ///     x < 0    even -2 pi Im, odd -2 pi Re of sum_n c_n e^{i |x| z_n}/(rate + i z_n).
 ///
-/// As Re z_n, Im z_n > 1, no factor 1/(rate -+ i z_n) exceeds 1, and none does on the lines Im z = k pi > rate + 1.
-/// The series is therefore exact except for the poles at 0 and i rate (memory/internal/fading.hpp), and its
-/// truncation error has the same bound.
+/// The truncation error has the same bound. Proof: ref/memory/README.md, The memory of a load from infinity.
 Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats);
 
 /// A root z and 1/cosh z.

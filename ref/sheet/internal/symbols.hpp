@@ -25,15 +25,8 @@ enum class Parity { even, odd };
 /// The value is the order of the pole.
 enum class OriginPole { none = 0, simple = 1, twofold = 2 };
 
-/// Constants that bound a symbol, each proven on an interval mesh by tests/ref/sheet/symbols.cpp.
-///
-/// On the lines Im z = Y = 4 pi m, m = 1, 2, ..., it suffices to prove them for m = 1: at each x, sinh z = sinh x and
-/// cosh z = cosh x do not depend on m, while |z| and |S| = |sinh 2x + 2x + 2 i Y| increase with m, so that |G|
-/// decreases. For `normal` a bound of |G| decreases: tanh(3z/4) is t = tanh(3x/4) there, and as |z| >= Y,
-///
-///     |2 sinh^2 z - t S|/|z S| <= |2 sinh^2 x - t (sinh 2x + 2x)|/|z S| + 2 |t|/|S|.
-///
-/// |z| increases no faster than Y, and neither does the integral of |z G|.
+/// Constants that bound a symbol, each proven on an interval mesh by tests/ref/sheet/symbols.cpp: ref/sheet/README.md,
+/// Kernels.
 struct SymbolBounds {
   std::string_view name;
   Parity parity;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <nipref/ref/memory/internal/contour_nodes.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
 
@@ -151,6 +152,117 @@ TEST_CASE("memory by contour: neither path nor what its strip sweeps meets a roo
     }
   }
   CHECK(cells > 1000);
+}
+
+namespace {
+
+/// A complex number known to so many units 2^-p of itself.
+ComplexInterval nearly(const Complex& number, long units, mpfr_prec_t p) {
+  ComplexInterval result{Interval(p + 1), Interval(p + 1)};
+  mpfi_set_fr(result.real.get(), mpc_realref(number.get()));
+  mpfi_set_fr(result.imag.get(), mpc_imagref(number.get()));
+  Interval radius = units * size_of(result);
+  mpfi_div_2ui(radius.get(), radius.get(), static_cast<unsigned long>(p));
+  return {result.real.widened(radius), result.imag.widened(radius)};
+}
+
+Interval nearly(const Exact& number, mpfr_prec_t p) {
+  Interval unit(number.magnitude(), p + 1);
+  mpfi_div_2ui(unit.get(), unit.get(), static_cast<unsigned long>(p));
+  return Interval(number, p + 1).widened(unit);
+}
+
+/// How far the computed term may be off, in units of 2^-p (1 + |alpha z|) |F|, by the same steps as in contour_memory().
+/// Rounding outwards with a bit more is as far off as rounding to nearest.
+double rounding_units(const ContourNode& node, const Exact& alpha, const Exact& rate, mpfr_prec_t p) {
+  const ComplexInterval z = nearly(node.z, 2, p), weight = nearly(node.weight, 2, p);
+  const Interval a = nearly(alpha, p), r = nearly(rate, p), size = exp(-(a * z.imag)), angle = a * z.real;
+  const Interval cosine = cos(angle), sine = sin(angle);
+  const ComplexInterval wave{weight.real * cosine - weight.imag * sine,
+                             weight.real * sine + weight.imag * cosine};
+  const Interval d = r + z.imag, square_of_divisor = square(d) + square(z.real);
+  const Interval real = (wave.real * d - wave.imag * z.real) * size / square_of_divisor;
+  const Interval imag = (wave.real * z.real + wave.imag * d) * size / square_of_divisor;
+  Float width = zero_of_bits(64), other = zero_of_bits(64);
+  mpfi_diam_abs(raw(width), real.get());
+  mpfi_diam_abs(raw(other), imag.get());
+  mpfr_max(raw(width), raw(width), raw(other), MPFR_RNDU);
+  const Interval unit = (Interval(alpha.magnitude(), 64) * size_of(z) + 1) * size_of({real, imag});
+  const Interval units = Interval(width, width, 64) / (2 * unit);
+  return std::ldexp(highest(units), static_cast<int>(p));
+}
+
+}  // namespace
+
+TEST_CASE("memory by contour: a term is at most 55, and 64 units cover its rounding") {
+  // (1 + |alpha z|) times the wave. On the first path, w = |alpha z|; it falls from w = 2 on.
+  const Interval s = sin(Interval(0.5, mesh_precision));
+  for (double w = 0; w < 4; w += 1.0 / 64)
+    CHECK(highest((cell(w, w + 1.0 / 64) + 1) * exp(-(s * cell(w, w + 1.0 / 64)))) < 2);
+  // On the second |alpha| < 1. While Im z >= 0:
+  const Interval half(0.5, mesh_precision);
+  over_mesh([&](const Interval& t, double) {
+    const Hyperbola at(false, half, t);
+    if (highest(at.z.imag) < 0) return;
+    CHECK(highest(size_of(at.z)) < 2.8);
+    CHECK(highest(at.z.imag) < 1.03);
+  });
+  // Afterwards, with m = -Im z, |z|^2 <= (m + 3/2)^2 cot^2(1/2) + m^2, whose coefficients are below those of (3.2 + 2.1
+  // m)^2; and |z| <= Re z/cos(1/2) for the denominator.
+  const Interval cotangent = square(cos(half) / sin(half));
+  CHECK(highest(cotangent + 1) < 2.1 * 2.1);
+  CHECK(highest(3 * cotangent) < 2 * 2.1 * 3.2);
+  CHECK(highest(9 * cotangent / 4) < 3.2 * 3.2);
+  CHECK(highest(1 / cos(half)) < 1.2);
+  CHECK(highest(exp(Interval(1.03, mesh_precision)) * Interval(3.8, mesh_precision)) < 11);
+  CHECK(highest(Interval(2.1, mesh_precision) * exp(Interval(-1L, mesh_precision)) +
+                Interval(4.2, mesh_precision)) < 11);
+  // The parts of the error of contour_memory() and of oscillating_memory(), over e^{-nats}.
+  CHECK(15 * std::exp(-5.0) + 6 * std::exp(-4.0) + 0.25 < 1);
+  CHECK(104 * 30 * std::exp(-10.0) + 104 * 6 / 0.7 * std::exp(-9.0) < 0.5);
+
+  double most = 0;
+  constexpr mpfr_prec_t p = 128;
+  for (const Symbol kernel : fading_kernels) {
+    for (const std::string alpha : {"1e-9", "0.3", "0.999"}) {
+      for (const std::string rate : {"0", "1e-9", "0.04", "1.25", "17", "1e7"}) {
+        for (const bool ahead : {true, false}) {
+          for (long block = 0; block < 4; ++block) {
+            const auto nodes =
+                contour_nodes({kernel, ahead ? Contour::up : Contour::down, 1.0 / 32, p, block});
+            for (const ContourNode& node : *nodes)
+              most = std::max(most, rounding_units(node, exact((ahead ? "" : "-") + alpha), exact(rate), p));
+          }
+        }
+      }
+    }
+  }
+  CHECK(most <= 64);
+  CHECK(most >= 8);
+}
+
+TEST_CASE("memory of complex rates: the constants 104, 0.78 and 6 of its error hold in interval arithmetic") {
+  const auto number = [](double x) { return Interval(x, mesh_precision); };
+  // theta <= 7/16 with psi <= pi/2, and theta <= 15/16 with psi <= 1/2.
+  CHECK(lowest(cos((number(7.0 / 16) + half_pi()) / 2)) >= 0.31);
+  CHECK(lowest(cos((number(15.0 / 16) + number(0.5)) / 2)) >= 0.31);
+  CHECK(lowest(sin(number(1.0 / 32))) > 1 / 32.01);
+  CHECK(highest(1 / (number(0.31) * sin(number(1.0 / 32)))) <= 104);
+  CHECK(highest(1 / sin(number(1.0 / 16))) <= 104);
+  int cells = 0;
+  for (const double angle : {0.25, 0.75}) {
+    constexpr double width = 1.0 / 256;
+    for (double left = std::asinh(2 / std::cos(angle)) - 1e-12; left < 6; left += width) {
+      const Hyperbola at(true, number(angle), cell(left, left + width));
+      CHECK(lowest(size_of(Exponentials(at.z).d)) > 0.78);
+      for (const Symbol kernel : fading_kernels) {
+        const Interval size = integrand_size(kernel, at);
+        CHECK(highest(kernel == Symbol::normal ? size * exp(cell(left, left + width)) : size) <= 6);
+      }
+      ++cells;
+    }
+  }
+  CHECK(cells > 300);
 }
 
 namespace {

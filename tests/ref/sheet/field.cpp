@@ -68,6 +68,25 @@ TEST_CASE("the integral that bounds the field's aliasing holds on an interval me
   CHECK(2 * sum >= field_line_integral);
 }
 
+TEST_CASE("what the field's sum and series leave out is bounded by 25 and 1300") {
+  const auto upper = [](const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); };
+  // The second parts times e^{3x}/x from x = 8 on, q = e^{-2x}: at most 8/((1 - q^2)(1 - q)).
+  const Interval q = cell(0, std::exp(-16.0) * (1 + 1e-12)), second = 8 / ((1 - square(q)) * (1 - q));
+  CHECK(upper(second) <= 9.3);
+  CHECK(upper(4 * Interval(9.3, bits) / (2 - Interval(4L, bits) / 8)) <= 25);
+  // e^x over |cosh z| at a root; |c_n| over |z_n|, y_n and y_n^2; and the sum beyond N, where alpha = 1 is the worst.
+  CHECK(upper(sqrt(1 / Interval(0.98, bits) + 1) + 1) <= 3.02);
+  CHECK(upper(Interval(3.02, bits) * Interval(1.61, bits) / 2) <= 2.5);
+  CHECK(upper(Interval(2.5, bits) * sqrt(Interval(2L, bits))) <= 5);
+  for (long N = 1; N <= 100; ++N) {
+    CAPTURE(N);
+    Interval sum(bits);
+    for (long n = N + 1; n <= N + 40; ++n)
+      sum = sum + square(Interval(2 * n - 1, bits) / 2) * exp(-((n - N - 1) * Interval::pi(bits)));
+    CHECK(upper(80 * (square(Interval::pi(bits)) * sum)) <= 1299 * static_cast<double>((N + 1) * (N + 1)));
+  }
+}
+
 TEST_CASE("summation and residues agree on the field where both converge") {
   const mpq_class s(3, 10);
   const FieldIntegrand across{false,

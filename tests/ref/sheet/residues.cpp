@@ -25,6 +25,30 @@ double log2_width(const Interval& x) {
 
 }  // namespace
 
+TEST_CASE("the bounds of the residues are those that interval arithmetic makes of them") {
+  constexpr mpfr_prec_t bits = 64;
+  const auto upper = [](const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); };
+  const auto lower = [](const Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); };
+  const Interval r = Interval::pi(bits) / 2, square_of_cosh = (sqrt(4 * square(r) - 1) - 1) / 2;
+  CHECK(lower(square_of_cosh) >= 0.98);
+  CHECK(upper(r / square_of_cosh) <= 1.61);
+  const Interval least(0.98, bits), most(1.61, bits), root = sqrt(least);
+  for (const Interval& residue : {most / (2 * least), 1 / (2 * least), 1 / (2 * least * root), 1 / (2 * root),
+                                  1 / (2 * r * least), 1 / (2 * r * root), most / (2 * root)})
+    CHECK(upper(residue) < 1);
+  CHECK(upper(2 * Interval::pi(bits) / (1 - exp(-Interval::pi(bits)))) <= 7);
+  for (long n = 1; n <= 100; ++n) {
+    const auto pole = sheet_pole(n, bits);
+    const Interval size = abs(pole->z), cosh_size = 1 / abs(pole->sech);
+    CAPTURE(n);
+    CHECK(upper(pole->z.real) < lower(pole->z.imag));
+    CHECK(lower(square(cosh_size)) >= 0.98);
+    CHECK(upper(size / square(cosh_size)) <= 1.61);
+    CHECK(upper(exp(pole->z.real) / cosh_size) <= 3.02);
+  }
+  CHECK(lower(square(cosh(Interval::pi(bits))) / square(Interval::pi(bits))) >= 2.01);
+}
+
 TEST_CASE("the residue series and the trapezoidal rule enclose the same, as tightly as was asked") {
   for (const Symbol symbol : all_symbols) {
     for (const std::string text : {"1", "2.7", "17.3", "120"}) {
