@@ -2,8 +2,10 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <nipref/ref/number/caches.hpp>
+#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
@@ -48,6 +50,51 @@ TEST_CASE("nodes are within a unit of nodes with many more digits") {
       CHECK(worst <= 1);
       CHECK(worst > 0.4);  // rounded, so somewhere near half a unit
       CHECK(fine.last > coarse.last);
+    }
+  }
+}
+
+namespace {
+
+/// Half the width of an interval of 128 bits or so, in units of 2^-128, over its smallest magnitude if it is relative.
+double units(const Interval& x, bool relative) {
+  Float width = zero_of_bits(64), least = zero_of_bits(64);
+  mpfi_diam_abs(raw(width), x.get());
+  mpfi_mig(raw(least), x.get());
+  if (relative) mpfr_div(raw(width), raw(width), raw(least), MPFR_RNDU);
+  return std::ldexp(mpfr_get_d(raw(width), MPFR_RNDU), 127);
+}
+
+}  // namespace
+
+TEST_CASE("a node's rounding is as counted: 70, 145 and 1500 units of its exponentials, 2^12/h, 2^13/h^2") {
+  // By the same steps in intervals, rounded outwards with a bit more than the 128 of the count.
+  constexpr mpfr_prec_t bits = 129;
+  for (const double h : {0.25, 0.1875, 0x1p-6, 0x1.cp-9}) {
+    for (const long first : {0L, 32L, 160L, 3200L}) {
+      const auto powers = [&](double rate, long j) {
+        return exp(Interval(-rate * static_cast<double>(j) * h, bits));
+      };
+      Interval e1 = powers(1, first), u = powers(1.5, first);
+      for (long j = first; j < first + 32; ++j) {
+        if (j > first) {
+          e1 = e1 * powers(1, 1);
+          u = u * powers(1.5, 1);
+        }
+        if (j == 0) continue;
+        const Interval x(static_cast<double>(j) * h, bits), e2 = square(e1);
+        const Interval q = 4 * (x * e2) + (1 - square(e2));
+        CAPTURE(h);
+        CAPTURE(j);
+        CHECK(units(e1, true) <= 70);
+        CHECK(units(e2, true) <= 145);
+        CHECK(units(q, false) <= 1500);
+        for (const Interval& numerator :
+             {4 * e2, 2 * (e1 * (1 - e2)), 2 * (e1 * (e2 + 1)), 4 * e2 / x, 2 * (e1 * (e2 + 1)) / x})
+          CHECK(units(numerator / q, true) <= 0x1p12 / h);
+        const Interval normal = 2 * (u / (u + 1) * q - (2 * x + 1 - e2) * e2) / x / q;
+        CHECK(units(normal, false) <= 0x1p13 / (h * h));
+      }
     }
   }
 }
