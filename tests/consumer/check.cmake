@@ -60,6 +60,8 @@ foreach(text man/man1/nipref.1 bash-completion/completions/nipref)
   file(READ ${moved}/share/${text} output)
   expect("no.*times")
 endforeach()
+file(READ ${moved}/share/doc/nipref/ref/sheet/README.md output)
+expect("## Roots")
 
 # A kernel of somebody who has the program and its header alone.
 file(WRITE ${work}/mine.c "#include <math.h>
