@@ -122,8 +122,8 @@ double PlainMovingLoad::after(const Kernel& kernel, const Memory& memory, double
     double term = 0;
     for (std::size_t r = 0; r < rates_.size(); ++r)
       term += faded[r] * (kernel.residues[n] * (ahead_[r][n] - kernel.parity * behind_[r][n])).real();
-    if (std::fabs(term) < smallest) break;
     sum += term;
+    if (std::fabs(term) < smallest) break;
   }
   return sum;
 }

@@ -16,7 +16,7 @@ namespace nipref::fast {
 class PlainMovingLoad {
  public:
   /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise
-  /// BadInput. The sum after the contact of the normal displacement ends before its first term below `smallest_term`
+  /// BadInput. The sum after the contact of the normal displacement ends with its first term below `smallest_term`
   /// of theta1 + theta2 at once; 0: it has all terms.
   PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness, int terms,
                   double smallest_term = 0);

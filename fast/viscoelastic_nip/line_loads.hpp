@@ -12,7 +12,7 @@ struct ViscoelasticLineLoadMethod {
   int trailing_elements;  ///< m2, >= 0; at most 500
   double approach;        ///< C_L, half-thicknesses, > 0
   int residue_terms;      ///< of the plain sums, 1 to 500; 0: exact kernels
-  /// Of theta1 + theta2 at once, 0 to 1: the plain sum after the load has passed ends before its first term below it.
+  /// Of theta1 + theta2 at once, 0 to 1: the plain sum after the load has passed ends with its first term below it.
   double smallest_term = 0;
 
   /// BadInput unless all are in their domains.

@@ -158,7 +158,7 @@ TEST_CASE("the thesis's printed lengths are cut: misses ask for longer ones, non
       }
     }
   }
-  CHECK(longer == 14);
+  CHECK(longer == 12);
   CHECK(shorter == 0);
 }
 

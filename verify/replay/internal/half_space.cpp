@@ -118,22 +118,6 @@ double last_digit(const data::TableCell& cell) {
   return cell.number->rounding.upper - cell.number->rounding.lower;
 }
 
-/// A reading with two adjacent digits exchanged that an attempt gives, in words; empty if there is none.
-std::string exchanged_digits(const data::TableCell& cell, const std::vector<Attempt>& attempts) {
-  for (std::size_t place = 0; place + 1 < cell.read_as.size(); ++place) {
-    std::string reading = cell.read_as;
-    std::swap(reading[place], reading[place + 1]);
-    const auto number = data::read_printed_number(reading, 0);
-    if (!number || reading == cell.read_as) continue;
-    for (const Attempt& attempt : attempts) {
-      if (distance(number->value, attempt.range) <= last_digit(cell) + binary) {
-        return fmt::format("two digits exchanged from {}; ", reading);
-      }
-    }
-  }
-  return "";
-}
-
 std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
   return fmt::format("{:+.1f} units of the fourth decimal from {:.5f}",
                      (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
@@ -151,11 +135,18 @@ std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& ce
 std::string unexplained_note(const data::Table& table, const HalfSpaceCell& cell) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   std::string text = printed.erratum ? printed.erratum->reason + "; " : "";
-  text += exchanged_digits(printed, cell.attempts);
   const std::string digit = one_digit(table, cell.row, cell.column, cell.attempts.front().range);
   if (!digit.empty()) text += digit + "; ";
   text += formula_note(printed, cell);
   return cell.error.empty() ? text : text + "; that formula is wrong: " + cell.error;
+}
+
+/// A match of what an erratum reads is a misprint.
+ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::TableCell& printed) {
+  if (cell.verdict != Verdict::match || printed.read_as == printed.printed) return cell;
+  cell.verdict = Verdict::misprint;
+  cell.note = printed.erratum->reason;
+  return cell;
 }
 
 std::string joined(const std::string& first, const std::string& second) {
@@ -173,7 +164,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
   result.exact = cell.exact;
   if (std::fabs(value - cell.corrected) <= table_unit + binary) {
     result.verdict = Verdict::match;
-    return result;
+    return corrected_by_erratum(result, printed);
   }
   const auto met = std::ranges::find_if(cell.attempts, [&](const Attempt& attempt) {
     return distance(value, attempt.range) <= last_digit(printed) + binary;
@@ -189,7 +180,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
   } else {
     result.note = unexplained_note(table, cell);
   }
-  return result;
+  return corrected_by_erratum(result, printed);
 }
 
 }  // namespace nipref::verify

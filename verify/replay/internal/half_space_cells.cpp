@@ -144,10 +144,16 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
   return "";
 }
 
-/// The table's formula with the K_X by which the column's first cell, that of phi = 90, was divided.
-data::Interval with_the_columns_unit(const data::Table& table, const std::string& column, double tabulated,
-                                     double tabulated_at_90) {
-  return table.cell(0, column).number->rounding.times(tabulated / tabulated_at_90);
+/// The table's formula at phi with the K_X by which the column's cell in another row was divided.
+Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& table, double phi,
+                              std::size_t other_row, const data::TableColumn& column) {
+  const auto tabulated = [&](double at) {
+    return spans.by(in_plane_compliance_as_tabulated, at, *column.coordinate);
+  };
+  const double other = key_of(table, other_row);
+  return {table.cell(other_row, column.name).number->rounding.times(tabulated(phi) / tabulated(other)),
+          Verdict::seed_error,
+          fmt::format("with the K_X by which the column's cell of phi = {:g} was divided", other)};
 }
 
 }  // namespace
@@ -217,12 +223,10 @@ std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& tabl
                                    spans.by(in_plane_compliance_as_printed, phi, speed)),
                        in_plane_proof(table, row, column.name),
                        spans.exact(phi, speed)};
-    if (std::fabs(phi) != 90) {
-      cell.attempts.push_back({with_the_columns_unit(table, column.name, tabulated,
-                                                     spans.by(in_plane_compliance_as_tabulated, 90, speed)),
-                               Verdict::seed_error,
-                               "with the K_X by which the column's cell of phi = 90 was divided"});
-    }
+    constexpr std::size_t row_of_90 = 0, row_of_45 = 2;
+    if (cell.proof.empty())
+      cell.attempts.push_back(
+          with_the_columns_unit(spans, table, phi, row == row_of_90 ? row_of_45 : row_of_90, column));
     cells.push_back(std::move(cell));
   });
   return cells;

@@ -17,6 +17,8 @@ struct LineLoadTable {
   std::string_view id;
   data::Friction friction;
   int elements_per_side;  ///< the number that reproduces the table; the thesis does not state it
+  /// The element from the middle outwards whose shear the table calls the largest, which in most rows it is; 0: any.
+  int shear_element = 0;
 };
 
 /// Thesis III to X.
@@ -41,7 +43,8 @@ struct ViscoelasticTable {
   /// (underflown_creep): 25 matches it in most tables, 24 does not in XXI; 60 in XXIV to XXVI.
   double approach;
   /// The part of theta1 + theta2 at once below which a term of the last sum of (6.23) ends it. The terms are about
-  /// (2/(pi n)^2) (b/(F0 tau)) e^(-lambda (t - T)), so that 4450 sqrt(b/(F0 tau)) of them are left of long memories.
+  /// (2/(pi n)^2) (b/(F0 tau)) e^(-lambda (t - T)), so that 4450 sqrt(b/(F0 tau)) of them are left of long memories. The
+  /// small one is added before the sum ends: without it two cells mu_R are lost.
   /// Nothing tells whether the other sums, which fall exponentially, ended so too: they have 500 terms.
   double smallest_term = 1e-8;
 };
