@@ -12,8 +12,8 @@ namespace nipref::ref {
 ///
 ///     (1/pi) int_{-1}^{1} I1(A (t - s)) q(s) ds = -t,    |t| <= 1,    q = p'/(2A) odd,
 ///
-/// With p/(2A) = sum_m c_m sin(mu theta), t = cos(theta), mu = 2m + 1, the logarithm of I1 acts in closed form and the odd
-/// part of the rest has coefficients g_mn,
+/// With p/(2A) = sum_m c_m sin(mu theta), t = cos(theta), mu = 2m + 1, the logarithm of I1 acts in closed form and the
+/// odd part of the rest has coefficients g_mn,
 ///
 ///     c_m + (1/2) sum_n g_mn nu c_n = delta_m0,    [J(A(t - s)) - J(A(t + s))]/2 = sum g_mn T_mu(t) T_nu(s).
 ///

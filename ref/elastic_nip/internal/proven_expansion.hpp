@@ -10,9 +10,9 @@ namespace nipref::ref {
 /// infinite sum these coefficients may miss; A is any in an interval. Notation and units:
 /// chebyshev_system.hpp.
 ///
-/// With x_m = sqrt(mu) c_m the system is x + G x = e_0, G_mn = sqrt(mu nu) g_mn/2. The residual of given c_0 .. c_{n-1} is
-/// enclosed in rows m < n and bounded in all others; divided by a lower bound lambda of the quadratic form it bounds what
-/// they miss. (1) to (3) in the code are those of the proof: ref/elastic_nip/README.md, Contacts without friction.
+/// With x_m = sqrt(mu) c_m the system is x + G x = e_0, G_mn = sqrt(mu nu) g_mn/2. The residual of given c_0 .. c_{n-1}
+/// is enclosed in rows m < n and bounded in all others; divided by a lower bound lambda of the quadratic form it bounds
+/// what they miss. (1) to (3) in the code are those of the proof: ref/elastic_nip/README.md, Contacts without friction.
 struct ProvenExpansion {
   Interval half_length;  ///< A
   std::vector<Float> coefficients;

@@ -47,13 +47,14 @@ Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
   const auto nodes = static_cast<double>(last + 1);
   // The nats that the aliasing allows, so that arguments with the same step share the nodes.
   const double reached = 2 * std::numbers::pi * half_strip / step - 5;
-  const double bits = (reached + std::log(4 * 55 * step * nodes * (nodes + 64))) / ln2;
+  const double bits =
+      (reached + std::log(4 * contour_term * step * nodes * (nodes + contour_rounding))) / ln2;
   const auto precision = static_cast<mpfr_prec_t>(std::ceil(std::max(bits, 64.0) / grain_bits)) * grain_bits;
   return {{kernel, ahead ? Contour::up : Contour::down, step, precision, 0}, last};
 }
 
 /// The real or imaginary part, as the kernel needs, of F = G(z) dz/dt e^{i z alpha}/(rate - i z) at the nodes.
-/// The error of a term is at most 64 2^-p (1 + |alpha z|) |F|: ref/memory/README.md.
+/// The error of a term is at most contour_rounding 2^-p (1 + |alpha z|) |F|: ref/memory/README.md.
 class Integrand {
  public:
   Integrand(const Exact& alpha, const Exact& rate, bool imaginary, mpfr_prec_t bits)

@@ -10,8 +10,8 @@ ComplexInterval wave(const mpq_class& decay, const mpq_class& angle, mpfr_prec_t
 
 /// int_0^length e^{-(rate - i frequency) v} dv, a proven enclosure; rate, length >= 0.
 ///
-/// Over 2^m panels, so that neither many periods nor a rate near 0 cost anything. Proof: ref/number/README.md, Waves over
-/// panels.
+/// Over 2^m panels, so that neither many periods nor a rate near 0 cost anything. Proof: ref/number/README.md, Waves
+/// over panels.
 ComplexInterval damped_wave_integral(const mpq_class& rate, const mpq_class& frequency,
                                      const mpq_class& length, mpfr_prec_t bits);
 

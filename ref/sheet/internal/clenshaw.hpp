@@ -22,8 +22,8 @@ mpfr_prec_t angle_precision(const Nodes& nodes);
 ///
 ///     d_j = d_{j+1} + g_j - kappa B_{j+1},    B_j = B_{j+1} + 4 d_j.
 ///
-/// |error| <= 4 (last + 3) units 2^-F, which includes the last steps and the rounding of the Angle. Proof: ref/README.md,
-/// Lemma 5.
+/// |error| <= 4 (last + 3) units 2^-F, which includes the last steps and the rounding of the Angle. Proof:
+/// ref/README.md, Lemma 5.
 Float cosine_sum(const Nodes& nodes, const Angle& angle);
 
 /// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last

@@ -13,7 +13,9 @@ namespace {
 long field_terms_needed(double alpha, double nats) {
   double terms = 1;
   for (int pass = 0; pass < 3; ++pass) {
-    terms = (nats + std::log(1300.0) + 2 * std::log(terms + 1)) / (std::numbers::pi * alpha) - 0.5;
+    terms = (nats + std::log(static_cast<double>(field_series_remainder)) + 2 * std::log(terms + 1)) /
+                (std::numbers::pi * alpha) -
+            0.5;
     terms = std::max(terms, 1.0);
   }
   return static_cast<long>(std::ceil(terms));
@@ -70,7 +72,8 @@ Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at
   }
   const long count = terms + 1;
   Interval tail =
-      1300 * (count * (count * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(at.alpha, 64)) / 2))));
+      field_series_remainder *
+      (count * (count * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(at.alpha, 64)) / 2))));
   if (integrand.odd_in_depth) tail = Interval(at.depth, 64) * tail;
   return value.widened(tail);
 }

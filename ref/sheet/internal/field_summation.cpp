@@ -34,7 +34,8 @@ struct FieldNodes {
 double field_end(double depth, double nats) {
   double end = 8;
   for (int pass = 0; pass < 4; ++pass) {
-    end = std::max(8.0, (nats + std::log(25.0) + 4 * std::log(end)) / (3 - depth));
+    end = std::max(
+        8.0, (nats + std::log(static_cast<double>(field_sum_remainder)) + 4 * std::log(end)) / (3 - depth));
   }
   return end;
 }
@@ -255,7 +256,8 @@ Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& a
                             exp(Interval(field_line, precision) * Interval(at.alpha, precision)) /
                             expm1(rate);
   const Interval end = Interval(static_cast<double>(count - 1) * nodes->step, precision);
-  const Interval truncation = 25 * square(square(end)) * exp(-((3 - Interval(at.depth, precision)) * end));
+  const Interval truncation =
+      field_sum_remainder * square(square(end)) * exp(-((3 - Interval(at.depth, precision)) * end));
   Interval error = aliasing + truncation;
   if (integrand.sine) error = error * Interval(at.alpha, precision);
   if (integrand.odd_in_depth) error = error * Interval(at.depth, precision);

@@ -108,7 +108,8 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
     sum = sum + (odd ? next.real : next.imag);
   }
   const Interval series = Interval::pi(sum.precision()) * (static_cast<long>(odd ? c.sign : -c.sign) * sum);
-  const Interval tail = 7 * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(exact_x, 64)) / 2));
+  const Interval tail =
+      series_remainder * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(exact_x, 64)) / 2));
   return series.widened(tail);
 }
 

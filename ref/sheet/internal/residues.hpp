@@ -23,9 +23,10 @@ bool residues_are_cheaper(double x, double nats);
 ///     normal    z/(2 cosh^4 z)     I3  1/(2 cosh^2 z)     I4  -1/(2 cosh^3 z)     I5  1/(2 cosh z)
 ///     I6_alpha  1/(2 z cosh^2 z)   I6_eta  1/(2 z cosh z)                         I7  -z/(2 cosh^3 z)
 ///
-/// with the residues c_n, all below 1. The terms beyond N sum to less than 7 e^{-(N+1/2) pi x}, which widens the interval;
-/// the terms are in interval arithmetic. Proof: ref/sheet/README.md, Kernels.
+/// with the residues c_n, all below 1. The terms beyond N sum to less than series_remainder e^{-(N+1/2) pi x}, which
+/// widens the interval; the terms are in interval arithmetic. Proof: ref/sheet/README.md, Kernels.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
+inline constexpr long series_remainder = 7;
 
 /// The correction to the trapezoidal rule with step h, see transform(), for the poles z_k of G below the line Im z =
 /// 4 pi lines, after which only the aliasing from that line remains as its error. With r_k the residue of G, c_n at a

@@ -14,8 +14,8 @@ namespace nipref::ref {
 ///
 /// by the trapezoidal rule with step h: h sum' G(j h) cos(x j h), or with sin(x j h). Its error is the sum of
 ///
-///     aliasing    M cosh(Y x)/(e^{2 pi Y/h} - 1), odd: min(M, x M' Y/2) times the same, Y = 2, below all poles. As many
-///                 digits would require too small an h, there Y = 4 pi m, and passed_poles() is added to the sum
+///     aliasing    M cosh(Y x)/(e^{2 pi Y/h} - 1), odd: min(M, x M' Y/2) times the same, Y = 2, below all poles. As
+///                 many digits would require too small an h, there Y = 4 pi m, and passed_poles() is added to the sum
 ///     truncation  2^8 units of 2^-F (times min(1, theta (N+1)/(1-q)) for odd symbols), see Nodes
 ///     rounding    see cosine_sum and sine_sum
 ///
