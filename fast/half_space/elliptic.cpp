@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/internal/check_positive.hpp>
 #include <nipref/fast/half_space/internal/compliance_table.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
@@ -245,10 +246,6 @@ Ellipse approximate_ellipse(const Indenter& body, const Compliance& table) {
   return ellipse;
 }
 
-void check_positive(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
-}
-
 }  // namespace
 
 EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter& body) {
@@ -351,14 +348,14 @@ EllipticLoad EllipticContact::scaled(const Estimate& factor) const {
 }
 
 EllipticLoad EllipticContact::for_force(double force) const {
-  check_positive("force", force);
+  internal::check_positive("force", force);
   EllipticLoad load = scaled({std::cbrt(force / (4 * std::numbers::pi / 3)), 0});
   load.force = {force, 0};
   return load;
 }
 
 EllipticLoad EllipticContact::for_approach(double approach) const {
-  check_positive("approach", approach);
+  internal::check_positive("approach", approach);
   const double root = std::sqrt(2 * approach / sum_);
   EllipticLoad load = scaled({root, root * sum_error_ / 2});
   load.approach = {approach, 0};
@@ -366,7 +363,7 @@ EllipticLoad EllipticContact::for_approach(double approach) const {
 }
 
 EllipticLoad EllipticContact::for_radius(Direction psi, double radius) const {
-  check_positive("radius", radius);
+  internal::check_positive("radius", radius);
   const auto [ratio, error] = radius_ratio(psi);
   const double root = radius / (ratio * major_length_);
   return scaled({root, root * (error / ratio + major_error_)});

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/check_positive.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/isotropic_line.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
@@ -17,10 +18,6 @@ namespace nipref::fast {
 using data::BadInput;
 
 namespace {
-
-void check_positive(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
-}
 
 /// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: some terms, and the rest by Boole's summation formula to rounding.
 std::complex<double> alternating_sum(std::complex<double> z) {
@@ -55,7 +52,7 @@ struct RollingSphere::Shape {
 
 RollingSphere::RollingSphere(const data::IsotropicSolid& solid, double radius, double speed)
     : solid_(solid), radius_(radius), speed_(speed) {
-  check_positive("radius", radius);
+  internal::check_positive("radius", radius);
   stiffness_along_ = shape({1, 0}).stiffness();
 }
 
@@ -150,7 +147,7 @@ Estimate RollingLine::compressed_radius() const {
 
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span) {
-  check_positive("span", span);
+  internal::check_positive("span", span);
   RollingSphere contact(solid, radius, speed);
   contact.span_ = {span, 0};
   const auto [value, error] = contact.force_factor();
@@ -160,7 +157,7 @@ RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double 
 
 RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
                                        double force) {
-  check_positive("force", force);
+  internal::check_positive("force", force);
   RollingSphere contact(solid, radius, speed);
   const auto [value, error] = contact.force_factor();
   if (!(value > 0))

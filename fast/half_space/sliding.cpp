@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/check_positive.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
@@ -13,14 +14,6 @@
 namespace nipref::fast {
 
 using data::BadInput;
-
-namespace {
-
-void check_positive(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
-}
-
-}  // namespace
 
 /// The properties of one line that do not depend on the load; -Omega, 1 + Omega and 1 + 2 Omega each without
 /// cancellation.
@@ -168,7 +161,7 @@ SlidingLine SlidingContact::along(Direction psi) const {
 
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
                                 Direction motion, double span, SpanRule rule) {
-  check_positive("span", span);
+  internal::check_positive("span", span);
   SlidingContact contact(std::move(response), body, friction, motion, rule);
   contact.set_span({span, 0});
   const auto [value, error] = contact.force_factor_;
@@ -178,7 +171,7 @@ SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, 
 
 SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
                                  Direction motion, double force, SpanRule rule) {
-  check_positive("force", force);
+  internal::check_positive("force", force);
   SlidingContact contact(std::move(response), body, friction, motion, rule);
   const auto [value, error] = contact.force_factor_;
   const double span = std::cbrt(force / value);

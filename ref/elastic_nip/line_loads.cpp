@@ -249,18 +249,18 @@ void check(const Problem& problem, double contact_length, int digits) {
 }
 
 /// Of the kernels, for a first length.
-constexpr int first_digits = 16;
+constexpr int starting_digits = 16;
 
 /// By secants of ln W over ln L from `length` until W is within 10^-digits of the load; nothing where that does
 /// not lead there.
 std::optional<Float> length_for_load(const Problem& problem, Float length, double load, int digits,
                                      int kernel_digits) {
-  constexpr int most_steps = 60;
+  constexpr int most_tries = 60;
   constexpr double usual_exponent = 3, least_exponent = 1, longest_step = 2;
   const Float longest = longest_length * Float(problem.nip.sheet_thickness);
   const Float tolerance = pow(Float(10), -digits);
   Float exponent = usual_exponent, last_log = 0, last_excess = 0;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_tries; ++step) {
     const std::optional<Contact> tried = solve(problem, {length}, kernel_digits);
     if (!tried) return std::nullopt;
     const Float found = middle_of(load_of(problem, *tried));
@@ -316,7 +316,7 @@ LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoad
   std::optional<Float> start;
   auto solution = solve_to(problem, digits, [&](int extra) -> std::optional<Contact> {
     const int kernel_digits = digits + extra - 3;
-    if (!start) start = length_for_load(frictionless, Float(nip.sheet_thickness), load, 3, first_digits);
+    if (!start) start = length_for_load(frictionless, Float(nip.sheet_thickness), load, 3, starting_digits);
     if (!start) return std::nullopt;
     // The load's own error is far below what it changes by over the spread.
     const auto length = length_for_load(problem, *start, load, digits + extra / 2 + 3, kernel_digits);

@@ -17,7 +17,7 @@
 namespace nipref::ref {
 namespace {
 
-mpfr_prec_t bits_of(double nats) { return static_cast<mpfr_prec_t>(nats / std::numbers::ln2) + 16; }
+mpfr_prec_t inertia_bits(double nats) { return static_cast<mpfr_prec_t>(nats / std::numbers::ln2) + 16; }
 
 /// The speed of a load that has this inertia along psi.
 Interval load_speed(const ExactStiffness& solid, const Interval& inertia, const Interval& cosine) {
@@ -109,7 +109,7 @@ CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion
 Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                          const SurfaceDirection& psi, int digits) {
   return enclose(digits, 0, [&](double nats) {
-    const Interval inertia = limiting_inertia(solid, psi, bits_of(nats));
+    const Interval inertia = limiting_inertia(solid, psi, inertia_bits(nats));
     return load_speed(solid, inertia, oblique_cosine(motion, psi, inertia.precision()));
   });
 }
@@ -118,9 +118,9 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
                                             const SurfaceDirection& psi, int digits) {
   check_digits(digits);
   oblique_cosine(motion, psi, 4 * digits);
-  if (!surface_wave_inertia(solid, psi, bits_of(digits * std::numbers::ln10))) return std::nullopt;
+  if (!surface_wave_inertia(solid, psi, inertia_bits(digits * std::numbers::ln10))) return std::nullopt;
   return enclose(digits, 0, [&](double nats) {
-    const auto inertia = surface_wave_inertia(solid, psi, bits_of(nats));
+    const auto inertia = surface_wave_inertia(solid, psi, inertia_bits(nats));
     if (!inertia) {
       throw data::BadInput("psi", fmt::format("{:.10g} degrees", psi.degrees()),
                            "must be a direction whose surface wave is farther from the limiting speed");
@@ -133,7 +133,7 @@ Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, in
   const auto line = SurfaceDirection::of_degrees(Exact(0.0));
   return enclose(digits, 0, [&](double nats) {
     // Close to the speed of the wave the angle is proportional to the square root of the difference of the speeds.
-    const auto inertia = surface_wave_inertia(solid, line, bits_of(2 * nats));
+    const auto inertia = surface_wave_inertia(solid, line, inertia_bits(2 * nats));
     if (!inertia) refuse_proof(line, surface_wave);
     const Interval wave = load_speed(solid, *inertia, Interval(1L, inertia->precision()));
     const Interval given(speed, wave.precision());

@@ -14,7 +14,7 @@
 namespace nipref::ref {
 namespace {
 
-AcousticPencil<Float> pencil_of(const AcousticMatrices& x) {
+AcousticPencil<Float> middle_pencil(const AcousticMatrices& x) {
   return {middle(x.q).re, middle(x.r).re, middle(x.t).re};
 }
 
@@ -92,7 +92,7 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
     const WorkingDigits working(digits_of(precision));
     const AcousticMatrices matrices = at_rest(solid, psi, precision);
-    const AcousticPencil<Float> pencil = pencil_of(matrices);
+    const AcousticPencil<Float> pencil = middle_pencil(matrices);
     const Float s = lowest_point([&](const Float& at) { return pencil.half_slope(at); }, Float(valley.left),
                                  Float(valley.right), static_cast<int>(bits) + 16);
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));

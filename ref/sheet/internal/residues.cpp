@@ -42,7 +42,7 @@ struct Coefficient {
 };
 
 /// In the order of Symbol.
-constexpr std::array<Coefficient, 7> coefficients{
+constexpr std::array<Coefficient, 7> symbol_coefficients{
     {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {-1, 1, 3}, {1, -1, 2}, {1, -1, 1}}};
 
 /// 2 c_n, without the sign of c_n.
@@ -99,7 +99,7 @@ template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
   const bool odd = bounds(symbol).parity == Parity::odd;
-  const Coefficient c = coefficients[static_cast<std::size_t>(symbol)];
+  const Coefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   const long terms = terms_needed(x, nats);
   Interval sum(mpfr_prec_t{64});
   for (long n = terms; n >= 1; --n) {
@@ -140,7 +140,7 @@ Interval passed_poles(Symbol symbol, const Exact& exact_x, double step, long lin
   const double x = exact_x.approximate();
   const double turns = 2 * std::numbers::pi / step;
   const bool odd = bounds(symbol).parity == Parity::odd;
-  const Coefficient c = coefficients[static_cast<std::size_t>(symbol)];
+  const Coefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   Interval sum(mpfr_prec_t{64});
   for (long n = 4 * lines; n >= 1; --n) {
     const auto root = sheet_pole(n, bits_at_root(n, turns - x, turns + x, nats));

@@ -9,7 +9,6 @@
 namespace nipref::ref {
 namespace {
 
-constexpr double ln2 = std::numbers::ln2;
 constexpr double step_limit = 0.25;
 constexpr mpfr_prec_t bound_precision = 64;
 
@@ -52,7 +51,7 @@ NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   const double step = round_step(2 * std::numbers::pi / frequency);
   const double count = (nats + 40) / (constants.decay * step);
   const double growth = odd ? std::max(1.0, step * count) : 1.0;
-  return {symbol, step, round_bits(nats / ln2 + std::log2(128 * count * growth))};
+  return {symbol, step, round_bits(nats / std::numbers::ln2 + std::log2(128 * count * growth))};
 }
 
 // The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding
@@ -61,7 +60,7 @@ constexpr double slack = 1e-6;
 
 /// log2 of cosh(Y x)/(e^{2 pi Y/h} - 1), Y = top: the denominator is at least e^{2 pi Y/h}/4.
 double log2_image(double x, double step, double top) {
-  return (top * x - 2 * std::numbers::pi * top / step) / ln2 + 2;
+  return (top * x - 2 * std::numbers::pi * top / step) / std::numbers::ln2 + 2;
 }
 
 double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x, double top) {
