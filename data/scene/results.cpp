@@ -10,7 +10,7 @@ namespace {
 constexpr std::optional<SceneKind> every_scene;
 
 constexpr auto results = std::to_array<SceneResult>({
-    {ResultId::contact_length, "contact_length", "length", "length L of the contact"},
+    {ResultId::contact_length, "contact_length", "length", "full length L of the contact"},
     {ResultId::leading_length, "leading_length", "length",
      "contact L1 ahead of the line through the rollers' centres, on the entry side", Scale::half_contact},
     {ResultId::trailing_length, "trailing_length", "length",
@@ -139,7 +139,31 @@ constexpr bool are_in_order() {
 }
 static_assert(are_in_order());
 
+/// In the order of Scale.
+constexpr auto scale_texts = std::to_array<std::string_view>({
+    "the result itself",
+    "L/2, or the result if it is larger",
+    "L/2 times the load",
+    "50 L, as a traction's slope is known less well than the traction",
+    "(L/2)^2/(2R), the rise of the roller's parabola over L/2",
+    "L/(4R)",
+    "L/(4R), more next to an end of the contact",
+    "L/(4R) times |Y|, outside the contact times L/2",
+    "the pressure in the middle, more next to an end of the contact",
+    "a tenth of the pressure in the middle, on a half-space all of it, more next to an end of the contact",
+    "a tenth of the pressure in the middle",
+    "1e-6/accuracy + 10/sqrt(accuracy), as a maximum is flat at its place",
+    "L/2 times 1e-6/accuracy + 10/sqrt(accuracy), as a maximum is flat at its place",
+    "L/(2R), of which it may lack 1e-14 at most",
+    "L/(2R), of which it may lack 1e-14 at most, times the other factors of the product",
+    "one radian",
+    "the extent of the contact along the motion",
+    "the compliance of the same line",
+});
+
 }  // namespace
+
+std::string_view text(Scale scale) { return scale_texts[static_cast<std::size_t>(scale)]; }
 
 std::span<const SceneResult> scene_results() { return results; }
 

@@ -29,30 +29,33 @@ enum class Shape {
 
 /// The least size against which the error of a result is measured, in the result's unit. A scene asks for a relative
 /// accuracy, and a result that may be 0 has no relative error: the accuracy is met where the error is at most the
-/// accuracy times the larger of the result's magnitude and this size. L is the contact's length, R the roller's radius,
-/// p0 the pressure in the middle of the contact, on a half-space the largest pressure. A traction grows from an end of
-/// the contact like a square root: next to an end its size is so much larger that the accuracy allows what moving that
-/// end by the accuracy times L/2 changes.
+/// accuracy times the larger of the result's magnitude and this size. A traction grows from an end of the contact like a
+/// square root: next to an end its size is so much larger that the accuracy allows what moving that end by the accuracy times
+/// L/2 changes. text() has what each is.
 enum class Scale {
-  itself,                   ///< 0: the error is measured against the result alone
-  half_contact,             ///< L/2
-  half_contact_times_load,  ///< L/2 times the load
-  hundred_half_contacts,    ///< 50 L: a traction's slope is known less well than the traction
-  roller_rise,              ///< (L/2)^2/(2R), the rise of the roller's parabola over L/2
-  creep,                    ///< L/(4R)
-  creep_next_to_end,        ///< the same, larger next to an end
-  distance_times_creep,     ///< L/(4R) times |Y|, outside the contact times L/2
-  pressure,                 ///< p0, larger next to an end
-  shear,                    ///< p0/10, on a half-space p0, larger next to an end
-  tenth_of_pressure,        ///< p0/10
-  flat_maximum_depth,       ///< allows 1e-6 + 10 sqrt(accuracy), as a maximum is flat at its place
-  flat_maximum,             ///< L/2 times that
-  rounding_of_slope,        ///< L/(2R), but it allows no more than rounding, 1e-14 L/(2R)
-  rolling_resistance,       ///< the same times the other factors of the product
-  radian,                   ///< one radian in degrees
-  span_along,               ///< extent of the contact along the motion
-  compliance,               ///< compliance of the same line
+  itself,
+  half_contact,
+  half_contact_times_load,
+  hundred_half_contacts,
+  roller_rise,
+  creep,
+  creep_next_to_end,
+  distance_times_creep,
+  pressure,
+  shear,
+  tenth_of_pressure,
+  flat_maximum_depth,
+  flat_maximum,
+  rounding_of_slope,
+  rolling_resistance,
+  radian,
+  span_along,
+  compliance,
 };
+
+/// In words, L the contact's length, R the roller's radius, p0 the pressure in the middle of the contact, on a half-space the
+/// largest pressure.
+[[nodiscard]] std::string_view text(Scale scale);
 
 /// Everything that a scene can want, in the order of scene_results(), called there what it is called here.
 enum class ResultId {

@@ -162,7 +162,7 @@ Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<Ch
           {"files", json_list(files, checked_file_json)},
           {"_rows", rows},
           {"_wrong", count(GoldenFault::wrong)},
-          {"_useless", count(GoldenFault::useless)},
+          {"_too_wide", count(GoldenFault::too_wide)},
           {"_text_changed", count(GoldenFault::text_changed)},
           {"_missing", count(GoldenFault::missing)}};
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
@@ -10,6 +12,7 @@ namespace nipref::verify {
 namespace {
 
 constexpr std::string_view scene_group = "scene";
+
 Json argument_json(const Argument& argument) {
   const auto written = [](const MaterialModel& model) { return Json(written_model(model)); };
   return {{"name", argument.name},
@@ -37,22 +40,37 @@ Json key_json(const data::SceneKey& key) {
   return {{"name", key.name}, {"unit", key.dimension.text()}, {"meaning", key.meaning}};
 }
 Json result_json(const data::SceneResult& result) {
-  return {{"name", result.name}, {"unit", result.unit}, {"meaning", result.meaning}};
+  return {{"name", result.name},
+          {"unit", result.unit},
+          {"meaning", result.meaning},
+          {"measured_against", data::text(result.scale)}};
+}
+
+/// The rows that the words name, which are taken from them, or all.
+template <class Rows>
+auto named(const Rows& rows, bool all, std::vector<std::string>& words) {
+  std::vector<typename Rows::value_type> result;
+  for (const auto& row : rows)
+    if (std::erase(words, row.name) > 0 || all) result.push_back(row);
+  return result;
 }
 
 }  // namespace
 
 int list_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = selection(line, {scene_group});
-  const bool of_scenes = !line.words.empty() && selected.has(scene_group);
+  CommandLine rest = line;
+  const bool of_scenes = std::ranges::find(line.words, scene_group) != line.words.end();
+  const auto keys = named(data::scene_keys(), of_scenes, rest.words);
+  const auto results = named(data::scene_results(), of_scenes, rest.words);
+  const bool has_quantities = line.words.empty() || !rest.words.empty();
+  const Selection selected = has_quantities ? selection(rest, {scene_group}) : Selection{};
   Json answer{{"quantities", json_list(selected.quantities, quantity_json)},
               {"_full", line.has("full") || !line.words.empty()},
               {"_of_quantities", !selected.quantities.empty()},
-              {"_of_scenes", of_scenes}};
-  if (of_scenes) {
-    answer.set("keys", json_list(data::scene_keys(), key_json));
-    answer.set("results", json_list(data::scene_results(), result_json));
-  }
+              {"_of_keys", !keys.empty()},
+              {"_of_results", !results.empty()}};
+  if (!keys.empty()) answer.set("keys", json_list(keys, key_json));
+  if (!results.empty()) answer.set("results", json_list(results, result_json));
   return write_answer(line, out, "list", true, answer, "list.txt");
 }
 

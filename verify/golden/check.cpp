@@ -29,7 +29,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
     failures.push_back({fault, number, at + ": " + what});
   };
   if (!is_small(golden.error, row.scale)) {
-    fail(GoldenFault::useless,
+    fail(GoldenFault::too_wide,
          fmt::format("the bound {} is too wide for the scale {:.3g}", row.bound, row.scale));
     return failures;
   }
@@ -38,7 +38,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
       const ref::Estimate now = ref_value(quantity, row.arguments, digits);
       const Gap gap(golden, now);
       if (!is_small(gap.allowed, row.scale)) {
-        fail(GoldenFault::useless, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
+        fail(GoldenFault::too_wide, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
                                                now.error_text(), row.scale));
       } else if (!gap.is_covered()) {
         fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
@@ -68,8 +68,8 @@ std::string_view name(GoldenFault fault) {
   switch (fault) {
     case GoldenFault::wrong:
       return "wrong";
-    case GoldenFault::useless:
-      return "useless";
+    case GoldenFault::too_wide:
+      return "too-wide";
     case GoldenFault::missing:
       return "missing";
     default:

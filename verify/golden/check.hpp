@@ -32,12 +32,12 @@ inline constexpr auto checksums_name = "SHA256SUMS";
 
 enum class GoldenFault {
   wrong,         ///< the reference's value, or fast's, contradicts the golden value
-  useless,       ///< the bounds are too wide for a comparison
+  too_wide,      ///< the bounds are too wide for a comparison
   text_changed,  ///< a file does not have its checksum
   missing        ///< a quantity of the catalogue has no golden values
 };
 
-/// wrong, useless, text-changed, missing.
+/// wrong, too-wide, text-changed, missing.
 std::string_view name(GoldenFault fault);
 
 struct GoldenFailure {
@@ -66,7 +66,7 @@ struct CheckedGolden {
 };
 
 /// Computes the values of a file again and compares. A row is wrong if the reference's value differs from it by more
-/// than the sum of both bounds, or fast's value by more than its promise. A row is useless if the bounds exceed a
+/// than the sum of both bounds, or fast's value by more than its promise. A row is too wide if the bounds exceed a
 /// thousandth of a unit in the last place of the scale.
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <span>
 
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
@@ -19,10 +20,17 @@ Json error_json(const fast::Estimate& number) { return number.error; }
 Json value_json(const ref::Estimate& number) { return number.value_text(); }
 Json error_json(const ref::Estimate& number) { return number.error_text(); }
 
+/// One, a list, or of a field a list for each depth.
 template <class Number>
 Json values_json(const data::SceneResult& what, const std::vector<Number>& numbers,
-                 Json (*json)(const Number&)) {
-  return what.shape == data::Shape::number ? json(numbers.front()) : json_list(numbers, json);
+                 const data::FieldPlaces& field, Json (*json)(const Number&)) {
+  if (what.shape == data::Shape::number) return json(numbers.front());
+  if (what.shape != data::Shape::field) return json_list(numbers, json);
+  const std::size_t across = field.positions.size();
+  std::vector<Json> depths;
+  for (std::size_t first = 0; first < numbers.size(); first += across)
+    depths.push_back(json_list(std::span(numbers).subspan(first, across), json));
+  return depths;
 }
 
 Json counted(auto count) { return count > 0 ? Json(count) : Json(); }
@@ -85,6 +93,7 @@ Json rows_json(const SceneSolution<Number>& solution) {
     }
     return Json{{"name", result.what->name},
                 {"meaning", result.what->meaning},
+                {"measured_against", data::text(result.what->scale)},
                 {"unit", result.what->unit},
                 {"one", result.what->shape == data::Shape::number ? numbers.front() : Json()},
                 {"numbers", numbers}};
@@ -122,8 +131,8 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
   Json results = Json::object();
   for (const auto& result : solution.results) {
     results.set(result.what->name,
-                {{"value", values_json<Number>(*result.what, result.numbers, value_json)},
-                 {"error", values_json<Number>(*result.what, result.numbers, error_json)},
+                {{"value", values_json<Number>(*result.what, result.numbers, solution.field, value_json)},
+                 {"error", values_json<Number>(*result.what, result.numbers, solution.field, error_json)},
                  {"proven", std::ranges::all_of(result.numbers, [](const auto& x) { return is_proven(x); })},
                  {"met", result.met()},
                  {"unit", result.what->unit}});

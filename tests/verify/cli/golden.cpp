@@ -73,7 +73,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(changed["files"][0]["failures"][1]["fault"] == "wrong");
     const Outcome text = run("golden check root.re I2");
     CHECK(text.status == 1);
-    CHECK(text.out.find("12 golden values: 1 wrong, 0 useless, 1 text-changed, 0 missing") !=
+    CHECK(text.out.find("12 golden values: 1 wrong, 0 too-wide, 1 text-changed, 0 missing") !=
           std::string::npos);
 
     edit(folder.file("I2.csv"), "# scale: ", "# scale: formerly ");
@@ -93,7 +93,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(all.out.find("\n+ ") != std::string::npos);
     CHECK(all.out.find("6 of 6 rows changed") != std::string::npos);
   }
-  SUBCASE("a wide bound is useless even where the checksum agrees") {
+  SUBCASE("a wide bound is told even where the checksum agrees") {
     const std::string text = text_of(folder.file("root.re.csv"));
     const std::size_t row = text.find("\n0x") + 1, value = text.find(',', row) + 1,
                       bound = text.find(',', value) + 1;
@@ -101,10 +101,10 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     wide.replace(bound, text.find(',', bound) - bound, "1e-9");
     std::ofstream(folder.file("root.re.csv")) << wide;
     sum(folder);
-    const json useless = answer("golden check root.re", "golden_check", 1);
-    REQUIRE(useless["files"][0]["failures"].size() == 1);
-    CHECK(useless["files"][0]["failures"][0]["fault"] == "useless");
-    CHECK(useless["files"][0]["failures"][0]["row"] == 1);
+    const json told = answer("golden check root.re", "golden_check", 1);
+    REQUIRE(told["files"][0]["failures"].size() == 1);
+    CHECK(told["files"][0]["failures"][0]["fault"] == "too-wide");
+    CHECK(told["files"][0]["failures"][0]["row"] == 1);
   }
   SUBCASE("a file by its path, and one that cannot be read") {
     CHECK(run("golden check '" + folder.file("I2.csv").string() + "'").status == 0);

@@ -40,6 +40,18 @@ TEST_CASE("solve as JSON: what is wanted with its errors, the work") {
   CHECK(answer["work"].at("line_responses").is_null());
 }
 
+TEST_CASE("a field in JSON is a list for each depth of a number for each position") {
+  const json answer =
+      answer_to("solve inside-thick-frictionless field.depths=[0,1] field.positions=[0,0.02,0.04]");
+  for (const char* part : {"value", "error"}) {
+    const json& depths = answer.at("results").at("stress_across").at(part);
+    REQUIRE(depths.size() == 2);
+    for (const json& depth : depths) CHECK(depth.size() == 3);
+  }
+  const double middle = answer.at("results").at("stress_across").at("value")[1][0].get<double>();
+  CHECK(-middle == doctest::Approx(answer.at("results").at("peak_pressure").at("value").get<double>()));
+}
+
 TEST_CASE("solve for people names every result with its unit, and the work") {
   const Outcome outcome = run("solve " + example("thick-full-friction"));
   CHECK(outcome.status == 0);

@@ -86,11 +86,11 @@ TEST_CASE("a reference that moves by less than any double sees is found") {
   CHECK(checked.failures.front().what.find("the reference is") != std::string::npos);
 }
 
-TEST_CASE("a bound too wide to say anything is useless, and not wrong") {
+TEST_CASE("a bound too wide to say anything is told, and not wrong") {
   verify::GoldenFile file = last_of(golden("I1"), 3);
   file.rows[1].bound = "1e-3";
   const verify::CheckedGolden checked = verify::check_rows(file.quantity(), file, {});
-  CHECK(faults_of(checked) == std::vector{GoldenFault::useless});
+  CHECK(faults_of(checked) == std::vector{GoldenFault::too_wide});
   CHECK(checked.failures.front().row == 2);
   Quantity coarse = file.quantity();
   coarse.by_ref = [by_ref = coarse.by_ref](std::span<const ref::Exact> x, int digits) {
@@ -99,7 +99,7 @@ TEST_CASE("a bound too wide to say anything is useless, and not wrong") {
     return reference;
   };
   file.rows.erase(file.rows.begin() + 1);
-  CHECK(faults_of(verify::check_rows(coarse, file, {})) == std::vector(2, GoldenFault::useless));
+  CHECK(faults_of(verify::check_rows(coarse, file, {})) == std::vector(2, GoldenFault::too_wide));
 }
 
 TEST_CASE("any character that is changed in a golden file or its checksum is found") {
