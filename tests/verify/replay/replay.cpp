@@ -43,7 +43,7 @@ TEST_CASE("the matching rule: intervals meet or they do not") {
 TEST_CASE("matches with a lost digit are counted apart") {
   const auto json = nlohmann::json::parse(verify::tables_json({replayed("thesis-XIII")}).text());
   CHECK(json["summary"]["with_lost_digit"] == 4);
-  for (const std::size_t row : {1, 2, 5, 7}) {
+  for (const std::size_t row : {1u, 2u, 5u, 7u}) {
     CHECK(replayed("thesis-XIII").table.cell(row, "p_max").has_lost_digit());
     CHECK(cell_of(replayed("thesis-XIII"), row, "p_max").verdict == Verdict::match);
   }
@@ -74,7 +74,7 @@ TEST_CASE("a length that its row's replay tells frees the other cells of the row
   }
 }
 
-TEST_CASE("X, row 8: three columns agree on a length, by chance in 2 of 1000 cells, as its erratum says") {
+TEST_CASE("X, row 8: three columns agree on a length, by chance in 3 of 1000 cells, as its erratum says") {
   const data::Table table = data::load_table_by_id("thesis-X");
   const data::ElasticNip nip = verify::nip_of_the_tables(table);
   constexpr data::Interval tried{48.45e-3, 48.65e-3};  // of 48.5 and 48.6
@@ -97,8 +97,8 @@ TEST_CASE("X, row 8: three columns agree on a length, by chance in 2 of 1000 cel
     CHECK(first.meets(other));
     chance *= (first.upper - first.lower + other.upper - other.lower) / 0.1e-3;
   }
-  CHECK(chance > 0.0015);
-  CHECK(chance < 0.0025);
+  CHECK(chance > 0.0025);
+  CHECK(chance < 0.0035);
   CHECK(first.upper < 48.55e-3);  // so that it is 48.5
 }
 

@@ -178,11 +178,11 @@ Propagated started_resistance(const Request& request) {
 
 /// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
 Propagated of_sliding_sphere(const Request& request) {
-  const data::IsotropicSolid& steel = data::seed::steel;
+  const data::IsotropicSolid& of_sphere = data::seed::steel;
   const data::HalfSpaceProblem problem{
-      .body = data::ElasticSphere{1, steel, true},
+      .body = data::ElasticSphere{1, of_sphere, true},
       .half_space = data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
-      .speed = request.number("speed", "0") * std::sqrt(steel.shear / steel.density),
+      .speed = request.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
       .direction = request.number("direction", "0"),
       .given = data::GivenNormalForce{1e-6},
       .profile = {}};
