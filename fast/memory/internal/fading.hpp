@@ -58,13 +58,14 @@ Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, con
                                    Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0: to a few units in the last place of its size
-/// for real rates and for complex ones from polynomial_from on, which may make it far smaller than I; to such units of I for others.
+/// for real rates and for complex ones from polynomial_from on, which may make it far smaller than I; to such units of I for
+/// others.
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
                                Accuracy accuracy);
 
-/// The integral of steady_memory up to end = start + length. `length` is an argument of its own because a short length is lost in
-/// the rounding of end - start.
+/// The integral of steady_memory up to end = start + length. `length` is an argument of its own because a short length is
+/// lost in the rounding of end - start.
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy);
 Complex memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, Complex rate,

@@ -34,7 +34,8 @@ Complex asymptotic_dawson(Complex square, Complex z) {
 }
 
 /// h(s) = D(z)/z of s = z^2 on a ray of s up to asymptotic_from, between even |s|: Taylor polynomials in |s|/2 about 0, and
-/// in |s| about the middles of the others. By 2 s h' = 1 - (1 + 2 s) h; its homogeneous solution e^-s/sqrt s decays, and errors do.
+/// in |s| about the middles of the others. By 2 s h' = 1 - (1 + 2 s) h; its homogeneous solution e^-s/sqrt s decays, and so
+/// do errors.
 using Table = std::vector<std::vector<Complex>>;
 
 using Extended = std::complex<long double>;

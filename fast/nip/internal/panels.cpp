@@ -72,7 +72,8 @@ class Layout {
              return std::abs(rate) * 2 * half_length_ < most_over_whole;
            });
   }
-  /// Panels double up to where the end is forgotten, but hold no more radians of what oscillates and has not decayed than the whole contact would.
+  /// Panels double up to where the end is forgotten, but hold no more radians of what oscillates and has not decayed than the
+  /// one panel of a whole contact would.
   [[nodiscard]] double width_after(double left) const {
     const double forgotten = 1.001 * nats_of_double / resolution_.decay;
     double width = left < forgotten ? std::min(left, std::max(forgotten - left, left / 4)) : left;

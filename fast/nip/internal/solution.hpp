@@ -49,8 +49,8 @@ struct Functional {
 /// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
 /// units in the last place (Skeel 1980), and these numbers have such an error themselves. As the kernels are right to two
 /// units, weights and rates to about as many, and the kernels' memories to eight, in all d_i = 8 u, or 16 u for
-/// memories of kernels; of a number in which parts cancel, of the size of these. In rolling the amplitudes and the rates of the material, right to four units each, act in all
-/// equations and functionals: there u counts twice. As
+/// memories of kernels; of a number in which parts cancel, of the size of these. In rolling the amplitudes and the rates
+/// of the material, right to four units each, act in all equations and functionals: there u counts twice. As
 /// independent random numbers (Higham and Mary 2019) they change the number by
 ///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
 /// and the evaluation of J by 16 u times what the sizes of its terms add up to, and where these underflow.

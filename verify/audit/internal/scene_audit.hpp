@@ -38,8 +38,9 @@ struct SceneFindings {
 
 /// Solves scene `index` of `seed` as `solve` does, and compares each number with the reference (for elastic contacts
 /// without friction and L/B up to 20, and for half-spaces; a part of them only where the reference takes seconds),
-/// with the same nip solved to 1e-13, its peak with the pressure there, and with its variants. A number counts as checked if the other value has a
-/// smaller error estimate, or for a variant one of less than twice the size, or if the two contradict each other.
+/// with the same nip solved to 1e-13, its peak with the pressure there, and with its variants. A number counts as checked if
+/// the other value has a smaller error estimate, or for a variant one of less than twice the size, or if the two contradict
+/// each other.
 SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);
 
 /// An equivalent scene.
