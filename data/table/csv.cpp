@@ -87,7 +87,7 @@ void add_record(CsvFile& file, std::string_view line, std::size_t number) {
 }  // namespace
 
 void refuse(const std::filesystem::path& path, TextPosition position, std::string_view requirement) {
-  throw BadInput("table file", fmt::format("{}:{}:{}", path.string(), position.line, position.column),
+  throw BadInput("file", fmt::format("{}:{}:{}", path.string(), position.line, position.column),
                  requirement);
 }
 
@@ -123,7 +123,7 @@ class Lines {
 
 CsvFile read_csv(const std::filesystem::path& path) {
   CsvFile file{path, {}, {}};
-  std::ifstream stream = open_input_file(path, "table file");
+  std::ifstream stream = open_input_file(path, "file");
   Lines lines(stream, path);
   std::string line;
   for (std::size_t number = 1; lines.next(line, number); ++number) {

@@ -37,7 +37,7 @@ struct CsvFile {
 /// semicolons, or a record with more or fewer fields than the first.
 [[nodiscard]] CsvFile read_csv(const std::filesystem::path& path);
 
-/// Throws BadInput "table file = FILE:LINE:COLUMN: REQUIREMENT".
+/// Throws BadInput "file = FILE:LINE:COLUMN: REQUIREMENT".
 [[noreturn]] void refuse(const std::filesystem::path& path, TextPosition position,
                          std::string_view requirement);
 

@@ -54,6 +54,18 @@ const Quantity& quantity_of(const CommandLine& line) {
   return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
 }
 
+/// A number without its name is told the name of the quantity's first argument.
+void refuse_more_words(const CommandLine& line) {
+  if (line.words.size() < 2) return;
+  const Quantity& quantity = quantity_of(line);
+  const std::string& word = line.words[1];
+  const bool is_number = std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos;
+  throw BadInput(
+      "argument", word,
+      fmt::format("unexpected: eval takes one quantity and name=value pairs, as in 'eval {} {}={}'",
+                  quantity.name, quantity.arguments.front().name, is_number ? word : "..."));
+}
+
 /// Null for the right one.
 const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
   const std::string form = line.option("form").value_or(right_form);
@@ -262,6 +274,7 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
 }  // namespace
 
 int eval_verb(const CommandLine& line, std::ostream& out) {
+  refuse_more_words(line);
   const EvalRequest request = request_of(line);
   const Assignments given = with_material_numbers(*request.quantity, line.assignments);
   if (std::ranges::any_of(given, [](const auto& pair) { return is_swept(pair.second); }))

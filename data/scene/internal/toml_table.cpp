@@ -138,6 +138,8 @@ TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name,
 
 TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
                            const std::vector<Override>& overrides) {
+  if (text.find('\0') != std::string::npos)
+    origin.refuse("syntax", "(binary)", "must be text: this has zero bytes");
   if (const auto obstacle = toml_obstacle(text))
     refuse_syntax(text, obstacle->line, obstacle->allowed, origin);
   try {

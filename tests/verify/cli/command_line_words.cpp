@@ -13,6 +13,7 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
 #include "support/unfolded.hpp"
 
 // What is meant is done, and help says what there is.
@@ -69,6 +70,16 @@ TEST_CASE("an unknown quantity does not print all names") {
   CHECK(says(message, "nipref list"));
   CHECK_FALSE(says(message, "ti.span_ratio"));
   CHECK_FALSE(says(run("eval xyzzyxyzzy").err, "did you mean"));
+}
+
+TEST_CASE("a number without its name is told the name, and a binary file is not shown") {
+  check_call_refused(
+      "I1 0.73",
+      "0.73: unexpected: eval takes one quantity and name=value pairs, as in 'eval I1 alpha=0.73'");
+  check_call_refused("I1 I2", "as in 'eval I1 alpha=...'");
+  const ScratchFile binary(std::string("\x7f\0\x01", 3));
+  check_call_refused("solve '" + binary.path() + "'", "syntax = (binary): must be text: this has zero bytes");
+  check_call_refused("grade .", "file = .: must be a file: this is a folder");
 }
 
 TEST_CASE("command line: 'help scene' defines every key and every result of scenes") {
