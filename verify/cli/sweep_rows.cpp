@@ -50,6 +50,12 @@ std::string refusal_text(const FinishedRow& row) {
   return row.row ? "" : "not computed: interrupted";
 }
 
+/// As a field of CSV: a comma in quotes is one more column to readers such as NumPy's genfromtxt.
+std::string without_commas(std::string text) {
+  std::ranges::replace(text, ',', ';');
+  return csv_field(text);
+}
+
 std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
   std::string text;
   for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";
@@ -58,8 +64,8 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) 
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const AxisValue* const value : sweep.product.at(i)) text += csv_field(value->shown) + ",";
     for (std::size_t j = 0; j < sweep.columns.size(); ++j)
-      text += (rows[i].row ? csv_field(rows[i].row->cells[j]) : "") + ",";
-    text += csv_field(refusal_text(rows[i])) + "\n";
+      text += (rows[i].row ? without_commas(rows[i].row->cells[j]) : "") + ",";
+    text += without_commas(refusal_text(rows[i])) + "\n";
   }
   return text;
 }

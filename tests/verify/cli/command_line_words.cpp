@@ -82,6 +82,17 @@ TEST_CASE("a number without its name is told the name, and a binary file is not 
   check_call_refused("grade .", "file = .: must be a file: this is a folder");
 }
 
+TEST_CASE(
+    "what a row of a sweep is refused for has no comma, which would be one more column to many readers") {
+  const Outcome swept = run("solve thick-frictionless 'load.per_length=100, 1e9'");
+  CAPTURE(swept.out);
+  std::istringstream lines(swept.out);
+  std::string header, line;
+  std::getline(lines, header);
+  CHECK(says(swept.out, "per_length = 1e9: must give an allowed contact length; not"));
+  while (std::getline(lines, line)) CHECK(std::ranges::count(line, ',') == std::ranges::count(header, ','));
+}
+
 TEST_CASE("command line: 'help scene' defines every key and every result of scenes") {
   const Outcome text = run("help scene");
   CHECK(text.status == 0);
