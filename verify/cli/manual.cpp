@@ -52,7 +52,8 @@ Json verb_json(const VerbText& verb) {
 /// Names that a verb's words may be, of those that are known here.
 std::vector<std::string> names_for(const VerbText& verb) {
   std::vector<std::string> names;
-  if (verb.words == "quantity") {
+  if (verb.words == "action") names = {"make", "check", "update", "list"};
+  if (verb.words == "quantity" || verb.words == "file" || verb.words == "action") {
     for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
   } else if (verb.words == "table") {
     names = replayable_tables();
@@ -73,6 +74,13 @@ Json completion_json(const VerbText& verb) {
   return {{"name", verb.name}, {"words", fmt::format("{}", fmt::join(words, " "))}};
 }
 
+/// A quantity and its arguments, as they are begun.
+Json arguments_json(const Quantity& quantity) {
+  std::string words;
+  for (const Argument& argument : quantity.arguments) words += " " + argument.name + "=";
+  return {{"name", quantity.name}, {"words", words}};
+}
+
 }  // namespace
 
 std::string manual_page() {
@@ -82,10 +90,8 @@ std::string manual_page() {
 }
 
 std::string bash_completion() {
-  return text_of(
-      "nipref.bash",
-      {{"verbs", json_list(verbs(), completion_json)},
-       {"quantities", json_list(catalogue(), [](const Quantity& one) { return Json(one.name); })}});
+  return text_of("nipref.bash", {{"verbs", json_list(verbs(), completion_json)},
+                                 {"quantities", json_list(catalogue(), arguments_json)}});
 }
 
 }  // namespace nipref::verify

@@ -47,5 +47,9 @@ TEST_CASE("bash completes verbs, quantities, options, scenes and tables") {
   CHECK(offered("nipref solve thick-full-friction-l") == "\n\n");
   CHECK(offered("nipref solve thick-full-f") == "\nthick-full-friction\n");
   CHECK(offered("nipref tables thesis-VII") == "\nthesis-VII\nthesis-VIII\n");
+  CHECK(offered("nipref golden ch") == "\ncheck\n");
+  CHECK(offered("nipref grade mine.so ti.crit") == "\nti.critical\n");
+  CHECK(offered("nipref eval I6 al") == "\nalpha=\n");
+  CHECK(offered("nipref I6 et") == "\neta=\n");
   CHECK(offered("nipref audit --quick I") == "\nI1\nI2\nI3\nI4\nI5\nI6\nI7\n");
 }
