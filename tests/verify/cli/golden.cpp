@@ -59,6 +59,8 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
         0);
   const json kept = answer("golden check root.re I2", "golden_check", 0);
+  CHECK(run("golden check I2 --every 50").out.find("recomputed by the reference: PASS\n") !=
+        std::string::npos);
   CHECK(kept["files"].size() == 2);
   CHECK(kept["files"][0]["hashed"] == true);
   CHECK(answer("golden list I2 I3", "golden_list", 0)["missing"] == json{"I3"});
