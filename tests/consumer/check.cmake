@@ -62,6 +62,14 @@ foreach(text man/man1/nipref.1 bash-completion/completions/nipref)
 endforeach()
 file(READ ${moved}/share/doc/nipref/ref/sheet/README.md output)
 expect("## Roots")
+file(READ ${moved}/share/doc/nipref/README.md output)
+expect("# nipref")
+
+# A component that there is not is told as the reason.
+file(WRITE ${work}/unknown.cmake "cmake_minimum_required(VERSION 3.25)
+find_package(nipref REQUIRED COMPONENTS fortran)")
+execute_process(COMMAND ${CMAKE_COMMAND} -D nipref_ROOT=${moved} -P ${work}/unknown.cmake ERROR_VARIABLE output RESULT_VARIABLE status)
+expect("Component[ \n]+fortran[ \n]+is[ \n]+not[ \n]+installed")
 
 # A kernel of somebody who has the program and its header alone.
 file(WRITE ${work}/mine.c "#include <math.h>
