@@ -142,7 +142,7 @@ static_assert(are_in_order());
 /// In the order of Scale.
 constexpr auto scale_texts = std::to_array<std::string_view>({
     "the result itself",
-    "L/2, or the result if it is larger",
+    "L/2",
     "L/2 times the load",
     "50 L, as a traction's slope is known less well than the traction",
     "(L/2)^2/(2R), the rise of the roller's parabola over L/2",
@@ -160,6 +160,8 @@ constexpr auto scale_texts = std::to_array<std::string_view>({
     "the extent of the contact along the motion",
     "the compliance of the same line",
 });
+
+static_assert(scale_texts.size() == static_cast<std::size_t>(Scale::compliance) + 1);
 
 }  // namespace
 

@@ -53,8 +53,8 @@ enum class Scale {
   compliance,
 };
 
-/// In words, L the contact's length, R the roller's radius, p0 the pressure in the middle of the contact, on a half-space the
-/// largest pressure.
+/// In words, L the contact's length, R the roller's radius. The pressure in the middle of a contact on a half-space is the
+/// largest.
 [[nodiscard]] std::string_view text(Scale scale);
 
 /// Everything that a scene can want, in the order of scene_results(), called there what it is called here.

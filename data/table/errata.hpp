@@ -15,8 +15,8 @@ enum class ErratumKind {
   identity,  ///< other cells of the same row admit only one number, or only one that differs in one digit
   trend,     ///< weaker: a column that is smooth in every other row is broken by one digit, or other rows or
              ///< the twin column of the same table decide between numbers that the row admits
-  replay,  ///< its replay decides, between the mends that the table leaves or with a chance of coincidence, stated
-  glyph,       ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
+  replay,    ///< its replay decides between the mends that the table leaves, or with a chance that is stated
+  glyph,     ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
   unreadable,  ///< nothing in the table settles it: no value, or the printed one though it is in doubt
 };
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
@@ -21,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using data::BadInput;
-
-constexpr auto actions = "must be make, check, update or list";
 
 /// Quantities after the action; all if there are none.
 std::vector<const Quantity*> quantities_of(const CommandLine& line) {
@@ -280,12 +279,12 @@ int list(const CommandLine& line, std::ostream& out) {
 
 int golden_verb(const CommandLine& line, std::ostream& out) {
   const std::string action = line.words.empty() ? "(missing)" : line.words.front();
-  const std::vector<std::pair<std::string, int (*)(const CommandLine&, std::ostream&)>> known{
-      {"make", make}, {"check", check}, {"update", update}, {"list", list}};
-  for (const auto& [name, run] : known) {
-    if (name == action) return run(line, out);
+  constexpr std::array<int (*)(const CommandLine&, std::ostream&), golden_actions.size()> run{make, check,
+                                                                                              update, list};
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    if (golden_actions[i] == action) return run[i](line, out);
   }
-  throw BadInput("golden", action, actions);
+  throw BadInput("golden", action, "must be make, check, update or list");
 }
 
 }  // namespace nipref::verify

@@ -52,7 +52,7 @@ Json verb_json(const VerbText& verb) {
 /// Names that a verb's words may be, of those that are known here.
 std::vector<std::string> names_for(const VerbText& verb) {
   std::vector<std::string> names;
-  if (verb.words == "action") names = {"make", "check", "update", "list"};
+  if (verb.words == "action") names.assign(golden_actions.begin(), golden_actions.end());
   if (verb.words == "quantity" || verb.words == "file" || verb.words == "action") {
     for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
   } else if (verb.words == "table") {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -22,6 +23,7 @@ int merge_verb(const CommandLine& line, std::ostream& out);
 int points_verb(const CommandLine& line, std::ostream& out);
 int grade_verb(const CommandLine& line, std::ostream& out);
 int golden_verb(const CommandLine& line, std::ostream& out);
+inline constexpr std::array<std::string_view, 4> golden_actions{"make", "check", "update", "list"};
 int limits_verb(const CommandLine& line, std::ostream& out);
 int claims_verb(const CommandLine& line, std::ostream& out);
 int errata_verb(const CommandLine& line, std::ostream& out);

@@ -47,8 +47,7 @@ enum class Verdict {
   match,  ///< the rounding interval of the printed number intersects the replay's interval; in the tables of
           ///< half-spaces they differ by at most one unit of the last digit, see internal/half_space.hpp
   misprint,  ///< it matches after a correction that follows from the table's own redundancy, or with one other
-  ///< digit, which less than 1 in 100 cells would do by chance, or its row proves it wrong but leaves more
-  ///< than one correction
+             ///< digit, which less than 1 in 100 cells would do by chance
   likely_misprint,  ///< it matches with one other digit, by chance in 1 to 20 of 100 cases; the note says which
   seed_error,       ///< the seed's method or formula is wrong in a known way
   unexplained       ///< it does not match, or there is no legible number

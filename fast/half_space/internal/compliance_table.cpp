@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <nipref/fast/half_space/internal/compliance_table.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 
 namespace nipref::fast::internal {
 namespace {
@@ -14,31 +16,24 @@ double angle_of(Direction psi) {
   return psi.cosine < 0 ? std::atan2(-psi.sine, -psi.cosine) : std::atan2(psi.sine, psi.cosine);
 }
 
-double half_angle_of_point(std::size_t j, std::size_t points) {
-  return (2 * static_cast<double>(j) + 1) * pi / (4 * static_cast<double>(points));
-}
-
-/// Of the interval [0, 1].
-double chebyshev_point(std::size_t j, std::size_t points) {
-  return std::pow(std::sin(half_angle_of_point(j, points)), 2);
-}
-
 }  // namespace
 
-ComplianceTable::Piece ComplianceTable::piece(const Compliance& compliance, double lower, double upper) {
-  Piece result{lower, upper, {}};
-  for (std::size_t j = 0; j < points; ++j)
-    result.values[j] = compliance(Direction::of_angle(lower + (upper - lower) * chebyshev_point(j, points)));
-  return result;
+double ComplianceTable::Piece::angle(std::size_t j) const {
+  return lower + (upper - lower) * shifted_chebyshev_zero(static_cast<int>(j), points);
+}
+
+ComplianceTable::Piece::Piece(const Compliance& compliance, double from, double to) : lower(from), upper(to) {
+  for (std::size_t j = 0; j < points; ++j) values[j] = compliance(Direction::of_angle(angle(j)));
 }
 
 /// The barycentric formula of the second kind.
 double ComplianceTable::Piece::at(double angle) const {
   static const auto nodes = [] {
     std::array<std::array<double, 2>, points> result;
-    for (std::size_t j = 0; j < points; ++j)
-      result[j] = {chebyshev_point(j, points),
-                   std::sin(2 * half_angle_of_point(j, points)) * (j % 2 == 0 ? 1 : -1)};
+    for (std::size_t j = 0; j < points; ++j) {
+      const double x = shifted_chebyshev_zero(static_cast<int>(j), points);
+      result[j] = {x, (j % 2 == 0 ? 1 : -1) * std::sqrt(x * (1 - x))};
+    }
     return result;
   }();
   const double x = (angle - lower) / (upper - lower);
@@ -52,25 +47,24 @@ double ComplianceTable::Piece::at(double angle) const {
   return above / below;
 }
 
+/// Whether it has the values of a piece within it, to about 1e-10.
+bool ComplianceTable::Piece::agrees(const Piece& half) const {
+  for (std::size_t j = 0; j < points; ++j)
+    if (!(std::fabs(at(half.angle(j)) - half.values[j]) <= 1e-10 * half.values[j])) return false;
+  return true;
+}
+
 ComplianceTable::ComplianceTable(const Compliance& compliance) {
-  constexpr double tolerance = 1e-10;
   constexpr std::size_t most_pieces = (1 << 13) / points;
-  std::vector<Piece> pending{piece(compliance, -pi / 2, 0), piece(compliance, 0, pi / 2)};
+  std::vector<Piece> pending{{compliance, -pi / 2, 0}, {compliance, 0, pi / 2}};
   for (std::size_t made = pending.size(); !pending.empty();) {
     std::vector<Piece> halves;
     for (const Piece& whole : pending) {
       const double middle = (whole.lower + whole.upper) / 2;
-      const Piece left = piece(compliance, whole.lower, middle),
-                  right = piece(compliance, middle, whole.upper);
-      const auto agrees = [&](const Piece& half) {
-        for (std::size_t j = 0; j < points; ++j) {
-          const double angle = half.lower + (half.upper - half.lower) * chebyshev_point(j, points);
-          if (!(std::fabs(whole.at(angle) - half.values[j]) <= tolerance * half.values[j])) return false;
-        }
-        return true;
-      };
-      const bool is_done = (agrees(left) && agrees(right)) || made >= most_pieces;
-      (is_done ? pieces_ : halves).insert((is_done ? pieces_ : halves).end(), {left, right});
+      const Piece left(compliance, whole.lower, middle), right(compliance, middle, whole.upper);
+      const bool is_done = (whole.agrees(left) && whole.agrees(right)) || made >= most_pieces;
+      std::vector<Piece>& into = is_done ? pieces_ : halves;
+      into.insert(into.end(), {left, right});
       made += 2;
     }
     pending = std::move(halves);

@@ -23,9 +23,11 @@ class ComplianceTable {
     double lower, upper;  ///< angles
     std::array<double, points> values;
 
+    Piece(const Compliance& compliance, double from, double to);
+    [[nodiscard]] double angle(std::size_t j) const;  ///< of a value
     [[nodiscard]] double at(double angle) const;
+    [[nodiscard]] bool agrees(const Piece& half) const;
   };
-  [[nodiscard]] static Piece piece(const Compliance& compliance, double lower, double upper);
 
   std::vector<Piece> pieces_;  ///< rising, from -pi/2 to pi/2
 };

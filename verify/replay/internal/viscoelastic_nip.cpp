@@ -62,8 +62,6 @@ class ViscoelasticRowReplay {
     result.note = note(result, cell);
     if (result.verdict == Verdict::unexplained) explain(result, cell);
     explain_by_one_digit(table_, result);
-    // Its row proves it wrong and leaves a few mends, which the replay does not part.
-    if (result.verdict == Verdict::unexplained && cell.is_doubtful()) result.verdict = Verdict::misprint;
     return result;
   }
 
