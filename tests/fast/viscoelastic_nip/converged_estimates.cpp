@@ -284,3 +284,24 @@ TEST_CASE("far behind a contact, what oscillates counts against what it has left
     CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
   }
 }
+
+TEST_CASE(
+    "the trailing half has no layer: what a memory that swings has left there is resolved by its terms") {
+  const std::vector<double> p{782680932679680.0, 6695738.775390625, 1.0};
+  const data::ViscoelasticNip nip{
+      1.1973452918464318, 0.002579223587645174,
+      data::operator_solid({p,
+                            {9382128161652736.0, 82623957.2109375, 12.387626795098186},
+                            p,
+                            {2262666262872064.0, 19926229.666015625, 2.9874954535625875}}),
+      25.752156415954232};
+  const double length = 0.0001025917463906012;
+  const fast::Estimate truth = fast::converged_for_length(nip, length, 1e-13).rolling_resistance();
+  for (const double accuracy : {1e-5, 2.4e-6, 1e-6, 1e-7, 1e-8, 1e-9}) {
+    const fast::Estimate found = fast::converged_for_length(nip, length, accuracy).rolling_resistance();
+    CAPTURE(accuracy);
+    CHECK(std::fabs(found.value - truth.value) <= found.error + truth.error);
+    // Where it was not resolved, the terms of the end panels fell no more and more accuracy cost ever more terms.
+    CHECK(found.error <= accuracy * length / (2 * nip.roller_radius));
+  }
+}
