@@ -5,7 +5,6 @@
 
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
-#include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
@@ -112,20 +111,6 @@ auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
          faded(rate, way) * memory_from_far(kernel, end.waves, plain);
 }
 
-/// int_0^(1 - w) e^(-rate x) K'(w + x) dx of the smooth part of K, for rates that have no SmoothMemory by Gauss's rule.
-double smooth_slope_memory(Kernel kernel, double w, const Fade& fade) {
-  if (const auto& slope = fade.slope[static_cast<std::size_t>(kernel)]) return slope->from(w);
-  static const GaussRule rule = gauss_legendre(most_nodes);
-  const Series<double>& smooth = slope_of_smooth_part(kernel);
-  const double rate = fade.rate.high, length = std::min(nearest - w, 40 / rate);
-  Nodes slopes;
-  std::ranges::transform(rule.at, slopes.begin(), [&](double part) { return smooth(w + length * part); });
-  return faded_sum(rule, slopes, length, rate);
-}
-Complex smooth_slope_memory(Kernel kernel, double w, const OscillatingFade& fade) {
-  return fade.slope[static_cast<std::size_t>(kernel)]->from(w);
-}
-
 /// K' of I1 or I3 is smooth, but for -1/w of I1, between the distances `nearest`, and a sum of waves from there on.
 template <typename Rate>
 auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
@@ -134,7 +119,7 @@ auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
   if (w >= nearest) return slope_memory_from_far(kernel, start.waves, plain);
   const double from = std::max(w, -nearest);
   const auto kept = faded(rate, {nearest - from, 0});
-  auto sum = smooth_slope_memory(kernel, from, rate) +
+  auto sum = rate.slope[static_cast<std::size_t>(kernel)]->from(from) +
              kept * slope_memory_from_far(kernel, nearest_waves(accuracy), plain);
   if (kernel == Kernel::I1) sum += kept * scaled_E1(plain * nearest) - scaled_E1(plain * w);
   if (w >= -nearest) return sum;
@@ -150,12 +135,7 @@ double whole_line(double L) {
   return pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
 }
 
-/// Of the slope of a kernel that has a smooth part, for the rates that have one.
-template <typename Rate>
-std::optional<SmoothMemory<Rate>> memory_of_smooth_slope(Kernel kernel, Rate rate) {
-  if ((kernel != Kernel::I1 && kernel != Kernel::I3) || std::abs(rate) < polynomial_from) return std::nullopt;
-  return SmoothMemory<Rate>(slope_of_smooth_part(kernel), rate);
-}
+bool has_smooth_part(Kernel kernel) { return kernel == Kernel::I1 || kernel == Kernel::I3; }
 
 }  // namespace
 
@@ -178,7 +158,8 @@ double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy) {
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   Fade made{rate};
   for (const Kernel kernel : kernels) {
-    made.slope[static_cast<std::size_t>(kernel)] = memory_of_smooth_slope(kernel, rate.high);
+    if (has_smooth_part(kernel))
+      made.slope[static_cast<std::size_t>(kernel)].emplace(slope_of_smooth_part(kernel), rate.high);
     made.core[static_cast<std::size_t>(kernel)] = core_pieces(kernel, rate.high, accuracy);
     made.beyond[static_cast<std::size_t>(kernel)] =
         all_ahead(kernel, nearest_waves(accuracy), nearest, rate.high);
@@ -189,7 +170,8 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
 OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   OscillatingFade made{rate, {}, {}, {}};
   for (const Kernel kernel : kernels) {
-    made.slope[static_cast<std::size_t>(kernel)] = memory_of_smooth_slope(kernel, rate);
+    if (has_smooth_part(kernel) && std::abs(rate) >= polynomial_from)
+      made.slope[static_cast<std::size_t>(kernel)].emplace(slope_of_smooth_part(kernel), rate);
     made.core[static_cast<std::size_t>(kernel)].emplace(kernel, rate, accuracy);
     made.beyond[static_cast<std::size_t>(kernel)] = from_nearest(kernel, rate, accuracy);
   }

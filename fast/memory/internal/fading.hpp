@@ -20,8 +20,8 @@ struct SurfacePoint {
 SurfacePoint surface_point(Two at, Accuracy accuracy);
 
 /// A real rate, and the integrals of e^(-rate (w - start)) I(w) that depend on it alone, for the kernels it was made
-/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity); and for large rates those of
-/// the smooth part's derivative.
+/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity); and those of the smooth part's
+/// derivative, if there is one.
 struct Fade {
   Two rate;
   std::array<CorePieces, kernel_count> core{};

@@ -12,17 +12,12 @@ namespace {
 
 constexpr double negligible = 1e-18;  ///< of kernels, whose size is 1
 
+/// c'_k = c'_(k + 2) + 2 (k + 1) c_(k + 1)/half_width of the derivative c', of which later ones are known. Both are 0 from
+/// two terms on beyond the last.
 template <typename Coefficient>
-using Coefficients = std::array<Coefficient, Series<Coefficient>::most_terms>;
-
-/// c'_k = c'_(k + 2) + 2 (k + 1) c_(k + 1)/half_width of the derivative c', of which later ones are known.
-template <typename Coefficient>
-Coefficient slope_coefficient(const Coefficients<Coefficient>& of, const Coefficients<Coefficient>& slope,
+Coefficient slope_coefficient(const std::vector<Coefficient>& of, const std::vector<Coefficient>& slope,
                               std::size_t k) {
-  const auto at = [k](const auto& all, std::size_t more) {
-    return k + more < all.size() ? all[k + more] : Coefficient(0);
-  };
-  return at(slope, 2) + 2 * static_cast<double>(k + 1) / Series<Coefficient>::half_width * at(of, 1);
+  return slope[k + 2] + 2 * static_cast<double>(k + 1) / Series<Coefficient>::half_width * of[k + 1];
 }
 
 Series<double> through_chebyshev_points(Kernel kernel) {
@@ -32,8 +27,8 @@ Series<double> through_chebyshev_points(Kernel kernel) {
     regular_I1(at, at);
     return at[0];
   };
-  Coefficients<double> result{};
-  constexpr std::size_t points = result.size();  // even, so that none is at 0
+  constexpr std::size_t points = 36;  // even, so that none is at 0
+  std::vector<double> result(points);
   for (std::size_t j = 0; j < points; ++j) {
     const double angle = (static_cast<double>(j) + 0.5) * std::numbers::pi / points;
     const double here = 2.0 / points * value(Series<double>::half_width * std::cos(angle));
@@ -43,21 +38,52 @@ Series<double> through_chebyshev_points(Kernel kernel) {
 }
 
 Series<double> slope(const Series<double>& series) {
-  Coefficients<double> result{};
-  for (std::size_t k = result.size(); k-- > 0;)
-    result[k] = slope_coefficient(series.coefficients(), result, k);
+  std::vector<double> of(series.terms() + 2), result(of.size());
+  for (std::size_t k = series.terms(); k-- > 0;) {
+    of[k] = series.coefficient(k);
+    result[k] = slope_coefficient(of, result, k);
+  }
   return {result, negligible};
 }
 
 template <typename Rate>
-Series<Rate> memory_polynomial(const Series<double>& f, Rate rate) {
-  Coefficients<Rate> result{}, slope{};
+Series<Rate> sum_of_derivatives(const Series<double>& f, Rate rate) {
+  std::vector<Rate> result(f.terms() + 2), slope(result.size());
   const Rate step = 1.0 / rate;
   for (std::size_t k = f.terms(); k-- > 0;) {
     slope[k] = slope_coefficient(result, slope, k);
-    result[k] = (f.coefficients()[k] + slope[k]) * step;
+    result[k] = (f.coefficient(k) + slope[k]) * step;
   }
   return {result, negligible * std::abs(step)};
+}
+
+/// The coefficients of e^(-r (1 - w/1.25)), which are those of Bessel functions, are below 2^-60 from (84 r)^(1/2) on.
+Series<double> integral_to_end(const Series<double>& f, double rate) {
+  constexpr double half_width = Series<double>::half_width;
+  const double r = half_width * rate;
+  const std::size_t terms = f.terms() + static_cast<std::size_t>(std::ceil(std::sqrt(84 * r)));
+  std::vector<double> a(terms + 1), b(terms + 1), result(terms);
+  for (std::size_t k = terms; k-- > 1;) {
+    const double pivot = 2 * static_cast<double>(k) + r * b[k + 1];
+    b[k] = r / pivot;
+    a[k] = -(half_width * (f.coefficient(k - 1) - f.coefficient(k + 1)) + r * a[k + 1]) / pivot;
+  }
+  // The values at the end of what a and b make of P_0 = 0 and of P_0 = 1.
+  double given = 0, free = 1, at_end = 0, free_at_end = 0.5;
+  for (std::size_t k = 1; k < terms; ++k) {
+    at_end += given = a[k] + b[k] * given;
+    free_at_end += free *= b[k];
+  }
+  result[0] = -at_end / free_at_end;
+  for (std::size_t k = 1; k < terms; ++k) result[k] = a[k] + b[k] * result[k - 1];
+  return {result, negligible};
+}
+
+Series<double> memory_polynomial(const Series<double>& f, double rate) {
+  return rate < polynomial_from ? integral_to_end(f, rate) : sum_of_derivatives(f, rate);
+}
+Series<Complex> memory_polynomial(const Series<double>& f, Complex rate) {
+  return sum_of_derivatives(f, rate);
 }
 
 double faded_by(double nats) { return std::exp(-nats); }
@@ -66,10 +92,10 @@ Complex faded_by(Complex nats) { return faded_exp(nats); }
 }  // namespace
 
 template <typename Coefficient>
-Series<Coefficient>::Series(const std::array<Coefficient, most_terms>& coefficients, double negligible)
-    : coefficients_(coefficients) {
-  for (double tail = 0; terms_ > 1; --terms_) {
-    tail += std::abs(coefficients_[terms_ - 1]);
+Series<Coefficient>::Series(std::vector<Coefficient> coefficients, double negligible)
+    : coefficients_(std::move(coefficients)) {
+  for (double tail = 0; coefficients_.size() > 1; coefficients_.pop_back()) {
+    tail += std::abs(coefficients_.back());
     if (tail > negligible) break;
   }
 }
@@ -78,7 +104,7 @@ template <typename Coefficient>
 Coefficient Series<Coefficient>::operator()(double w) const {
   const double t = w / half_width;
   Coefficient here = 0, above = 0;
-  for (std::size_t k = terms_ - 1; k > 0; --k)
+  for (std::size_t k = terms() - 1; k > 0; --k)
     above = std::exchange(here, 2 * t * here - above + coefficients_[k]);
   return t * here - above + 0.5 * coefficients_[0];
 }
