@@ -9,7 +9,7 @@
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
-#include <nipref/fast/nip/internal/kept_functional.hpp>
+#include <nipref/fast/nip/internal/kept.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
 
@@ -47,7 +47,8 @@ struct ConvergedElasticNip::Implementation {
   SolvedNip solved;
   std::optional<double> given_length;  ///< unit of length
   mutable std::optional<ContactField> inner_field;
-  mutable KeptFunctional mean_strain;
+  mutable Kept<const Solution*, Functional> mean_strain;
+  mutable Kept<double, SolvedNip::OfPlace> strains;  ///< without friction, by the distance from the end
 
   [[nodiscard]] bool grips() const { return equations->grips(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
@@ -59,9 +60,10 @@ struct ConvergedElasticNip::Implementation {
   }
   /// At the distance e from the end, which is known to unsure_end(). Dimensionless.
   [[nodiscard]] Estimate traction(Component component, double e) const {
-    return solved.at_place(e, unsure_end(), [component](const Solution& solution, double place) {
-      return traction_at(solution, component, place);
-    });
+    return solved.estimate(
+        solved.at_place(e, unsure_end(), [component](const Solution& solution, double place) {
+          return traction_at(solution, component, place);
+        }));
   }
   /// The largest magnitude of a component.
   [[nodiscard]] Estimate peak(Component component) const {
@@ -100,7 +102,7 @@ struct ConvergedElasticNip::Implementation {
   }
   /// Mean strain of the surface in a contact without friction.
   [[nodiscard]] Functional sliding_creep(const Solution& solution) const {
-    return mean_strain.of(solution, [&] {
+    return mean_strain.of(&solution, [&] {
       Functional creep = tangential(solution, 0);
       creep.on_tractions /= solution.half_length();
       creep.cancelled /= solution.half_length();
@@ -118,9 +120,11 @@ struct ConvergedElasticNip::Implementation {
       result.on_tractions -= equations->beta() * traction_at(solution, pressure_row, e).on_tractions;
       return result;
     };
+    const double e = from_end(y);
+    const auto& at_place = strains.of(e, [&] { return solved.at_place(e, unsure_end(), strain); });
     std::optional<SolvedNip::Number> creep;
     if (beyond_creep) creep = [&](const Solution& solution) { return sliding_creep(solution); };
-    return times(units.creep, solved.at_place(from_end(y), unsure_end(), strain, creep));
+    return times(units.creep, solved.estimate(at_place, creep));
   }
   /// Made when it is asked for first.
   [[nodiscard]] const ContactField& field() const {
@@ -262,8 +266,9 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
     displacement.constant = (solution.half_length() - position) * (solution.half_length() + position);
     return displacement;
   };
-  return times(nip.units.displacement, from_end < 0 ? nip.solved.at_place(from_end, nip.unsure_end(), outside)
-                                                    : nip.solved.estimate(inside));
+  return times(nip.units.displacement,
+               from_end < 0 ? nip.solved.estimate(nip.solved.at_place(from_end, nip.unsure_end(), outside))
+                            : nip.solved.estimate(inside));
 }
 
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {
@@ -278,9 +283,9 @@ Estimate ConvergedElasticNip::tangential_displacement(double y) const {
     return displacement;
   };
   const bool is_gripped = nip.grips() && from_end >= 0;
-  return times(
-      std::copysign(nip.units.creep * nip.units.length, y),
-      is_gripped ? nip.solved.estimate(gripped) : nip.solved.at_place(from_end, nip.unsure_end(), at_place));
+  return times(std::copysign(nip.units.creep * nip.units.length, y),
+               is_gripped ? nip.solved.estimate(gripped)
+                          : nip.solved.estimate(nip.solved.at_place(from_end, nip.unsure_end(), at_place)));
 }
 
 Estimate ConvergedElasticNip::surface_strain(double y) const {
@@ -326,6 +331,7 @@ GreatestShear ConvergedElasticNip::greatest_shear() const {
 bool ConvergedElasticNip::refine() {
   implementation_->inner_field.reset();
   implementation_->mean_strain = {};
+  implementation_->strains = {};
   return implementation_->solved.refine();
 }
 

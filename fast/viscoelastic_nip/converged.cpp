@@ -7,7 +7,7 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
-#include <nipref/fast/nip/internal/kept_functional.hpp>
+#include <nipref/fast/nip/internal/kept.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
@@ -92,7 +92,8 @@ struct ConvergedViscoelasticNip::Implementation {
   double roller_radius;
   std::shared_ptr<const RollingEquations> equations;
   SolvedNip solved;
-  mutable KeptFunctional at_origin, mean_strain;
+  mutable Kept<const Solution*, Functional> at_origin, mean_strain;
+  mutable Kept<double, SolvedNip::OfPlace> strains;  ///< by the position
   mutable std::optional<double> origin_shift;
 
   [[nodiscard]] double half_length() const { return solved.half_length(); }
@@ -115,11 +116,10 @@ struct ConvergedViscoelasticNip::Implementation {
     const double y = position - offset();
     return {y < 0, half_length() - std::fabs(y)};
   }
-  /// A number of a place that is known as well as the contact's ends, less one of no place, if there is one.
+  /// A number of a place that is known as well as the contact's ends.
   template <class AtPlace>
-  [[nodiscard]] Estimate at_unsure_place(const ContactPlace& place, const AtPlace& at,
-                                         const std::optional<SolvedNip::Number>& less = {}) const {
-    return solved.at_place(place.e, unsure_end(), at_distance(place, at), less);
+  [[nodiscard]] SolvedNip::OfPlace at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
+    return solved.at_place(place.e, unsure_end(), at_distance(place, at));
   }
   template <class AtPlace>
   [[nodiscard]] static SolvedNip::AtPlace at_distance(const ContactPlace& place, const AtPlace& at) {
@@ -128,7 +128,7 @@ struct ConvergedViscoelasticNip::Implementation {
     };
   }
   [[nodiscard]] Estimate pressure(double position) const {
-    return at_unsure_place(place(position), pressure_at);
+    return solved.estimate(at_unsure_place(place(position), pressure_at));
   }
   /// A kernel with its size, at a place.
   [[nodiscard]] Functional acting(const Solution& solution, const Tractions::Kernel& kernel,
@@ -146,10 +146,10 @@ struct ConvergedViscoelasticNip::Implementation {
     return acting(solution, equations->kernels().tangential(), place);
   }
   [[nodiscard]] Functional tangential_at_origin(const Solution& solution) const {
-    return at_origin.of(solution, [&] { return tangential(solution, place(0)); });
+    return at_origin.of(&solution, [&] { return tangential(solution, place(0)); });
   }
   [[nodiscard]] Functional creep(const Solution& solution) const {
-    return mean_strain.of(solution, [&] {
+    return mean_strain.of(&solution, [&] {
       Functional result = tangential(solution, {false, 0}) - tangential(solution, {true, 0});
       result.on_tractions /= 2 * solution.half_length();
       result.cancelled /= 2 * solution.half_length();
@@ -175,13 +175,16 @@ struct ConvergedViscoelasticNip::Implementation {
       here.cancelled += std::fabs(equations->sheet().theta2_at_once * solution.value(pressure));
       return here;
     };
+    const double position = this->position(y);
+    const auto& at_place = strains.of(position, [&] { return at_unsure_place(place(position), at); });
     std::optional<SolvedNip::Number> mean;
     if (beyond_creep) mean = [&](const Solution& solution) { return creep(solution); };
-    return times(units.creep, at_unsure_place(place(position(y)), at, mean));
+    return times(units.creep, solved.estimate(at_place, mean));
   }
   /// What is kept of solutions that are no more.
   void forget() {
     at_origin = mean_strain = {};
+    strains = {};
     origin_shift.reset();
   }
   [[nodiscard]] ContactField field() const { return {solved, false, offset(), unsure_end()}; }
@@ -351,10 +354,10 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const ContactPlace place = nip.place(position);
   if (place.e >= 0) return times(nip.units.displacement, roller_displacement(nip.solved, position));
   const Tractions::Kernel normal = nip.equations->kernels().normal();
-  return times(nip.units.displacement,
-               nip.at_unsure_place(place, [&](const Solution& solution, const ContactPlace& at) {
-                 return nip.acting(solution, normal, at);
-               }));
+  return times(nip.units.displacement, nip.solved.estimate(nip.at_unsure_place(
+                                           place, [&](const Solution& solution, const ContactPlace& at) {
+                                             return nip.acting(solution, normal, at);
+                                           })));
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
@@ -365,7 +368,7 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
     return nip.tangential(solution, place);
   };
   const auto origin = [&](const Solution& solution) { return nip.tangential_at_origin(solution); };
-  Estimate displacement = nip.at_unsure_place(nip.place(position), at, origin);
+  Estimate displacement = nip.solved.estimate(nip.at_unsure_place(nip.place(position), at), origin);
   displacement.error += nip.shift_of_origin();
   return times(nip.units.creep * nip.units.length, displacement);
 }

@@ -95,21 +95,20 @@ Eigen::VectorXd Solution::adjoint(const Functional& f) const {
   if (layers_.size() > 0)
     right.tail(unknowns_.size()) +=
         (f.on_tractions.tail(layers_.rows()) * layers_.leftCols(unknowns_.size())).transpose();
-  return elimination_.transpose().solve(right);
+  // By its triangles, since the transpose of an elimination holds a copy of it.
+  const auto triangles = elimination_.matrixLU().transpose();
+  triangles.triangularView<Eigen::Lower>().solveInPlace(right);
+  triangles.triangularView<Eigen::UnitUpper>().solveInPlace(right);
+  return elimination_.permutationP().transpose() * right;
 }
 
-double Solution::rounding(const Functional& f, const Eigen::VectorXd& adjoint) const {
-  const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
-                          f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  return equation_errors_.cwiseProduct(adjoint).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow;
-}
-
-double Solution::rounding(const Functional& f) const { return rounding(f, adjoint(f)); }
-
-Estimate Solution::estimate(const Functional& f) const {
+Solution::Parts Solution::parts(const Functional& f) const {
   const Eigen::VectorXd z = adjoint(f);
   const Eigen::RowVectorXd of_left_out = f.on_tractions(left_out_) - z.transpose() * left_out_columns_;
-  return {value(f), tails_.dot(of_left_out.cwiseAbs()) + rounding(f, z)};
+  const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
+                          f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
+  return {value(f), tails_.dot(of_left_out.cwiseAbs()),
+          equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow};
 }
 
 }  // namespace nipref::fast

@@ -71,14 +71,19 @@ class Solution {
   /// g at 0 <= e <= A, see Tractions.
   [[nodiscard]] std::complex<double> traction(double e) const { return tractions_.value(e, coefficients_); }
   [[nodiscard]] double value(const Functional& functional) const;
-  [[nodiscard]] Estimate estimate(const Functional& functional) const;
-  /// The part of the error that is rounding.
-  [[nodiscard]] double rounding(const Functional& functional) const;
+  struct Parts {
+    double value, truncation, rounding;
+  };
+  /// A number with the parts of its error.
+  [[nodiscard]] Parts parts(const Functional& functional) const;
+  [[nodiscard]] Estimate estimate(const Functional& functional) const {
+    const auto [value, truncation, rounding] = parts(functional);
+    return {value, truncation + rounding};
+  }
   [[nodiscard]] int size() const { return static_cast<int>(elimination_.rows()); }
 
  private:
   [[nodiscard]] Eigen::VectorXd adjoint(const Functional& functional) const;
-  [[nodiscard]] double rounding(const Functional& functional, const Eigen::VectorXd& adjoint) const;
   void take_tails();
 
   Tractions tractions_;

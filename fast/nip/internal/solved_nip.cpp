@@ -28,7 +28,7 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
   // The last of the terms that a panel has beyond its degree are smaller than the accuracy asks.
   if (load_) search_roughly();
   solve_to(std::max(-std::log(accuracy) - nats_of_step, 1.0));
-  while (shortfall().all > 1 && add_terms()) {
+  while (add_terms(shortfall(), 1)) {
   }
   if (load_) meet_load();
 }
@@ -145,16 +145,21 @@ Estimate SolvedNip::estimate(const Number& linearised,
                       [&] { return number(neighbour()); });
 }
 
-Estimate SolvedNip::at_place(double e, double unsure, const AtPlace& number,
-                             const std::optional<Number>& less) const {
-  const auto beyond = [&](const Solution& solution, const Functional& at_e) {
-    return less ? at_e - (*less)(solution) : at_e;
+SolvedNip::OfPlace SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
+  OfPlace result{number(last(), e), {}, 0};
+  if (load_) result.there = number(neighbour(), e);
+  result.shift = shift(last().value(result.here), e, unsure, number);
+  return result;
+}
+
+Estimate SolvedNip::estimate(const OfPlace& number, const std::optional<Number>& less) const {
+  const auto beyond = [&](const Solution& solution, const Functional& of_place) {
+    return less ? of_place - (*less)(solution) : of_place;
   };
-  const Functional at_e = number(last(), e);
-  const auto [here, error] = last().estimate(beyond(last(), at_e));
-  Estimate result = extrapolated(
-      here, error, [&] { return neighbour().value(beyond(neighbour(), number(neighbour(), e))); });
-  result.error += shift(last().value(at_e), e, unsure, number);
+  const auto [here, error] = last().estimate(beyond(last(), number.here));
+  Estimate result =
+      extrapolated(here, error, [&] { return neighbour().value(beyond(neighbour(), *number.there)); });
+  result.error += number.shift;
   return result;
 }
 
@@ -175,11 +180,11 @@ SolvedNip::Shortfall SolvedNip::shortfall() const {
   targets.push_back({last().load(), 0});
   Shortfall largest{0, 0};
   for (const auto& [number, scale] : targets) {
-    const Estimate estimate = last().estimate(number);
-    const double size = accuracy_ * std::max(scale, std::fabs(estimate.value));
-    largest.all = std::max(largest.all, estimate.error / size);
-    largest.rounding = std::max(largest.rounding, last().rounding(number) / size);
-    if (std::isnan(estimate.error)) largest.all = estimate.error;
+    const auto [value, truncation, rounding] = last().parts(number);
+    const double size = accuracy_ * std::max(scale, std::fabs(value)), error = truncation + rounding;
+    largest.all = std::max(largest.all, error / size);
+    largest.rounding = std::max(largest.rounding, rounding / size);
+    if (std::isnan(error)) largest.all = error;
   }
   if (std::isnan(largest.all)) {
     throw data::BadInput("contact's half length", last().half_length(),
@@ -188,16 +193,15 @@ SolvedNip::Shortfall SolvedNip::shortfall() const {
   return largest;
 }
 
-bool SolvedNip::add_terms() {
-  const Shortfall now = shortfall();
-  if (nats_ >= most_nats || now.all <= 2 * now.rounding) return false;
+bool SolvedNip::add_terms(const Shortfall& now, double enough) {
+  if (now.all <= enough || nats_ >= most_nats || now.all <= 2 * now.rounding) return false;
   const double missing = std::max(now.all > 1 ? std::log(now.all) : 0, nats_of_step);
   solve_to(std::min(nats_ + std::min(missing, 3 * nats_of_step), most_nats));
   return true;
 }
 
 bool SolvedNip::refine() {
-  const bool has_more = add_terms();
+  const bool has_more = add_terms(shortfall(), 0);
   if (has_more && load_) meet_load();
   return has_more;
 }

@@ -63,9 +63,15 @@ class SolvedNip {
                                   const std::function<double(const Solution&)>& number) const;
   /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
   using AtPlace = std::function<Functional(const Solution&, double e)>;
+  /// Such a number in last() and, for a given load, in the neighbour; and what the place adds to its error.
+  struct OfPlace {
+    Functional here;
+    std::optional<Functional> there;
+    double shift;
+  };
+  [[nodiscard]] OfPlace at_place(double e, double unsure, const AtPlace& number) const;
   /// Less a number of no place, if there is one.
-  [[nodiscard]] Estimate at_place(double e, double unsure, const AtPlace& number,
-                                  const std::optional<Number>& less = {}) const;
+  [[nodiscard]] Estimate estimate(const OfPlace& number, const std::optional<Number>& less = {}) const;
   /// How much such a number may change because the place is not known better.
   [[nodiscard]] double shift(double e, double unsure, const AtPlace& number) const;
   /// Solves with more terms; false where rounding rules, so that more do not help.
@@ -82,11 +88,12 @@ class SolvedNip {
   void solve_to(double nats);
   void search_roughly();
   void meet_load();
-  bool add_terms();
   /// Relative to the accuracy: 1 or less where all targets meet it; and the same of rounding alone.
   struct Shortfall {
     double all, rounding;
   };
+  /// False where `enough` is met or rounding rules.
+  bool add_terms(const Shortfall& now, double enough);
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] const Solution& neighbour() const;
   /// A number of the contact of half_length() by its values in last() and the neighbour, and an error of it in last().
