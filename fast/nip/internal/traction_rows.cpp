@@ -137,16 +137,22 @@ void Tractions::cut_for_layers(const Panel& panel, std::vector<double>& ends) co
   for (const double cut : cuts(layer_rates(), 0, panel.right)) ends.push_back(cut);
 }
 
-void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
-                         Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const auto count = static_cast<Eigen::Index>(nodes.e.size());
-  const Panel& panel = panels_[p];
-  const Eigen::ArrayXd weight = array(nodes.weight);
+PanelBasis::Rows Tractions::basis_at(const Panel& panel, const Nodes& nodes) const {
   const Eigen::ArrayXd from_left = array(nodes.e) - panel.left,
                        from_right = panel.about_middle ? (array(nodes.other) - panel.left).eval()
                                                        : (panel.right - array(nodes.e)).eval();
-  const auto basis =
-      this->basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
+  return basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
+}
+
+void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing, Parts parts,
+                         Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const auto count = static_cast<Eigen::Index>(nodes.e.size());
+  const Eigen::ArrayXd weight = array(nodes.weight);
+  const PanelBasis::Rows basis = parts.terms ? basis_at(panels_[p], nodes) : PanelBasis::Rows();
+  const auto leading = trailing
+                           ? Eigen::seq(static_cast<Eigen::Index>(nodes.on_this_half), count - 1)
+                           : Eigen::seq(Eigen::Index(0), static_cast<Eigen::Index>(nodes.on_this_half) - 1);
+  const Eigen::MatrixXd layers = parts.layers ? layers_at(array(nodes.e)(leading)) : Eigen::MatrixXd();
   Eigen::MatrixXd on_p, on_q;
   std::vector<double> alpha = nodes.alpha;
   if (trailing) std::ranges::transform(alpha, alpha.begin(), std::negate{});
@@ -160,7 +166,8 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
   for (int i = 0; i < kernel.functionals; ++i) {
     const Eigen::RowVectorXd wp = weight.transpose() * on_p.row(i).array(),
                              wq = signed_weight.transpose() * on_q.row(i).array();
-    add_sums(p, basis, wp, wq, rows.row(i));
+    if (parts.terms) add_sums(p, basis, wp, wq, rows.row(i));
+    if (parts.layers) rows.row(i).tail(layers.cols()) += 0.5 * (wp + wq)(leading)*layers;
   }
 }
 
@@ -239,19 +246,25 @@ bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kerne
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
                           Eigen::Ref<Eigen::MatrixXd> rows) const {
   Nodes nodes;
+  bool has_layers = layers_.empty();
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
+    Parts parts{true, false};
     nodes.clear();
     for (const bool mirrored : {false, true}) {
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
       if (acts_on(panel, singular_at(place, mirrored), kernel, tolerance) &&
-          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows))
-        append_panel(panel, place, mirrored, kernel, false, tolerance, nodes);
+          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows)) {
+        const bool for_layers = !has_layers && panel.at_end && mirrored == place.trailing;
+        append_panel(panel, place, mirrored, kernel, for_layers, tolerance, nodes);
+        parts.layers |= for_layers;
+      }
     }
-    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
+    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, parts, rows);
+    has_layers |= parts.layers;
   }
-  if (!layers_.empty()) add_layers(place, kernel, tolerance, rows);
+  if (!has_layers) add_layers(place, kernel, tolerance, rows);
 }
 
 void Tractions::add_layers(const Place& place, const Kernel& kernel, double tolerance,
@@ -260,13 +273,8 @@ void Tractions::add_layers(const Place& place, const Kernel& kernel, double tole
   if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance)) return;
   Nodes nodes;
   append_panel(panel, place, place.trailing, kernel, true, tolerance, nodes);
-  if (place.trailing) std::ranges::transform(nodes.alpha, nodes.alpha.begin(), std::negate{});
-  Eigen::MatrixXd on_p, on_q;
-  kernel.at(nodes.alpha, on_p, on_q);
-  const Eigen::RowVectorXd weight = 0.5 * array(nodes.weight).matrix().transpose();
-  const Eigen::MatrixXd layers = layers_at(nodes.e);
-  for (int i = 0; i < kernel.functionals; ++i)
-    rows.row(i).tail(layers.cols()) += weight.cwiseProduct(on_p.row(i) + on_q.row(i)) * layers;
+  nodes.on_this_half = place.trailing ? 0 : nodes.e.size();
+  add_rows(0, nodes, kernel, place.trailing, {false, true}, rows);
 }
 
 Eigen::MatrixXd Tractions::rows_by(Add add, std::span<const double> places, bool trailing,
@@ -318,7 +326,7 @@ void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i)
     append_piece(ends[i - 1], ends[i], half_length_, true, *cached_rule(tolerance), tolerance, nodes);
-  const Eigen::MatrixXd values = layers_at(nodes.e);
+  const Eigen::MatrixXd values = layers_at(array(nodes.e));
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
                            y = array(nodes.alpha).matrix().transpose();
   result.row(0).tail(values.cols()) += weight * values;

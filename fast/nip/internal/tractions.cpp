@@ -40,13 +40,13 @@ Tractions::Degrees Tractions::degrees_of(std::size_t p, int component) const {
   return {component, 2, component == 0 ? 1.0 : -1.0};
 }
 
-Eigen::MatrixXd Tractions::layers_at(const std::vector<double>& e) const {
-  Eigen::MatrixXd values(static_cast<Eigen::Index>(e.size()), static_cast<Eigen::Index>(2 * layers_.size()));
+Eigen::MatrixXd Tractions::layers_at(const Eigen::ArrayXd& e) const {
+  Eigen::MatrixXd values(e.size(), static_cast<Eigen::Index>(2 * layers_.size()));
   for (std::size_t j = 0; j < layers_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(2 * j);
-    for (std::size_t i = 0; i < e.size(); ++i) {
+    for (Eigen::Index i = 0; i < e.size(); ++i) {
       const Complex value = layers_[j](e[i]);
-      values.row(static_cast<Eigen::Index>(i)).segment<2>(column) << value.real(), -value.imag();
+      values.row(i).segment<2>(column) << value.real(), -value.imag();
     }
   }
   return values;
@@ -93,7 +93,8 @@ Eigen::MatrixXd Tractions::values(double e) const {
   add_sums(p, basis, one, none, result.row(0));
   add_sums(p, basis, none, one, result.row(1));
   if (panel.at_end)
-    result.rightCols(static_cast<Eigen::Index>(2 * layers_.size())).rowwise() += 0.5 * layers_at({e}).row(0);
+    result.rightCols(static_cast<Eigen::Index>(2 * layers_.size())).rowwise() +=
+        0.5 * layers_at(Eigen::ArrayXd::Constant(1, e)).row(0);
   return result;
 }
 

@@ -122,7 +122,7 @@ class Tractions {
   void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
                     double tolerance, Nodes& nodes) const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
-  [[nodiscard]] Eigen::MatrixXd layers_at(const std::vector<double>& e) const;
+  [[nodiscard]] Eigen::MatrixXd layers_at(const Eigen::ArrayXd& e) const;
   /// Up to which the panel's terms and those left out go.
   [[nodiscard]] static int degrees(const Panel& panel);
   /// Which degrees of T_n(2 x - 1), times a sign, are a component's terms: about the middle t = 1 - 2 x.
@@ -140,7 +140,12 @@ class Tractions {
   [[nodiscard]] static MatchingPoints points_of(const Panel& panel) {
     return {panel.about_middle, panel.terms + (panel.at_end ? 1 : 0)};
   }
-  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
+  [[nodiscard]] PanelBasis::Rows basis_at(const Panel& panel, const Nodes& nodes) const;
+  /// Which columns get rows from nodes: those of the panel's terms, those of the layers from the leading half's nodes.
+  struct Parts {
+    bool terms, layers;
+  };
+  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing, Parts parts,
                 Eigen::Ref<Eigen::MatrixXd> rows) const;
   /// Adds sums over the rows of `integrals` with weights p and q.
   void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
