@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -14,6 +15,10 @@ struct Interval {
   [[nodiscard]] double middle() const { return std::midpoint(lower, upper); }
   [[nodiscard]] bool meets(const Interval& other) const {
     return lower <= other.upper && other.lower <= upper;
+  }
+  /// The part of the interval that lies in `other`; all of it if there is none.
+  [[nodiscard]] Interval within(const Interval& other) const {
+    return meets(other) ? Interval{std::max(lower, other.lower), std::min(upper, other.upper)} : *this;
   }
   [[nodiscard]] Interval times(double factor) const {
     return {lower * factor, upper * factor};

@@ -49,6 +49,8 @@ struct TableCell {
   [[nodiscard]] bool is_doubtful() const {
     return is_readable() && erratum && erratum->kind == ErratumKind::unreadable;
   }
+  /// Whether its reading is the one that its own replay meets.
+  [[nodiscard]] bool rests_on_replay() const { return erratum && erratum->kind == ErratumKind::replay; }
   /// Readable but for a digit or more: its rounding interval is that of all digits that may have stood there.
   [[nodiscard]] bool has_lost_digit() const { return read_as.find(lost_digit) != std::string::npos; }
   /// False where the seed shows nothing. Such a cell may still be readable: what its row proves is known,

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
@@ -10,12 +7,6 @@
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
-namespace {
-
-constexpr double largest_chance = 0.2;  ///< of a likely misprint
-
-}  // namespace
-
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
 
 std::size_t Replay::count(Verdict verdict) const {
@@ -26,30 +17,6 @@ Verdict assess(const data::TableCell& cell, const data::Interval& range) {
   if (!cell.is_readable()) return Verdict::unexplained;
   if (!cell.number->rounding.meets(range)) return Verdict::unexplained;
   return cell.read_as == cell.printed || cell.has_lost_digit() ? Verdict::match : Verdict::misprint;
-}
-
-void explain_by_one_digit(const data::Table& table, ReplayedCell& cell) {
-  const data::TableCell& printed = table.cell(cell.row, cell.column);
-  if (cell.verdict != Verdict::unexplained || !printed.is_readable()) return;
-  const int exponent = table.columns[table.column_index(cell.column)].scale_exponent;
-  const double unit = printed.number->rounding.upper - printed.number->rounding.lower;
-  const double width = unit + cell.range.upper - cell.range.lower;
-  double place_unit = unit;
-  for (std::size_t place = printed.read_as.size(); place-- > 0;) {
-    if (std::isdigit(static_cast<unsigned char>(printed.read_as[place])) == 0) continue;
-    const double chance = width / place_unit;
-    place_unit *= 10;
-    for (char digit = '0'; digit <= '9' && chance < largest_chance; ++digit) {
-      std::string reading = printed.read_as;
-      reading[place] = digit;
-      const auto number = data::read_printed_number(reading, exponent);
-      if (!number || !number->rounding.meets(cell.range)) continue;
-      cell.verdict = chance < 0.01 ? Verdict::misprint : Verdict::likely_misprint;
-      cell.note = fmt::format("{} for {}, one digit, met by chance in {:.2g} of 100 such cells; {}",
-                              printed.read_as, reading, 100 * chance, cell.note);
-      return;
-    }
-  }
 }
 
 std::vector<std::string> replayable_tables() {

@@ -135,8 +135,10 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("the thesis's printed lengths are cut: misses ask for longer ones, none for shorter ones") {
-  std::size_t longer = 0, shorter = 0;
+TEST_CASE(
+    "the thesis's printed lengths are cut: misses ask for longer ones, none for shorter ones, also where the row's other "
+    "length reaches beyond") {
+  std::size_t longer = 0, shorter = 0, longer_by_other = 0, shorter_by_other = 0;
   for (const verify::ViscoelasticTable& how : verify::viscoelastic_tables()) {
     const Replay& replay = replayed(std::string(how.id));
     for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
@@ -151,8 +153,16 @@ TEST_CASE("the thesis's printed lengths are cut: misses ask for longer ones, non
                verify::assess(cell, verify::replay_viscoelastic_row(rolling, method, length).range(column)) !=
                    Verdict::unexplained;
       };
-      for (const char* column : {"d0", "d1", "d2"}) {
+      const auto meets_beyond = [&](const char* column, bool above) {
+        const data::Interval length = above ? data::Interval{high, std::max(high, input.narrowest.upper)}
+                                            : data::Interval{std::min(low, input.narrowest.lower), low};
+        return length.upper > length.lower && meets(column, length);
+      };
+      for (const char* column : {"d0", "d1", "d2", "creep", "p_max", "muR"}) {
         if (meets(column, input.leading_length)) continue;
+        longer_by_other += meets_beyond(column, true) ? 1U : 0U;
+        shorter_by_other += meets_beyond(column, false) ? 1U : 0U;
+        if (column[0] != 'd') continue;
         longer += meets(column, {high, high * (1 + 0x1p-20)}) ? 1U : 0U;
         shorter += meets(column, {low * (1 - 0x1p-20), low}) ? 1U : 0U;
       }
@@ -160,6 +170,8 @@ TEST_CASE("the thesis's printed lengths are cut: misses ask for longer ones, non
   }
   CHECK(longer == 12);
   CHECK(shorter == 0);
+  CHECK(longer_by_other == 14);
+  CHECK(shorter_by_other == 0);
 }
 
 TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the odd rows confirm it") {

@@ -45,7 +45,8 @@ class RowReplay {
     ReplayedCell result{row_,  column,  replayed_.at_centre.at(column),
                         range, verdict, note(cell, column, verdict)};
     if (verdict == Verdict::unexplained && column == "q_max") explain_by_element(result);
-    explain_by_one_digit(table_, result);
+    if (result.verdict == Verdict::unexplained)
+      judge_reading(table_, result, replay_row(nip_, method_, narrowed()).range(column));
     return result;
   }
 
@@ -95,6 +96,14 @@ class RowReplay {
     return input;
   }
 
+  /// The input, its length as narrow as L/B has it where that is printed too.
+  [[nodiscard]] RowInput narrowed() const {
+    RowInput input = input_;
+    const data::TableCell& ratio = table_.cell(row_, "L/B");
+    if (ratio.is_readable() && !ratio.is_doubtful()) input.length = input.length.within(length_from_ratio());
+    return input;
+  }
+
   [[nodiscard]] bool is_input(const std::string& column) const {
     return column == "L" || (column == "L/B" && !length_is_printed()) ||
            (column == "creep" && input_.creep.has_value());
@@ -104,7 +113,10 @@ class RowReplay {
                                  Verdict verdict) const {
     if (column == "L")
       return (length_is_printed() ? "" : "not legible, taken from L/B; ") +
-             load_note(replayed_.at_centre.at("W"), table_.cell(row_, "W").number->value);
+             load_note(replayed_.at_centre.at("W"), table_.cell(row_, "W").number->value) +
+             agreement_on_length(table_, row_, "L", [&](double length) {
+               return replay_row(nip_, method_, {data::Interval::only(length), input_.creep}).at_centre;
+             });
     if (verdict == Verdict::input) return "";
     return note_on(cell, verdict, [&] { return attempts({table_, row_, column, nip_, method_, input_}); });
   }

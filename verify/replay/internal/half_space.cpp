@@ -142,10 +142,14 @@ std::string unexplained_note(const data::Table& table, const HalfSpaceCell& cell
 }
 
 /// A match of what an erratum reads is a misprint.
-ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::TableCell& printed) {
-  if (cell.verdict != Verdict::match || printed.read_as == printed.printed) return cell;
-  cell.verdict = Verdict::misprint;
-  cell.note = printed.erratum->reason;
+ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::Table& table) {
+  const data::TableCell& printed = table.cell(cell.row, cell.column);
+  if (printed.read_as == printed.printed) return cell;
+  if (cell.verdict == Verdict::match) {
+    cell.verdict = Verdict::misprint;
+    cell.note = printed.erratum->reason;
+  }
+  judge_reading(table, cell, cell.range);
   return cell;
 }
 
@@ -164,7 +168,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
   result.exact = cell.exact;
   if (std::fabs(value - cell.corrected) <= table_unit + binary) {
     result.verdict = Verdict::match;
-    return corrected_by_erratum(result, printed);
+    return corrected_by_erratum(result, table);
   }
   const auto met = std::ranges::find_if(cell.attempts, [&](const Attempt& attempt) {
     return distance(value, attempt.range) <= last_digit(printed) + binary;
@@ -180,7 +184,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
   } else {
     result.note = unexplained_note(table, cell);
   }
-  return corrected_by_erratum(result, printed);
+  return corrected_by_erratum(result, table);
 }
 
 }  // namespace nipref::verify

@@ -75,6 +75,11 @@ struct ViscoelasticRowInput {
   std::string column;             ///< the cell from which the length follows; empty for the table's load
   data::Interval leading_length;  ///< the L1 that follows from it, in
   int trailing_elements;          ///< m2, from the ratio of the printed lengths
+  /// The printed length that agrees with it and bounds L1 most narrowly, mostly L, of which L1 is half.
+  std::string narrowest_column;
+  data::Interval narrowest;
+  /// What all agreeing lengths and d0 - d1 = L1^2/(2R) leave of `leading_length`.
+  data::Interval agreed;
 };
 
 /// The cell is L1 if it is printed and not doubtful, otherwise L, L2, L/B or d2. m2 is the number of elements that

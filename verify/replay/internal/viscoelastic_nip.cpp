@@ -45,6 +45,7 @@ class ViscoelasticRowReplay {
     replayed_ = replay_viscoelastic_row(nip_, method_, input_.leading_length);
     const double end = input_.leading_length.upper;
     beyond_ = replay_viscoelastic_row(nip_, method_, {end, end * (1 + cut)});
+    other_ = replay_viscoelastic_row(nip_, method_, {end, std::max(end, input_.narrowest.upper)});
   }
 
   [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, input_.trailing_elements}; }
@@ -61,7 +62,9 @@ class ViscoelasticRowReplay {
     }
     result.note = note(result, cell);
     if (result.verdict == Verdict::unexplained) explain(result, cell);
-    explain_by_one_digit(table_, result);
+    if (result.verdict == Verdict::unexplained || result.verdict == Verdict::misprint)
+      judge_reading(table_, result, replay_viscoelastic_row(nip_, method_, input_.agreed).range(column));
+    if (result.verdict == Verdict::unexplained) judge_reading(table_, result, beyond_.range(column));
     return result;
   }
 
@@ -81,6 +84,12 @@ class ViscoelasticRowReplay {
           "the printed {} is cut: met with one up to 16^-5 above what rounds to it, as much as one product "
           "loses in the single precision of the thesis's machine; {}",
           input_.column, replayed.note);
+    } else if (assess(cell, other_.range(replayed.column)) != Verdict::unexplained) {
+      replayed.verdict = Verdict::seed_error;
+      replayed.note = fmt::format(
+          "the printed {} is cut: met with a longer one, which the row's {} has, by which it is known more "
+          "narrowly; {}",
+          input_.column, input_.narrowest_column, replayed.note);
     }
   }
 
@@ -130,6 +139,7 @@ class ViscoelasticRowReplay {
   fast::ViscoelasticLineLoadMethod method_;
   ViscoelasticRowInput input_;
   ReplayedRow replayed_, beyond_;  ///< from the length, and from one that was cut to it
+  ReplayedRow other_;              ///< from what the narrowest printed length has beyond it
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 struct PrintedLength {
   std::string column;
   data::Interval rounding;  ///< in
-  bool is_doubtful;         ///< whether its row contradicts it
+  bool is_doubtful;         ///< whether its row contradicts it, or it is read as its replay has it
 
   [[nodiscard]] data::Interval leading(double ratio) const {
     return rounding.times(column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio));
@@ -22,14 +22,13 @@ struct PrintedLength {
 /// The printed lengths, the most reliable first.
 std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t row, double thickness) {
   std::vector<PrintedLength> lengths;
-  for (const char* column : {"L1", "L", "L2"}) {
+  for (const char* column : {"L1", "L", "L2", "L/B"}) {
     const data::TableCell& cell = table.cell(row, column);
+    const bool is_ratio = column == std::string_view("L/B");
     if (cell.is_readable() && cell.is_printed())
-      lengths.push_back({column, cell.number->rounding, cell.is_doubtful()});
+      lengths.push_back({column, cell.number->rounding.times(is_ratio ? thickness : 1),
+                         cell.is_doubtful() || cell.rests_on_replay()});
   }
-  const data::TableCell& ratio = table.cell(row, "L/B");
-  if (ratio.is_readable() && ratio.is_printed())
-    lengths.push_back({"L/B", ratio.number->rounding.times(thickness), ratio.is_doubtful()});
   std::ranges::stable_partition(lengths, [](const PrintedLength& length) { return !length.is_doubtful; });
   return lengths;
 }
@@ -109,13 +108,41 @@ ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
       fast::viscoelastic_line_loads_by_search(nip, method, table.parameter("W").value);
   method.trailing_elements = static_cast<int>(found.loads.size()) - method.leading_elements;
   const data::TableCell& d2 = table.cell(row, "d2");
-  if (!d2.is_readable() || !d2.is_printed())
-    return {"", {found.leading_length, found.leading_length}, method.trailing_elements};
-  const data::Interval& rounding = d2.number->rounding;
-  return {"d2",
-          {length_with(nip, method, rounding.lower, found.leading_length),
-           length_with(nip, method, rounding.upper, found.leading_length)},
-          method.trailing_elements};
+  const bool by_load = !d2.is_readable() || !d2.is_printed();
+  const auto length = [&](double displacement) {
+    return by_load ? found.leading_length : length_with(nip, method, displacement, found.leading_length);
+  };
+  const data::Interval rounding = by_load ? data::Interval{} : d2.number->rounding;
+  const data::Interval leading{length(rounding.lower), length(rounding.upper)};
+  return {by_load ? "" : "d2", leading, method.trailing_elements, "", leading, leading};
+}
+
+/// L1 by d0 - d1 = L1^2/(2R); nothing if one of them is not legible or its row contradicts it.
+std::optional<data::Interval> length_by_displacements(const data::Table& table, std::size_t row,
+                                                      double roller_radius) {
+  const data::TableCell &d0 = table.cell(row, "d0"), &d1 = table.cell(row, "d1");
+  for (const data::TableCell* cell : {&d0, &d1})
+    if (!cell->is_readable() || cell->is_doubtful()) return std::nullopt;
+  const auto length = [&](double difference) { return std::sqrt(2 * roller_radius * difference); };
+  return data::Interval{length(d0.number->rounding.lower - d1.number->rounding.upper),
+                        length(d0.number->rounding.upper - d1.number->rounding.lower)};
+}
+
+/// Sets what the row's other cells tell of the input's length.
+void narrow(ViscoelasticRowInput& input, const std::vector<PrintedLength>& lengths, double ratio,
+            const std::optional<data::Interval>& by_displacements) {
+  const auto width = [](const data::Interval& interval) { return interval.upper - interval.lower; };
+  input.narrowest_column = input.column;
+  input.narrowest = input.agreed = input.leading_length;
+  for (const PrintedLength& length : lengths) {
+    const data::Interval leading = length.leading(ratio);
+    if (length.is_doubtful || !leading.meets(input.leading_length)) continue;
+    input.agreed = input.agreed.within(leading);
+    if (width(leading) >= width(input.narrowest)) continue;
+    input.narrowest_column = length.column;
+    input.narrowest = leading;
+  }
+  if (by_displacements) input.agreed = input.agreed.within(*by_displacements);
 }
 
 }  // namespace
@@ -135,7 +162,7 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
     const data::Interval leading = lengths.front().leading(ratio);
     if (agree > most || !best) {
       most = agree;
-      best = {lengths.front().column, leading, method.trailing_elements};
+      best = {lengths.front().column, leading, method.trailing_elements, "", leading, leading};
     } else {
       const auto presses = [&](int trailing_elements, double length) {
         fast::ViscoelasticLineLoadMethod other = method;
@@ -144,9 +171,11 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
       };
       if (!presses(best->trailing_elements, best->leading_length.middle()) &&
           presses(method.trailing_elements, leading.middle()))
-        best = {lengths.front().column, leading, method.trailing_elements};
+        best = {lengths.front().column, leading, method.trailing_elements, "", leading, leading};
     }
   }
+  narrow(*best, lengths, static_cast<double>(best->trailing_elements) / method.leading_elements,
+         length_by_displacements(table, row, nip.roller_radius));
   return *best;
 }
 

@@ -1,0 +1,136 @@
+// How often a reading meets the replay by chance.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <nipref/verify/replay/replay.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr double largest_proof = 0.01, largest_likely = 0.2;
+
+double width(const data::Interval& interval) { return interval.upper - interval.lower; }
+
+bool is_digit(char character) { return std::isdigit(static_cast<unsigned char>(character)) != 0; }
+
+Verdict verdict_of(double chance) {
+  return chance < largest_proof     ? Verdict::misprint
+         : chance <= largest_likely ? Verdict::likely_misprint
+                                    : Verdict::unexplained;
+}
+
+std::string note_of(const std::string& reading, double chance, const std::string& note) {
+  return fmt::format("{}, met by chance in {:.2g} of 100 such cells; {}", reading, 100 * chance, note);
+}
+
+/// How many digits stand behind the highest one that was changed.
+std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
+  std::string printed = cell.printed, read_as = cell.read_as;
+  for (std::string* text : {&printed, &read_as}) std::erase_if(*text, [](char c) { return !is_digit(c); });
+  const auto [differs, other] = std::ranges::mismatch(printed, read_as);
+  return std::ssize(read_as) - 1 - (other - read_as.begin());
+}
+
+double place_unit(const data::TableCell& cell, std::ptrdiff_t digits_behind) {
+  return width(cell.number->rounding) * std::pow(10, digits_behind);
+}
+
+void judge_erratum(const data::TableCell& printed, ReplayedCell& cell, const data::Interval& range) {
+  const auto behind = std::max<std::ptrdiff_t>(1, digits_behind_change(printed));
+  const double chance = chance_of_digit(printed.number->rounding, range, place_unit(printed, behind));
+  if (cell.verdict == Verdict::misprint) cell.verdict = verdict_of(chance);
+  cell.note = note_of(fmt::format("{} for {}", printed.printed, printed.read_as), chance, cell.note);
+}
+
+void explain_by_one_digit(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
+  const data::TableCell& printed = table.cell(cell.row, cell.column);
+  const int exponent = table.columns[table.column_index(cell.column)].scale_exponent;
+  std::ptrdiff_t digits_behind = 0;
+  for (std::size_t place = printed.read_as.size(); place-- > 0;) {
+    if (!is_digit(printed.read_as[place])) continue;
+    const double chance =
+        chance_of_digit(printed.number->rounding, range, place_unit(printed, digits_behind++));
+    for (char digit = '0'; digit <= '9' && chance <= largest_likely; ++digit) {
+      std::string reading = printed.read_as;
+      reading[place] = digit;
+      const auto number = data::read_printed_number(reading, exponent);
+      if (!number || !number->rounding.meets(range)) continue;
+      cell.verdict = verdict_of(chance);
+      cell.note = note_of(fmt::format("{} for {}, one digit", printed.read_as, reading), chance, cell.note);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit) {
+  return (width(rounding) + width(range)) / place_unit;
+}
+
+void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
+  const data::TableCell& printed = table.cell(cell.row, cell.column);
+  if (!printed.is_readable()) return;
+  if (!printed.rests_on_replay()) {
+    if (cell.verdict == Verdict::unexplained) explain_by_one_digit(table, cell, range);
+  } else if (cell.verdict == Verdict::misprint || cell.verdict == Verdict::seed_error) {
+    judge_erratum(printed, cell, range);
+  }
+}
+
+double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit) {
+  if (witnesses.empty()) return 1;
+  std::ranges::sort(witnesses, {}, [](const LengthWitness& witness) { return width(witness.length); });
+  const data::Interval& first = witnesses.front().length;
+  double chance = 1;
+  for (std::size_t i = 1; i < witnesses.size(); ++i) {
+    if (!witnesses[i].length.meets(first)) return 1;
+    chance *= std::min(1.0, (width(first) + width(witnesses[i].length)) / unit);
+  }
+  return chance;
+}
+
+std::string agreement_on_length(const data::Table& table, std::size_t row, const std::string& column,
+                                const std::function<RowValues(double)>& at) {
+  const data::TableCell& cell = table.cell(row, column);
+  if (!cell.rests_on_replay()) return "";
+  const auto witnesses = witnesses_of_length(table, row, cell.number->rounding, at);
+  std::string names;
+  for (const LengthWitness& witness : witnesses)
+    names += fmt::format("{}{} ({:.6g} to {:.6g}e-3)", names.empty() ? "" : ", ", witness.column,
+                         1e3 * witness.length.lower, 1e3 * witness.length.upper);
+  return fmt::format("; {} for {}: {} agree on it, by chance in {:.2g} of 100 rows", cell.printed,
+                     cell.read_as, names,
+                     100 * chance_of_agreement(witnesses, place_unit(cell, digits_behind_change(cell))));
+}
+
+std::vector<LengthWitness> witnesses_of_length(const data::Table& table, std::size_t row,
+                                               const data::Interval& read_as,
+                                               const std::function<RowValues(double)>& at) {
+  const data::Interval tried{read_as.lower - width(read_as), read_as.upper + width(read_as)};
+  const RowValues low = at(tried.lower), high = at(tried.upper);
+  std::vector<LengthWitness> witnesses;
+  for (const auto& columns : std::vector<std::vector<std::string>>{
+           {"d0", "d1", "d2", "d0/B", "d1/B", "d2/B", "d1/d0", "d2/d0"}, {"p_max"}, {"creep"}, {"muR"}}) {
+    std::optional<LengthWitness> narrowest;
+    for (const std::string& column : columns) {
+      if (!table.has_column(column)) continue;
+      const data::TableCell& cell = table.cell(row, column);
+      if (!cell.is_readable() || !cell.is_printed() || cell.is_doubtful()) continue;
+      const auto length = [&](double value) {
+        return std::lerp(tried.lower, tried.upper,
+                         (value - low.at(column)) / (high.at(column) - low.at(column)));
+      };
+      const auto [shorter, longer] =
+          std::minmax({length(cell.number->rounding.lower), length(cell.number->rounding.upper)});
+      if (!narrowest || longer - shorter < width(narrowest->length)) narrowest = {column, {shorter, longer}};
+    }
+    if (narrowest) witnesses.push_back(*narrowest);
+  }
+  return witnesses;
+}
+
+}  // namespace nipref::verify
