@@ -1,26 +1,26 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/memory/exact_material.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
 
-mpq_class exactly(const Float& x) { return to_exact(x).value(); }
-
-ExactFunction exact_function(const Compliance& compliance, const char* name) {
-  ExactFunction result{exactly(compliance.at_once), {}, {}};
-  for (const ComplianceTerm& term : compliance.terms) {
-    if (term.rate.im != 0)
-      throw data::BadInput(std::string(name) + " rate", static_cast<double>(term.rate.im),
+/// Real rates alone.
+ExactFunction as_given(const data::MaterialFunction& function, const char* name) {
+  ExactFunction result{function.instantaneous, {}, {}};
+  for (const data::RelaxationTerm& term : function.terms) {
+    if (term.rate.imag() != 0)
+      throw data::BadInput(std::string(name) + " rate", term.rate.imag(),
                            "must be real on the reference path");
-    result.terms.push_back({exactly(term.amplitude.re), exactly(term.rate.re)});
+    result.terms.push_back({term.amplitude.real(), term.rate.real()});
   }
   return result;
 }
@@ -57,6 +57,59 @@ ExactFunction exact_function(ExactRatio theta, const std::string& last) {
   return result;
 }
 
+/// The exact material from the constants of each material model.
+struct FromConstants {
+  const data::ViscoelasticMaterial& material;
+
+  ExactMaterial operator()(std::monostate) const {
+    const auto& [theta1, theta2] = *material.functions();
+    return {as_given(theta1, "theta1"), as_given(theta2, "theta2")};
+  }
+  ExactMaterial operator()(const data::ElasticMaterial& solid) const {
+    const mpq_class young = solid.young, poisson = solid.poisson;
+    return {{(1 + poisson) / young, {}, {}}, {(1 + poisson) * (1 - 2 * poisson) / young, {}, {}}};
+  }
+  ExactMaterial operator()(const data::SingleRelaxationTimeSolid& solid) const {
+    return exact_material(exact_single_time(Exact(solid.bulk), Exact(solid.shear),
+                                            Exact(solid.relaxation_time), solid.theta2_rate_factor));
+  }
+  ExactMaterial operator()(const data::StandardLinearSolid& s) const {
+    const auto sum = [](const mpq_class& first, const mpq_class& second, double viscosity) {
+      return std::vector{Exact(mpq_class(first + second)), Exact(viscosity)};
+    };
+    const auto product = [](const mpq_class& first, const mpq_class& second, double viscosity) {
+      return std::vector{Exact(mpq_class(first * second)), Exact(mpq_class(first * viscosity))};
+    };
+    return exact_material(exact_operators(
+        sum(s.shear_1, s.shear_2, s.shear_viscosity), product(s.shear_1, s.shear_2, s.shear_viscosity),
+        sum(s.bulk_1, s.bulk_2, s.bulk_viscosity), product(s.bulk_1, s.bulk_2, s.bulk_viscosity)));
+  }
+  ExactMaterial operator()(const data::DifferentialOperators& operators) const {
+    const auto exact = [](const std::vector<double>& coefficients) {
+      std::vector<Exact> result;
+      for (const double coefficient : coefficients) result.emplace_back(coefficient);
+      return result;
+    };
+    return exact_material(exact_operators(exact(operators.p), exact(operators.q),
+                                          exact(operators.p_dilatation), exact(operators.q_dilatation)));
+  }
+};
+
+ExactFunction given_part(ExactFunction function) {
+  function.fractions.clear();
+  return function;
+}
+
+/// The middle of a real number's interval; `error` becomes at least its share that the interval has beside it.
+mpq_class middle_and_error(const ComplexInterval& number, mpq_class& error) {
+  Float middle = zero_of_bits(number.real.precision());
+  mpfi_mid(raw(middle), number.real.get());
+  const ComplexInterval off{number.real - interval_of(middle), number.imag};
+  const Exact share = to_exact(upper_end(abs(off) / magnitude_of(interval_of(middle))));
+  error = std::max(error, share.value());
+  return to_exact(middle).value();
+}
+
 }  // namespace
 
 ExactFunction ExactMaterial::normal() const {
@@ -74,14 +127,29 @@ ExactFunction ExactMaterial::normal() const {
   return sum;
 }
 
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material, int digits) {
-  const WorkingDigits working(digits);
-  const auto [theta1, theta2] = material_compliances(material);
-  return {exact_function(theta1, "theta1"), exact_function(theta2, "theta2")};
-}
-
 ExactMaterial exact_material(const ExactRationalSolid& solid) {
   return {exact_function(solid.theta1, "Q"), exact_function(solid.theta2, "Q_dilatation")};
+}
+
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
+  return std::visit(FromConstants{material}, material.constants());
+}
+
+NearMaterial with_given_rates(const ExactMaterial& material, mpfr_prec_t bits) {
+  NearMaterial result{{given_part(material.theta1), given_part(material.theta2)}, 0};
+  for (const auto& [from, to] : {std::pair(&material.theta1, &result.material.theta1),
+                                 std::pair(&material.theta2, &result.material.theta2)}) {
+    for (const ExactRatio& fraction : from->fractions) {
+      for (const OscillatingTerm& term : partial_fractions(fraction.numerator, fraction.denominator, bits)) {
+        if (mpfi_has_zero(term.rate.imag.get()) == 0)
+          throw data::BadInput("material rate", mpfi_get_d(term.rate.imag.get()),
+                               "must be real on the reference path");
+        to->terms.push_back({middle_and_error(term.amplitude, result.memory_error),
+                             middle_and_error(term.rate, result.memory_error)});
+      }
+    }
+  }
+  return result;
 }
 
 ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {

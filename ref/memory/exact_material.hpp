@@ -30,13 +30,22 @@ struct ExactMaterial {
   [[nodiscard]] ExactFunction normal() const;
 };
 
-/// The material whose constants are the exact values of the doubles; rates that are not given are computed to `digits`
-/// digits. BadInput unless its rates are real.
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material, int digits);
+/// The material whose constants are the exact values of the doubles. BadInput for given rates that are not real, and as
+/// below.
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
 
 /// The material by its compliances theta1 and theta2. BadInput that names `last` for an infinite instantaneous
 /// compliance, for repeated roots, and for a memory that does not decay, except that of a fluid.
 ExactMaterial exact_material(const ExactRationalSolid& solid);
+
+/// A material without fractions, and the share by which its amplitudes and rates may be off.
+struct NearMaterial {
+  ExactMaterial material;
+  mpq_class memory_error;
+};
+
+/// The terms of all fractions, enclosed with about so many bits. BadInput unless their rates are real.
+NearMaterial with_given_rates(const ExactMaterial& material, mpfr_prec_t bits);
 
 /// The thesis's standard linear solid: G = 3K/8, and both moduli relax to one half.
 enum class Solid {

@@ -226,6 +226,27 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
   return sum;
 }
 
+/// Bounds of a kernel and of its slope at all distances of at least `nearest` from the load, and of its memory
+/// int_alpha^start e^{-rate (w - alpha)} |I(w)| dw and of rate times that: ref/memory/README.md, Moving loads.
+struct KernelBounds {
+  Interval size, slope, memory, faded;
+};
+
+KernelBounds bounds_of(Kernel kernel, const mpq_class& nearest, const mpq_class& way, const mpq_class& rate,
+                       int residue_terms) {
+  constexpr mpfr_prec_t bits = 64;
+  const Interval distance(Exact(nearest), bits);
+  if (kernel == Kernel::I1 && residue_terms == 0) {
+    const bool is_near = nearest < 1;
+    return {is_near ? 3 - log(distance) : Interval(3L, bits), 1 / distance + 2, Interval(8L, bits),
+            8 * Interval(Exact(rate), bits)};
+  }
+  const long n = residue_terms;
+  const Interval size(n > 0 ? 7 * n + 1 : 4, bits), terms(n, bits);
+  const Interval slope = kernel == Kernel::I2 ? Interval(bits) : n > 0 ? 13 * terms * sqrt(terms) : size;
+  return {size, slope, size * Interval(Exact(way), bits), size};
+}
+
 /// theta * I(path), without the sheet's 1/pi.
 struct Part {
   ExactFunction theta;
@@ -256,6 +277,30 @@ struct Part {
       if (!no_history) sum = sum + remembered(fraction, kernel, path, travel_rate, nats + 3);
     }
     return negative ? -sum : sum;
+  }
+
+  /// How far it is from value() at most, for distances and a memory that are off by at most this; no fractions.
+  [[nodiscard]] Interval change(const mpq_class& travel_rate, const PathError& error,
+                                const mpq_class& share) const {
+    constexpr mpfr_prec_t bits = 64;
+    const auto bounds = [&](const Exact& place, const mpq_class& off, const mpq_class& rate) {
+      const mpq_class nearest = abs(place.value()) - off;
+      if (nearest <= 0)
+        throw data::BadInput("y", place.approximate(), "must not be the place of a line load");
+      const mpq_class way = path.start->value() - path.alpha.value() + error.alpha + error.start;
+      return bounds_of(kernel, nearest, way, rate, residue_terms);
+    };
+    const Interval moved(Exact(error.alpha), bits), started(Exact(error.start), bits);
+    Interval sum = rational(theta.instantaneous, 0) * bounds(path.alpha, error.alpha, 0).slope * moved;
+    for (const ExactFunction::Term& term : theta.terms) {
+      const KernelBounds now = bounds(path.alpha, error.alpha, term.rate / travel_rate);
+      const mpq_class amplitude = abs(term.amplitude) / travel_rate * (1 + share);
+      const Interval first = kernel == Kernel::I1 ? bounds(*path.start, error.start, 0).size
+                                                  : now.size;  // the others are bounded
+      sum = sum + rational(amplitude, 0) * ((now.size + now.faded) * moved + first * started +
+                                            3 * Interval(Exact(share), bits) * now.memory);
+    }
+    return sum;
   }
 };
 
@@ -367,16 +412,21 @@ Enclosure Un_at(const LoadPath& path, const mpq_class& travel_rate, const ExactM
   return sum_over_pi({{normal, Kernel::I1, path, false, residue_terms}}, travel_rate, first_nats, digits);
 }
 
+std::vector<Part> tangential_parts(const LoadPath& alpha, const LoadPath& eta, const ExactMaterial& material,
+                                   int residue_terms) {
+  return {{material.normal(), Kernel::I3, alpha, false, residue_terms},
+          {material.theta2, Kernel::I2, alpha, true, residue_terms},
+          {material.theta2, Kernel::I4, eta, false, residue_terms},
+          {material.theta1, Kernel::I5, eta, true, residue_terms}};
+}
+
 Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& travel_rate,
                 const ExactMaterial& material, int digits, int residue_terms = 0) {
   for (const LoadPath& path : {alpha, eta}) check_distance(material.normal(), path);
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
-  return sum_over_pi({{material.normal(), Kernel::I3, alpha, false, residue_terms},
-                      {material.theta2, Kernel::I2, alpha, true, residue_terms},
-                      {material.theta2, Kernel::I4, eta, false, residue_terms},
-                      {material.theta1, Kernel::I5, eta, true, residue_terms}},
-                     travel_rate, size_nats(material), digits);
+  return sum_over_pi(tangential_parts(alpha, eta, material, residue_terms), travel_rate, size_nats(material),
+                     digits);
 }
 
 }  // namespace
@@ -397,6 +447,27 @@ Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, co
   const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
   return Vn_at(started_place(t, T, travel_rate, "T"), started_place(t, t0, travel_rate, "t0"), travel_rate,
                material, digits, residue_terms);
+}
+
+Interval moving_load_normal_change(const Exact& t, const Exact& T, const Exact& speed,
+                                   const Exact& half_thickness, const ExactMaterial& material,
+                                   const MovingLoadError& error, int residue_terms) {
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  const Part part{material.normal(), Kernel::I1, started_place(t, T, travel_rate, "T"), false, residue_terms};
+  return part.change(travel_rate, error.load, error.memory) / Interval::pi(64);
+}
+
+Interval moving_load_tangential_change(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed,
+                                       const Exact& half_thickness, const ExactMaterial& material,
+                                       const MovingLoadError& error, int residue_terms) {
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  const LoadPath alpha = started_place(t, T, travel_rate, "T"), eta = started_place(t, t0, travel_rate, "t0");
+  Interval sum(64);
+  for (const Part& part : tangential_parts(alpha, eta, material, residue_terms)) {
+    const bool of_load = part.kernel == Kernel::I2 || part.kernel == Kernel::I3;
+    sum = sum + part.change(travel_rate, of_load ? error.load : error.fixed_point, error.memory);
+  }
+  return sum / Interval::pi(64);
 }
 
 Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,

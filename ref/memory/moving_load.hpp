@@ -39,7 +39,28 @@ Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, co
                                               const ExactMaterial& material, int digits,
                                               int residue_terms = 0);
 
-/// The same for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha > 0:
+/// What is not known of the distances, in half thicknesses: of the load from the point (or of the fixed point from the
+/// load) now and at the start.
+struct PathError {
+  mpq_class alpha, start;
+};
+
+/// What is not known of a moving load: besides distances a share of every amplitude and rate of the memory, below 1/2.
+struct MovingLoadError {
+  PathError load, fixed_point;
+  mpq_class memory;
+};
+
+/// Bounds of what a displacement changes by within such errors, proven: ref/memory/README.md, Moving loads. The material
+/// has no fractions. BadInput "y" where the load may be over the point.
+Interval moving_load_normal_change(const Exact& t, const Exact& T, const Exact& speed,
+                                   const Exact& half_thickness, const ExactMaterial& material,
+                                   const MovingLoadError& error, int residue_terms = 0);
+Interval moving_load_tangential_change(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed,
+                                       const Exact& half_thickness, const ExactMaterial& material,
+                                       const MovingLoadError& error, int residue_terms = 0);
+
+/// The same displacements for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha > 0:
 /// the load has not passed it yet) and eta behind the fixed point; |alpha|, |eta| <= 1000.
 Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,

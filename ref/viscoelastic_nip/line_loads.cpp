@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 
@@ -15,83 +16,79 @@ namespace {
 
 using data::BadInput;
 
-constexpr int guard_digits = 12;
 constexpr int most_elements = 100;
 constexpr double farthest = 500;  ///< of the start, half-thicknesses
+
+/// Digits beyond those asked for, of influences and arithmetic; more where these do not suffice.
+constexpr int first_extra_digits = 24, most_extra_digits = 100, spare_digits = 4, rounding_digits = 6;
+
+Interval larger_of(const Interval& a, const Interval& b) {
+  Interval result = a;
+  if (mpfr_greater_p(b.lower(), a.lower()) != 0) mpfr_set(&result.get()->left, b.lower(), MPFR_RNDD);
+  if (mpfr_greater_p(b.upper(), a.upper()) != 0) mpfr_set(&result.get()->right, b.upper(), MPFR_RNDU);
+  return result;
+}
 
 }  // namespace
 
 struct ViscoelasticLineLoads::Implementation {
   RollingLoads problem;
-  LoadsOnLength last, before;  ///< the last lengths tried, the same where the length is given
-  Float missing;               ///< of the load, over what it changed by in the last step
-  int systems;
+  LoadsOnLength contact;
+  int digits, systems;
+  bool length_is_given;
 
-  using Function = std::function<Interval(const LoadsOnLength&)>;
-
-  [[nodiscard]] Estimate of(const Function& function) const {
-    const WorkingDigits scope(problem.digits + guard_digits);
-    const Interval interval = function(last);
-    const Float value = middle_of(interval);
-    Float error = upper_end(distance_from(value, interval));
-    if (missing > Float(0)) error += missing * abs(value - middle_of(function(before)));
-    return {value, error, problem.digits};
+  template <class Function>
+  [[nodiscard]] Enclosure enclosed(const Function& function) const {
+    const WorkingDigits scope(problem.digits + rounding_digits);
+    return enclosure_of(function(), digits);
   }
-  [[nodiscard]] Interval length(const LoadsOnLength& contact, int elements) const {
-    return static_cast<long>(elements) * interval_of(contact.leading_length) /
-           static_cast<long>(problem.leading);
+  /// So many half widths of an element, in the unit of length.
+  [[nodiscard]] Interval length(long half_elements) const {
+    return contact.grid.elements(half_elements) * half_thickness_of(problem);
   }
-  [[nodiscard]] Interval parabola(const Interval& y) const {
-    return square(y) / (2 * Interval(problem.nip.roller_radius, working_bits()));
+  [[nodiscard]] Interval indentation() const { return contact.indentation * half_thickness_of(problem); }
+  /// d0 - Y^2/(2R)
+  [[nodiscard]] Interval displacement_at(long half_elements) const {
+    return indentation() -
+           square(length(half_elements)) / (2 * Interval(problem.nip.roller_radius, working_bits()));
   }
-  [[nodiscard]] std::size_t largest_load() const {
-    const auto largest = std::ranges::max_element(
-        last.loads, [](const Interval& a, const Interval& b) { return middle_of(a) < middle_of(b); });
-    return static_cast<std::size_t>(largest - last.loads.begin());
+  [[nodiscard]] Interval peak_load() const {
+    Interval largest = contact.loads.front();
+    for (const Interval& load : contact.loads) largest = larger_of(largest, load);
+    return force_unit(problem) * largest;
   }
-  [[nodiscard]] Interval indentation(const LoadsOnLength& contact) const {
-    return contact.indentation * half_thickness_of(problem);
-  }
-  [[nodiscard]] Interval element_width(const LoadsOnLength& contact) const {
-    return interval_of(contact.leading_length) / static_cast<long>(problem.leading);
-  }
-  /// Of the loads `counted` by their positions, in force.
+  /// Of the loads `counted` by the half widths of an element to them, in force.
   template <class Counted>
-  [[nodiscard]] Interval moment(const LoadsOnLength& contact, const Counted& counted) const {
+  [[nodiscard]] Interval moment(const Counted& counted) const {
     Interval total(working_bits());
     for (int j = 0; j < problem.loads(); ++j) {
-      const mpq_class position = contact.grid.position(j);
-      if (counted(position))
-        total =
-            total + contact.loads[static_cast<std::size_t>(j)] * Interval(Exact(position), working_bits());
+      const long place = elements_to(problem, j);
+      if (counted(place))
+        total = total + contact.loads[static_cast<std::size_t>(j)] * contact.grid.elements(place);
     }
     return total * half_thickness_of(problem) * force_unit(problem);
   }
-  /// The sum of each load's displacement(t, T, t0) for the point that is at Y at the time t.
+  /// The sum of each load's displacement(problem, grid, place, j).
   template <class Displacement>
-  [[nodiscard]] Interval sum(const LoadsOnLength& contact, const mpq_class& y,
-                             const Displacement& displacement) const {
-    const mpq_class at = y / problem.half_thickness();
-    const mpq_class t = problem.approach + 2 * problem.leading * contact.grid.element - at;
+  [[nodiscard]] Interval sum(const RollingPlace& place, const Displacement& displacement) const {
     Interval total(working_bits());
-    for (int j = 0; j < problem.loads(); ++j) {
-      const mpq_class position = contact.grid.position(j);
-      if (at == position) throw BadInput("y", Exact(y).approximate(), "must not be the place of a line load");
-      total = total + contact.loads[static_cast<std::size_t>(j)] *
-                          displacement(t, mpq_class(t + at - position), mpq_class(t - position));
-    }
+    for (int j = 0; j < problem.loads(); ++j)
+      total =
+          total + contact.loads[static_cast<std::size_t>(j)] * displacement(problem, contact.grid, place, j);
     return force_unit(problem) * total;
   }
-  [[nodiscard]] Interval tangential(const LoadsOnLength& contact, const mpq_class& y) const {
-    return sum(contact, y, [&](const mpq_class& t, const mpq_class& T, const mpq_class& t0) {
-      return tangential_at(problem, t, T, t0);
-    });
+  [[nodiscard]] double leading_length() const {
+    return mpq_class(2 * problem.leading * contact.grid.element * problem.half_thickness()).get_d();
   }
-  void check_place(double y) const {
-    const double ahead = static_cast<double>(last.leading_length) +
-                         Exact(problem.approach).approximate() * problem.nip.half_thickness();
+  [[nodiscard]] RollingPlace place(double y) const {
+    const double ahead = leading_length() + mpq_class(problem.approach * problem.half_thickness()).get_d();
     if (!(std::isfinite(y) && y <= ahead))
       throw BadInput("y", y, "must be finite, and not ahead of where the leading end started");
+    const mpq_class distance = mpq_class(y) / problem.half_thickness();
+    for (int j = 0; length_is_given && j < problem.loads(); ++j)
+      if (distance == elements_to(problem, j) * contact.grid.element)
+        throw BadInput("y", y, "must not be the place of a line load");
+    return {distance, 0};
   }
 };
 
@@ -113,14 +110,35 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoa
     throw BadInput("approach_lengths", method.approach, "must be > 0 and at most 500 in the reference");
   if (method.residue_terms < 0 || method.residue_terms > 500)
     throw BadInput("residue_terms", std::to_string(method.residue_terms), "must be from 0 to 500");
-  const ExactMaterial material = exact_material(nip.material, digits + guard_digits);
+  (void)material_compliances(nip.material);  // which refuses what is no material
+  const ExactMaterial material = exact_material(nip.material);
   if (method.residue_terms > 0 &&
       std::ranges::any_of(material.normal().terms, [](const auto& term) { return term.rate == 0; }))
     throw BadInput("residue_terms", std::to_string(method.residue_terms),
                    "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
-  return {
-      nip,   material, method.leading_elements, trailing, mpq_class(method.approach), method.residue_terms,
-      digits};
+  constexpr mpfr_prec_t bits = 512;  // of rates that are roots, so that what they miss is below all else
+  return {nip,      with_given_rates(material, bits), method.leading_elements,
+          trailing, mpq_class(method.approach),       method.residue_terms,
+          digits};
+}
+
+/// contact_at(digits beyond), with more and more digits until it is `enough`; nothing where that does not come about.
+template <class ContactAt, class Enough>
+std::optional<LoadsOnLength> solved_until(RollingLoads& problem, int digits, const ContactAt& contact_at,
+                                          const Enough& enough) {
+  for (int extra = first_extra_digits; extra <= most_extra_digits; extra += extra) {
+    problem.digits = digits + extra;
+    const WorkingDigits scope(problem.digits + rounding_digits);
+    std::optional<LoadsOnLength> contact = contact_at(extra);
+    if (contact && enough(*contact)) return contact;
+  }
+  return std::nullopt;
+}
+
+auto is_good_to(int digits) {
+  return [digits](const LoadsOnLength& contact) {
+    return contact.error <= pow(Float(10), -(digits + spare_digits));
+  };
 }
 
 }  // namespace
@@ -128,158 +146,152 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoa
 ViscoelasticLineLoads ViscoelasticLineLoads::for_length(const data::ViscoelasticNip& nip,
                                                         const ViscoelasticLineLoadMethod& method,
                                                         double contact_length, int digits) {
-  const RollingLoads problem = checked(nip, method, digits);
+  RollingLoads problem = checked(nip, method, digits);
   if (!(contact_length > 0 && contact_length <= nip.roller_radius))
     throw BadInput("contact_length", contact_length, "must be > 0 and at most the roller's radius");
-  const WorkingDigits scope(digits + guard_digits);
-  const LoadsOnLength contact =
-      solve_loads(problem, Float(contact_length) * problem.leading / problem.loads());
-  return ViscoelasticLineLoads(
-      std::make_shared<const Implementation>(Implementation{problem, contact, contact, 0, 1}));
+  int systems = 0;
+  const auto contact_at = [&](int) {
+    ++systems;
+    return solve_loads(problem, {problem.element(mpq_class(contact_length)), 0});
+  };
+  std::optional<LoadsOnLength> contact = solved_until(problem, digits, contact_at, is_good_to(digits));
+  if (!contact)
+    throw BadInput("contact_length", contact_length,
+                   "must be one whose system is farther from singular than the reference can tell");
+  return ViscoelasticLineLoads(std::make_shared<const Implementation>(
+      Implementation{problem, *std::move(contact), digits, systems, true}));
 }
 
 ViscoelasticLineLoads ViscoelasticLineLoads::for_load(const data::ViscoelasticNip& nip,
                                                       const ViscoelasticLineLoadMethod& method, double load,
                                                       int digits) {
-  // Enough to see whether a load pulls, and to go on from.
-  constexpr int first_digits = 16, first_agreement = 5;
+  constexpr int digits_of_search = 16 - first_extra_digits;  // the influences', that is, are 16 at first
   RollingLoads problem = checked(nip, method, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  const WorkingDigits scope(digits + guard_digits);
-  Float length = sqrt(Float(load) * Float(nip.roller_radius) * problem.instantaneous());
   int systems = 0;
-  problem.digits = first_digits;
-  while (true) {
-    const FoundLength first = search_length(problem, length, load, first_agreement);
-    systems += first.systems;
-    length = first.last.leading_length;
-    if (method.trailing_elements || problem.trailing == 0 || presses_everywhere(first.last)) break;
+  LengthGuess guess{sqrt(Float(load) * Float(nip.roller_radius) * problem.instantaneous()) /
+                    (2 * problem.leading * to_float(Exact(problem.half_thickness())))};
+  const auto carrying = [&](int least_digits, const auto& enough) {
+    const auto contact_at = [&](int extra) {
+      return enclose_length(problem, guess, load, std::max(least_digits, 0) + extra / 2, systems);
+    };
+    std::optional<LoadsOnLength> contact = solved_until(problem, least_digits, contact_at, enough);
+    if (contact) return *std::move(contact);
+    throw BadInput("load", load, "must be one whose contact length can be proven");
+  };
+  const auto is_clear = [](const LoadsOnLength& contact) { return presses_everywhere(contact).has_value(); };
+  while (!method.trailing_elements && problem.trailing > 0 &&
+         presses_everywhere(carrying(digits_of_search, is_clear)) == false)
     --problem.trailing;
-  }
-  problem.digits = digits;
-  FoundLength found = search_length(problem, length, load, digits + 2);
-  return ViscoelasticLineLoads(std::make_shared<const Implementation>(Implementation{
-      problem, std::move(found.last), std::move(found.before), found.missing, systems + found.systems}));
+  LoadsOnLength contact = carrying(digits, is_good_to(digits));
+  return ViscoelasticLineLoads(std::make_shared<const Implementation>(
+      Implementation{problem, std::move(contact), digits, systems, false}));
 }
 
-Estimate ViscoelasticLineLoads::contact_length() const {
+Enclosure ViscoelasticLineLoads::contact_length() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.loads()); });
+  return all.enclosed([&] { return all.length(2L * all.problem.loads()); });
 }
 
-Estimate ViscoelasticLineLoads::leading_length() const {
+Enclosure ViscoelasticLineLoads::leading_length() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.leading); });
+  return all.enclosed([&] { return all.length(2L * all.problem.leading); });
 }
 
-Estimate ViscoelasticLineLoads::trailing_length() const {
+Enclosure ViscoelasticLineLoads::trailing_length() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.trailing); });
+  return all.enclosed([&] { return all.length(2L * all.problem.trailing); });
 }
 
-Estimate ViscoelasticLineLoads::indentation() const {
+Enclosure ViscoelasticLineLoads::indentation() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) { return all.indentation(contact); });
+  return all.enclosed([&] { return all.indentation(); });
 }
 
-Estimate ViscoelasticLineLoads::leading_displacement() const {
+Enclosure ViscoelasticLineLoads::leading_displacement() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.indentation(contact) - all.parabola(all.length(contact, all.problem.leading));
+  return all.enclosed([&] { return all.displacement_at(2L * all.problem.leading); });
+}
+
+Enclosure ViscoelasticLineLoads::trailing_displacement() const {
+  const auto& all = *implementation_;
+  return all.enclosed([&] { return all.displacement_at(2L * all.problem.trailing); });
+}
+
+Enclosure ViscoelasticLineLoads::load() const {
+  const auto& all = *implementation_;
+  return all.enclosed([&] { return load_of(all.problem, all.contact); });
+}
+
+Enclosure ViscoelasticLineLoads::peak_pressure() const {
+  const auto& all = *implementation_;
+  return all.enclosed([&] { return all.peak_load() / all.length(2); });
+}
+
+Enclosure ViscoelasticLineLoads::peak_pressure_position() const {
+  const auto& all = *implementation_;
+  return all.enclosed([&] {
+    const Interval peak = all.peak_load(), unit = force_unit(all.problem);
+    std::optional<Interval> place;
+    for (int j = 0; j < all.problem.loads(); ++j) {
+      const Interval force = unit * all.contact.loads[static_cast<std::size_t>(j)];
+      if (mpfr_less_p(force.upper(), peak.lower()) != 0) continue;
+      const Interval here = all.length(elements_to(all.problem, j));
+      place = place ? hull(*place, here) : here;
+    }
+    return *place;
   });
 }
 
-Estimate ViscoelasticLineLoads::trailing_displacement() const {
+Enclosure ViscoelasticLineLoads::rolling_resistance() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.indentation(contact) - all.parabola(all.length(contact, all.problem.trailing));
+  return all.enclosed([&] {
+    return all.moment([](long) { return true; }) /
+           (load_of(all.problem, all.contact) * Interval(all.problem.nip.roller_radius, working_bits()));
   });
 }
 
-Estimate ViscoelasticLineLoads::load() const {
+Enclosure ViscoelasticLineLoads::leading_moment() const {
   const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) { return load_of(all.problem, contact); });
+  return all.enclosed([&] { return all.moment([](long place) { return place > 0; }); });
 }
 
-Estimate ViscoelasticLineLoads::peak_pressure() const {
+Enclosure ViscoelasticLineLoads::trailing_moment() const {
   const auto& all = *implementation_;
-  // The same load for both lengths.
-  const std::size_t index = all.largest_load();
-  return all.of([&](const LoadsOnLength& contact) {
-    return force_unit(all.problem) * contact.loads[index] / all.element_width(contact);
+  return all.enclosed([&] { return all.moment([](long place) { return place < 0; }); });
+}
+
+Enclosure ViscoelasticLineLoads::creep_ratio() const {
+  const auto& all = *implementation_;
+  return all.enclosed([&] {
+    const auto at = [&](long elements) { return all.sum({0, elements}, tangential_at); };
+    return (at(2L * all.problem.leading) - at(-2L * all.problem.trailing)) /
+           all.length(2L * all.problem.loads());
   });
 }
 
-Estimate ViscoelasticLineLoads::peak_pressure_position() const {
+Enclosure ViscoelasticLineLoads::pressure(double y) const {
   const auto& all = *implementation_;
-  const auto twice_before = 2 * static_cast<long>(all.largest_load()) + 1;
-  return all.of([&](const LoadsOnLength& contact) {
-    return interval_of(contact.leading_length) - twice_before * all.element_width(contact) / 2;
-  });
-}
-
-Estimate ViscoelasticLineLoads::rolling_resistance() const {
-  const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.moment(contact, [](const mpq_class&) { return true; }) /
-           (load_of(all.problem, contact) * Interval(all.problem.nip.roller_radius, working_bits()));
-  });
-}
-
-Estimate ViscoelasticLineLoads::leading_moment() const {
-  const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.moment(contact, [](const mpq_class& position) { return position > 0; });
-  });
-}
-
-Estimate ViscoelasticLineLoads::trailing_moment() const {
-  const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.moment(contact, [](const mpq_class& position) { return position < 0; });
-  });
-}
-
-Estimate ViscoelasticLineLoads::creep_ratio() const {
-  const auto& all = *implementation_;
-  return all.of([&](const LoadsOnLength& contact) {
-    const mpq_class leading = to_exact(contact.leading_length).value();
-    const mpq_class trailing = -leading * all.problem.trailing / all.problem.leading;
-    return (all.tangential(contact, leading) - all.tangential(contact, trailing)) /
-           all.length(contact, all.problem.loads());
-  });
-}
-
-Estimate ViscoelasticLineLoads::pressure(double y) const {
-  const auto& all = *implementation_;
-  const double leading = static_cast<double>(all.last.leading_length);
+  const double leading = all.leading_length();
   const double width = leading / all.problem.leading, border = 0x1p-50 * leading;
   const double ahead = leading - y;
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  if (ahead < -border || ahead > all.problem.loads() * width + border) return exact_zero(all.problem.digits);
+  if (ahead < -border || ahead > all.problem.loads() * width + border) return exact_zero(all.digits);
   const auto element = static_cast<std::size_t>(std::max(0.0, ahead + border) / width);
-  return all.of([&](const LoadsOnLength& contact) {
-    return force_unit(all.problem) * contact.loads[std::min(element, contact.loads.size() - 1)] /
-           all.element_width(contact);
+  return all.enclosed([&] {
+    return force_unit(all.problem) * all.contact.loads[std::min(element, all.contact.loads.size() - 1)] /
+           all.length(2);
   });
 }
 
-Estimate ViscoelasticLineLoads::normal_displacement(double y) const {
+Enclosure ViscoelasticLineLoads::normal_displacement(double y) const {
   const auto& all = *implementation_;
-  all.check_place(y);
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.sum(contact, mpq_class(y), [&](const mpq_class& t, const mpq_class& T, const mpq_class&) {
-      return normal_at(all.problem, t, T);
-    });
-  });
+  return all.enclosed([&] { return all.sum(all.place(y), normal_at); });
 }
 
-Estimate ViscoelasticLineLoads::tangential_displacement(double y) const {
+Enclosure ViscoelasticLineLoads::tangential_displacement(double y) const {
   const auto& all = *implementation_;
-  all.check_place(y);
-  return all.of([&](const LoadsOnLength& contact) {
-    return all.tangential(contact, mpq_class(y)) - all.tangential(contact, mpq_class(0));
-  });
+  return all.enclosed([&] { return all.sum(all.place(y), tangential_at) - all.sum({0, 0}, tangential_at); });
 }
 
 int ViscoelasticLineLoads::systems() const { return implementation_->systems; }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
-#include <nipref/ref/number/estimate.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 
@@ -19,9 +19,7 @@ struct ViscoelasticLineLoadMethod {
 };
 
 /// That contact in multiprecision, of the exact values of the doubles that describe it; the material must have real
-/// rates. Errors are estimated: those of
-/// the influences go through the system as enclosed_system.hpp says, and what a length that carries a load lacks
-/// goes into every result by how it changed over the last step of the search for it.
+/// rates. Proven: ref/viscoelastic_nip/README.md, Rolling line loads.
 class ViscoelasticLineLoads {
  public:
   /// digits: 16 to 30, otherwise BadInput, as for a method, length or load out of its domain, or a load that no
@@ -32,25 +30,25 @@ class ViscoelasticLineLoads {
   static ViscoelasticLineLoads for_load(const data::ViscoelasticNip& nip,
                                         const ViscoelasticLineLoadMethod& method, double load, int digits);
 
-  [[nodiscard]] Estimate contact_length() const;
-  [[nodiscard]] Estimate leading_length() const;
-  [[nodiscard]] Estimate trailing_length() const;
-  [[nodiscard]] Estimate indentation() const;
-  [[nodiscard]] Estimate leading_displacement() const;
-  [[nodiscard]] Estimate trailing_displacement() const;
-  [[nodiscard]] Estimate load() const;
-  [[nodiscard]] Estimate peak_pressure() const;
-  [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y of the centre of its element
-  [[nodiscard]] Estimate rolling_resistance() const;
+  [[nodiscard]] Enclosure contact_length() const;
+  [[nodiscard]] Enclosure leading_length() const;
+  [[nodiscard]] Enclosure trailing_length() const;
+  [[nodiscard]] Enclosure indentation() const;
+  [[nodiscard]] Enclosure leading_displacement() const;
+  [[nodiscard]] Enclosure trailing_displacement() const;
+  [[nodiscard]] Enclosure load() const;
+  [[nodiscard]] Enclosure peak_pressure() const;
+  [[nodiscard]] Enclosure peak_pressure_position() const;  ///< Y of the centre of its element
+  [[nodiscard]] Enclosure rolling_resistance() const;
   /// Of the loads ahead of the line through the rollers' centres about it, and of those behind. (thesis 7.13)
-  [[nodiscard]] Estimate leading_moment() const;
-  [[nodiscard]] Estimate trailing_moment() const;
-  [[nodiscard]] Estimate creep_ratio() const;  ///< (thesis 7.16, 7.17)
+  [[nodiscard]] Enclosure leading_moment() const;
+  [[nodiscard]] Enclosure trailing_moment() const;
+  [[nodiscard]] Enclosure creep_ratio() const;  ///< (thesis 7.16, 7.17)
 
   // At Y, from the line through the rollers' centres, positive ahead; BadInput "y" as in fast's.
-  [[nodiscard]] Estimate pressure(double y) const;  ///< of the element; a border is the trailing one's
-  [[nodiscard]] Estimate normal_displacement(double y) const;
-  [[nodiscard]] Estimate tangential_displacement(double y) const;
+  [[nodiscard]] Enclosure pressure(double y) const;  ///< of the element; a border is the trailing one's
+  [[nodiscard]] Enclosure normal_displacement(double y) const;
+  [[nodiscard]] Enclosure tangential_displacement(double y) const;
 
   [[nodiscard]] int systems() const;  ///< that were solved
   [[nodiscard]] int elements() const;

@@ -117,7 +117,7 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
 /// - the continuous contact of a viscoelastic nip, with estimated errors; digits from 16 to 30
 ///   (ref/viscoelastic_nip/converged.hpp);
-/// - its line loads, real rates, estimated; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
+/// - its line loads, real rates, proven; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
 [[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);

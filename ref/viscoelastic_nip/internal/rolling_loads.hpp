@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
@@ -7,51 +8,63 @@
 
 namespace nipref::ref {
 
-/// A nip, known exactly, its method with the number of trailing elements.
+/// A nip, known exactly, its method with the number of trailing elements; `digits` of the influences.
 struct RollingLoads {
   data::ViscoelasticNip nip;
-  ExactMaterial material;
+  NearMaterial material;
   int leading, trailing;
   mpq_class approach;
   int residue_terms, digits;
 
   [[nodiscard]] int loads() const { return leading + trailing; }
   [[nodiscard]] mpq_class half_thickness() const { return mpq_class(nip.sheet_thickness) / 2; }
-  [[nodiscard]] Float instantaneous() const { return to_float(Exact(material.normal().instantaneous)); }
+  /// Half the width of an element of this contact length, in half-thicknesses.
+  [[nodiscard]] mpq_class element(const mpq_class& contact_length) const {
+    return contact_length / (2 * loads() * half_thickness());
+  }
+  [[nodiscard]] Float instantaneous() const {
+    return to_float(Exact(material.material.normal().instantaneous));
+  }
   /// In which the sheet moves by a distance in half-thicknesses.
   [[nodiscard]] Exact time(const mpq_class& distance) const {
     return Exact(mpq_class(distance * half_thickness() / mpq_class(nip.speed)));
   }
 };
 
-/// Lengths in half-thicknesses. (thesis 7.11)
+/// All contacts whose elements have half the width `element`, to `spread`, in half-thicknesses. (thesis 7.11)
 struct RollingGrid {
-  mpq_class element;  ///< half the width of an element
-  mpq_class approach;
-  int leading;
+  mpq_class element, spread;
 
-  [[nodiscard]] mpq_class t(int i) const { return 2 * i * element + approach; }
-  [[nodiscard]] mpq_class T(int j) const { return (2 * j + 1) * element + approach; }
-  /// Of a load from the line through the centres, towards the leading side.
-  [[nodiscard]] mpq_class position(int j) const { return (2 * leading - 1 - 2 * j) * element; }
+  /// So many half widths.
+  [[nodiscard]] Interval elements(long count) const;
 };
 
-/// The contact of one leading length.
+/// A place Y in half-thicknesses: at a distance and so many half widths of an element from the line through the rollers'
+/// centres.
+struct RollingPlace {
+  mpq_class distance;
+  long elements;
+};
+
+/// What all contacts of a grid have.
 struct LoadsOnLength {
-  Float leading_length;
   RollingGrid grid;
   Interval indentation;         ///< over b
   std::vector<Interval> loads;  ///< times the instantaneous compliance over b
+  Float error;                  ///< the largest of an unknown over the largest unknown
 };
 
-/// Displacement over the instantaneous compliance of a unit load that is under the point at T, seen at t; the tangential
-/// one since t0. (thesis 6.26, 6.27)
-Interval normal_at(const RollingLoads& problem, const mpq_class& t, const mpq_class& T);
-Interval tangential_at(const RollingLoads& problem, const mpq_class& t, const mpq_class& T,
-                       const mpq_class& t0);
+/// Half widths from the line through the centres to a load's place, towards the leading side.
+inline long elements_to(const RollingLoads& problem, int load) { return 2L * (problem.leading - load) - 1; }
 
-/// BadInput if its system is too near to singular.
-LoadsOnLength solve_loads(const RollingLoads& problem, const Float& leading_length);
+/// Displacement of a place by the unit load j, 1/stress; the tangential one from the fixed point of thesis 6.27.
+/// (thesis 6.26, 6.27)
+Interval normal_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place, int load);
+Interval tangential_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place,
+                       int load);
+
+/// Nothing if the digits do not suffice to prove that no system of the grid is singular.
+std::optional<LoadsOnLength> solve_loads(const RollingLoads& problem, const RollingGrid& grid);
 
 Interval half_thickness_of(const RollingLoads& problem);
 
@@ -60,17 +73,18 @@ Interval force_unit(const RollingLoads& problem);
 
 Interval load_of(const RollingLoads& problem, const LoadsOnLength& contact);
 
-bool presses_everywhere(const LoadsOnLength& contact);
+/// Nothing where the bounds do not tell.
+std::optional<bool> presses_everywhere(const LoadsOnLength& contact);
 
-/// Two lengths next to the one that carries a load, and how far the last is from it.
-struct FoundLength {
-  LoadsOnLength last, before;
-  Float missing;
-  int systems;
+/// Where to begin: half the width of an element, in half-thicknesses, and d ln W/d ln L.
+struct LengthGuess {
+  Float element, exponent = 3;
 };
 
-/// By secants of ln W over ln L1 from `length` until W is within 10^-digits of the load. BadInput if no length below the
-/// roller's radius carries it.
-FoundLength search_length(const RollingLoads& problem, Float length, double load, int digits);
+/// By secants of ln W over ln L: one of the contacts carries the load, as those at the ends of the grid, 10^-digits of the
+/// length away, carry less and more. The guess becomes what was found; `systems` rises by those that were solved. Nothing
+/// where the precision does not suffice for the proof. BadInput if no length below the roller's radius carries it.
+std::optional<LoadsOnLength> enclose_length(const RollingLoads& problem, LengthGuess& guess, double load,
+                                            int digits, int& systems);
 
 }  // namespace nipref::ref

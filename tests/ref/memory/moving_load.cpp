@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
+#include <nipref/ref/sheet/internal/plain_terms.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/decimal.hpp"
@@ -314,7 +316,7 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
   CHECK(thesis.normal().terms.size() == 2);
   // The same from doubles.
   const ExactMaterial rounded = exact_material(
-      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25), 40);
+      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25));
   CHECK(rounded.theta2.terms[0].rate == thesis.theta2.terms[0].rate);
   CHECK(rounded.theta1.instantaneous.get_d() ==
         doctest::Approx(thesis.theta1.instantaneous.get_d()).epsilon(1e-15));
@@ -324,19 +326,19 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
 
 TEST_CASE("moving load: a material in double is taken as it is, complex rates are refused") {
   const nipref::data::ViscoelasticMaterial material{{1.5, {{0.5, 2.0}}}, {0.5, {{0.125, 2.0}}}};
-  const ExactMaterial taken = exact_material(material, 40);
+  const ExactMaterial taken = exact_material(material);
   CHECK(taken.theta1.instantaneous == mpq_class(3, 2));
   CHECK(taken.theta2.terms[0].amplitude == mpq_class(1, 8));
   CHECK(taken.normal().terms[0].amplitude == mpq_class(5, 8));
   const nipref::data::ViscoelasticMaterial waves{
       {1.5, {{{0.25, 0}, {2.0, 0.125}}, {{0.25, 0}, {2.0, -0.125}}}},
       {0.5, {{{0.0625, 0}, {2.0, 0.125}}, {{0.0625, 0}, {2.0, -0.125}}}}};
-  CHECK_THROWS_AS(exact_material(waves, 40), BadInput);
+  CHECK_THROWS_AS(exact_material(waves), BadInput);
 }
 
 TEST_CASE("moving load: a standard linear solid is as its constants say, to more digits than a double has") {
   // theta1 = 1/2 (1 + 1/(1 + 3 p)) with G1 = G2 = 1 and the viscosity 3: the rate and twice the amplitude are 1/3.
-  const ExactMaterial solid = exact_material(nipref::data::standard_linear_solid({1, 1, 5, 7, 3, 11}), 40);
+  const ExactMaterial solid = exact_material(nipref::data::standard_linear_solid({1, 1, 5, 7, 3, 11}));
   REQUIRE(solid.theta1.terms.size() == 1);
   CHECK(abs(solid.theta1.terms[0].rate - mpq_class(1, 3)) < 1e-38);
   CHECK(abs(2 * solid.theta1.terms[0].amplitude - mpq_class(1, 3)) < 1e-38);
@@ -404,4 +406,87 @@ TEST_CASE("moving load: bad arguments are refused") {
   ExactMaterial growing = solid;
   growing.theta1.terms[0].rate = -1;
   CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, one, one, growing, 20), BadInput);
+}
+
+TEST_CASE("moving load: what a displacement changes by is bounded, and not loosely") {
+  std::mt19937_64 random(3);
+  const auto rational = [&](double low, double high) {
+    return Exact(std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random))).value();
+  };
+  const auto sign = [&] { return std::uniform_int_distribution(0, 1)(random) == 0 ? -1 : 1; };
+  const Exact one(1.0);
+  const mpq_class small("1/1000000000");
+  double loosest[2][3] = {};
+  for (int i = 0; i < 400; ++i) {
+    const mpq_class alpha = sign() * rational(0.01, 5), t = rational(0.1, 5),
+                    eta = sign() * rational(0.01, 5);
+    const int which = i % 3,
+              terms = i % 4 == 3 ? i % 50 + 1 : 0;  // what is off: the place, the start, the memory
+    const mpq_class amplitude = rational(0.1, 10), rate = rational(1e-2, 30);
+    const auto material_with = [&](const mpq_class& share) {
+      return ExactMaterial{{1, {{amplitude * (1 + share), rate * (1 - share)}}, {}},
+                           {mpq_class(1, 4), {{amplitude / 3, rate * (1 + share) / 2}}, {}}};
+    };
+    const mpq_class off = std::min(t, mpq_class(abs(alpha))) * small;
+    const PathError moved{which == 0 ? off : mpq_class(0), which == 1 ? off : mpq_class(0)};
+    const MovingLoadError error{moved, moved, which == 2 ? small : mpq_class(0)};
+    const ExactMaterial before = material_with(0), after = material_with(error.memory);
+    // t, T and t0 from the distances now and at the start.
+    const auto times = [&](const mpq_class& now, const mpq_class& start) {
+      return std::pair(Exact(mpq_class(start - now)), Exact(start));
+    };
+    const auto [time, T] = times(alpha, alpha + t);
+    const auto [new_time, new_T] = times(alpha + moved.alpha, alpha + t + moved.start);
+    const Exact t0(mpq_class(time.value() + eta)), new_t0(mpq_class(new_time.value() + eta + moved.alpha));
+    const auto check = [&](const Enclosure& old_value, const Enclosure& new_value, const Interval& bound,
+                           double& loose) {
+      Float change = zero_of_bits(200);
+      mpfr_sub(raw(change), raw(new_value.value), raw(old_value.value), MPFR_RNDN);
+      const double size = std::fabs(mpfr_get_d(raw(change), MPFR_RNDN)), most = mpfi_get_d(bound.get());
+      CAPTURE(i);
+      CHECK(size <= most);
+      loose = std::max(loose, size / most);
+    };
+    check(moving_load_normal_displacement(time, T, one, one, before, 30, terms),
+          moving_load_normal_displacement(new_time, new_T, one, one, after, 30, terms),
+          moving_load_normal_change(time, T, one, one, before, error, terms), loosest[0][which]);
+    check(moving_load_tangential_displacement(time, T, t0, one, one, before, 30, terms),
+          moving_load_tangential_displacement(new_time, new_T, new_t0, one, one, after, 30, terms),
+          moving_load_tangential_change(time, T, t0, one, one, before, error, terms), loosest[1][which]);
+  }
+  for (const auto& of_kind : loosest)
+    for (const double share : of_kind) CHECK(share > 1e-2);
+}
+
+TEST_CASE("moving load: the kernels, their slopes and sums of residues are within the bounds of a change") {
+  const double step = 1e-3;
+  double integral = 0;
+  const auto differ = [&](auto kernel, double alpha) {
+    return std::fabs(kernel(Exact(alpha + step), 16).to_double() - kernel(Exact(alpha), 16).to_double());
+  };
+  for (int k = 1; k <= 4000; ++k) {
+    const double alpha = 3 * k * step;
+    const double value = std::fabs(I1(Exact(alpha), 16).to_double());
+    CHECK(value <= 3 + std::max(0.0, -std::log(alpha)));
+    CHECK(differ(I1, alpha) <= (2 + 1 / alpha) * step);
+    integral += value * 2 * 3 * step;
+    for (const auto kernel : {&I3, &I4, &I5}) {
+      CHECK(std::fabs(kernel(Exact(alpha), 16).to_double()) <= 4);
+      CHECK(differ(kernel, alpha) <= 4 * step);
+    }
+  }
+  CHECK(integral < 8);
+  CHECK(integral > 1.4);
+  CHECK(2 * 3 + 2 * 7 * 2 / M_PI * std::exp(-M_PI / 2) < 8);
+  for (const PlainKernel kernel : {PlainKernel::I1, PlainKernel::I3, PlainKernel::I4, PlainKernel::I5}) {
+    double sum = M_PI / 4, slope = 0;
+    for (int n = 1; n <= most_residue_terms; ++n) {
+      const auto term = plain_term(n, 64);
+      const double size = M_PI * mpfi_get_d(abs(term->coefficient(kernel)).get());
+      sum += size;
+      slope += size * mpfi_get_d(abs(term->z).get());
+      CHECK(sum <= 7 * n + 1);
+      CHECK(slope <= 13 * std::pow(n, 1.5));
+    }
+  }
 }

@@ -1,11 +1,14 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 
 using namespace nipref;
@@ -20,6 +23,10 @@ double difference(const ref::Estimate& a, const ref::Estimate& b) {
   ref::Float both = ref::zero_of_bits(200);
   mpfr_sub(ref::raw(both), ref::raw(a.value), ref::raw(b.value), MPFR_RNDN);
   return std::fabs(mpfr_get_d(ref::raw(both), MPFR_RNDN));
+}
+
+double half_width(const ref::Interval& x) {
+  return mpfi_get_d(ref::distance_from(ref::middle_of(x), x).get());
 }
 
 void check_like_fast(const ref::ViscoelasticLineLoads& mine, const fast::ViscoelasticLineLoads& theirs,
@@ -59,18 +66,79 @@ TEST_CASE("ref rolling line loads are those in double, with exact kernels and wi
   }
 }
 
-TEST_CASE("ref rolling line loads of a given load: fewer digits agree with more to their errors") {
-  const auto nip = nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3));
-  const auto coarse = ref::ViscoelasticLineLoads::for_load(nip, {2, 1, 1.0, 0}, 50, 16);
-  const auto fine = ref::ViscoelasticLineLoads::for_load(nip, {2, 1, 1.0, 0}, 50, 24);
-  using Number = ref::Estimate (ref::ViscoelasticLineLoads::*)() const;
-  for (const Number number :
-       {&ref::ViscoelasticLineLoads::contact_length, &ref::ViscoelasticLineLoads::indentation,
-        &ref::ViscoelasticLineLoads::load, &ref::ViscoelasticLineLoads::rolling_resistance}) {
-    CHECK(difference((coarse.*number)(), (fine.*number)()) <= error((coarse.*number)()));
-    CHECK(error((coarse.*number)()) <= 1e-16 * std::fabs((fine.*number)().to_double()));
+TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
+  constexpr int nips = 6;  // 200 were run once
+  std::mt19937_64 random(1);
+  const auto between = [&](double low, double high) {
+    return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
+  };
+  const auto count = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
+  for (int i = 0; i < nips; ++i) {
+    const double tau = between(1e-2, 1e2), load = between(1, 300);
+    const auto material =
+        i % 3 == 0   ? data::standard_linear_solid({1e5, between(2e4, 2e5), 2e5, 1e5, 1e5 * tau, 2e5 * tau})
+        : i % 3 == 1 ? data::single_relaxation_time_solid(1e5, 3.75e4, tau)
+                     : data::misprinted_thesis_solid(1e5, 3.75e4, tau);
+    const data::ViscoelasticNip nip{6, between(0.05, 2), material, 1};
+    const int terms = i % 4 == 3 ? count(1, 60) : 0, leading = count(1, 3), trailing = count(1, leading);
+    const double approach = between(0.1, 20);
+    CAPTURE(i);
+    const auto coarse =
+        ref::ViscoelasticLineLoads::for_load(nip, {leading, trailing, approach, terms}, load, 16);
+    const auto fine =
+        ref::ViscoelasticLineLoads::for_load(nip, {leading, trailing, approach, terms}, load, 30);
+    const auto check = [&](const ref::Enclosure& a, const ref::Enclosure& b) {
+      CHECK(a.proven);
+      CHECK(difference(a, b) <= error(a) + error(b));
+      CHECK(error(a) <= 1e-13 * std::fabs(a.to_double()));
+    };
+    using Number = ref::Enclosure (ref::ViscoelasticLineLoads::*)() const;
+    using ref::ViscoelasticLineLoads;
+    for (const Number number : {&ViscoelasticLineLoads::contact_length, &ViscoelasticLineLoads::indentation,
+                                &ViscoelasticLineLoads::load, &ViscoelasticLineLoads::rolling_resistance,
+                                &ViscoelasticLineLoads::creep_ratio, &ViscoelasticLineLoads::peak_pressure})
+      check((coarse.*number)(), (fine.*number)());
+    CHECK(difference(coarse.load(), ref::exactly(load, 16)) <= error(coarse.load()));
+    const double y = 0.3 * coarse.contact_length().to_double();
+    check(coarse.normal_displacement(y), fine.normal_displacement(y));
+    check(coarse.tangential_displacement(y), fine.tangential_displacement(y));
+    check_like_fast(coarse,
+                    fast::viscoelastic_line_loads_for_load(nip, {leading, trailing, approach, terms}, load),
+                    1e-8);
   }
-  CHECK(std::fabs(fine.load().to_double() - 50) <= 1e-14);
+}
+
+TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is outside, or widens") {
+  const auto problem_of = [](const mpq_class& memory, const mpq_class& unknown) {
+    const ref::ExactMaterial material{{1, {{memory, memory}}, {}}, {mpq_class(1, 3), {}, {}}};
+    return ref::RollingLoads{
+        nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3)), {material, unknown}, 3, 2, 4, 0, 40};
+  };
+  const ref::WorkingDigits scope(46);
+  const mpq_class tiny("1/10000000000000000000000000"), memory(2, 3), width(1, 10);
+  const auto solved = [&](const mpq_class& of_memory, const mpq_class& unknown, const mpq_class& element,
+                          const mpq_class& spread) {
+    auto contact = ref::solve_loads(problem_of(of_memory, unknown), {element, spread});
+    contact->loads.push_back(contact->indentation);
+    return contact->loads;
+  };
+  const auto moved = [](const ref::Interval& a, const ref::Interval& b) {
+    return mpfi_get_d(ref::distance_from(ref::middle_of(a), b).get());
+  };
+  const auto truth = solved(memory, 0, width, 0);
+  const auto check = [&](const std::vector<ref::Interval>& other, const std::vector<ref::Interval>& all) {
+    double largest_move = 0, largest_width = 0;
+    for (std::size_t j = 0; j < truth.size(); ++j) {
+      CHECK(mpfi_is_inside(other[j].get(), truth[j].get()) == 0);
+      CHECK(mpfi_is_inside(truth[j].get(), all[j].get()) > 0);
+      CHECK(mpfi_is_inside(other[j].get(), all[j].get()) > 0);
+      largest_move = std::max(largest_move, moved(truth[j], other[j]));
+      largest_width = std::max(largest_width, half_width(all[j]));
+    }
+    CHECK(largest_width < 1e3 * largest_move);
+  };
+  check(solved(memory * (1 + tiny), 0, width, 0), solved(memory, tiny, width, 0));
+  check(solved(memory, 0, width + tiny, 0), solved(memory, 0, width, tiny));
 }
 
 TEST_CASE("ref rolling line loads seek the thesis's number of trailing elements") {

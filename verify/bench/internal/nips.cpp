@@ -134,7 +134,7 @@ std::vector<UnMethod> methods_for_Un() {
 /// The error over the scale of the catalogue's Un, at the first few of the points.
 double largest_error(const UnMethod& method, const std::vector<Times>& points) {
   constexpr std::size_t compared = 30;
-  const auto material = ref::exact_material(unit_solid(), 40);
+  const auto material = ref::exact_material(unit_solid());
   const Quantity& Un = find_quantity("Un");
   double largest = 0;
   for (std::size_t i = 0; i < compared; ++i) {

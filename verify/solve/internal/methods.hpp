@@ -45,7 +45,7 @@ SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
 SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits);
 SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int digits);
 
-/// Line loads by the reference. The errors are proven bounds for an elastic nip, otherwise estimates.
+/// Line loads by the reference. The errors are proven bounds.
 SolvedByRef solve_ref_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
                                  int digits);
 SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
