@@ -129,6 +129,11 @@ Interval coercivity(const Interval& half_length) {
   return best;
 }
 
+Interval entry_bound(const Interval& half_length, int size, long mu) {
+  const Decay decay(half_length, size);
+  return decay.amplitude() * decay.power(mu);
+}
+
 ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
                       const Interval& half_length) {
   const long n = system.size();
@@ -137,7 +142,8 @@ ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
   const Decay decay(half_length, system.size());
   // Arguments of J are rounded; and the system's own half length is not all of the interval.
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
-  const Interval entry_error = interval_of(system.kernel_error()) + 64 * ((half_length + 1) * unit);
+  const Interval entry_error =
+      interval_of(system.kernel_error()) + argument_units * ((half_length + 1) * unit);
   const Interval moved = distance_from(system.half_length(), half_length) / half_length;
   const Interval first = decay.power(2 * n + 1);
   const Interval folded = 8 * (sqrt_of(n, precision) * first / square(1 - decay.power(2 * n)));

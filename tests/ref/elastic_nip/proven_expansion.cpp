@@ -117,6 +117,35 @@ TEST_CASE("the contact's quadratic form is at least what the proof takes for it,
   }
 }
 
+TEST_CASE("the bound of entries and the rounding of arguments that the proof takes are those of the page") {
+  for (const double A : {1e-3, 0.3, 3.0, 30.0}) {
+    CAPTURE(A);
+    const int n = size_for(A, 20);
+    const double y = std::max(1.0, 2 - A / n), tau = std::asinh(y / A);
+    const double C = 2 * A * std::cosh(tau) * (2 / (2 - y) + 4 / ((2 - y) * (2 - y)));
+    for (const long mu : {1L, 5L, 2L * n + 1})
+      CHECK(upper_bound(log(entry_bound(Interval(A, 64), n, mu))) ==
+            doctest::Approx(std::log(C) - static_cast<double>(mu) * tau).epsilon(1e-12));
+    // Half a difference of two values of J, |J'| <= 2, whose arguments are rounded as the system rounds them.
+    const WorkingDigits working(40);
+    const Cosines cosines(2L * n, working_bits());
+    const double unit = static_cast<double>(std::numeric_limits<Float>::epsilon());
+    double largest = 0;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        const auto place = [&](int k) -> Float { return Float(A) * middle_of(cosines(2L * k + 1)); };
+        const Interval s = Interval(A, 300) * cosines(2L * i + 1), t = Interval(A, 300) * cosines(2L * j + 1);
+        const auto off = [](const Float& rounded, const Interval& exact) {
+          return upper_bound(distance_from(rounded, exact));
+        };
+        largest = std::max(largest, off(place(i) - place(j), s - t) + off(place(i) + place(j), s + t));
+      }
+    }
+    CHECK(largest <= argument_units * (A + 1) * unit);
+    CHECK(largest >= argument_units * A * unit / 1e3);
+  }
+}
+
 TEST_CASE("the inequalities of the contact's symbol that the proof uses hold on a mesh") {
   double last_g = 0;
   for (double x = 1e-3; x < 30; x += 1e-3) {
