@@ -25,6 +25,11 @@ double half_length_guess(double load) {
   return std::min(length, longest_sought / 2);
 }
 
+double load_exponent(double half_length) {
+  const double springs = 8 * half_length / 3;
+  return 2 + springs / (std::numbers::pi + springs);
+}
+
 LengthSearch::LengthSearch(double load, double near, const LengthSearchRule& rule, double exponent)
     : load_(load),
       rule_(rule),

@@ -7,6 +7,9 @@ namespace nipref::fast {
 /// (solved_nip.hpp): between half-space and independent springs.
 double half_length_guess(double load);
 
+/// d ln load/d ln length of that contact.
+double load_exponent(double half_length);
+
 /// The longest half length that is tried, in half-thicknesses: check_length_of_load refuses longer ones.
 inline constexpr double longest_sought = 2e4;
 

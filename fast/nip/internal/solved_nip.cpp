@@ -48,14 +48,17 @@ void SolvedNip::solve_to(double nats) {
   solution_ = solve(sought_, nats);
 }
 
-/// Each contact with its own layout.
+/// Each contact with its own layout, up to the one from which a secant leads to nearly the length.
 void SolvedNip::search_roughly() {
-  constexpr double few_nats = 5, tolerance = 1e-6, enough = 1e-3;
-  LengthSearch search(*load_, near_, {enough, longest_sought}, LengthSearch::usual_exponent);
-  do {
-    near_ = sought_ = search.length();
+  constexpr double few_nats = 5, tolerance = 1e-6, near_enough = 2e-2;
+  LengthSearch search(*load_, near_, {tolerance, longest_sought}, load_exponent(near_));
+  bool settled = false;
+  while (!settled && search.residual() > near_enough) {
+    near_ = search.length();
     solution_ = solve(near_, few_nats, tolerance);
-  } while (!search.settled(solution_->value(solution_->load())));
+    settled = search.settled(solution_->value(solution_->load()));
+  }
+  near_ = sought_ = search.length();
   exponent_ = search.exponent();
 }
 
