@@ -3,6 +3,7 @@
 #   nipref         the program, what it reads, manual, completion, kernel.h
 #   libnipref-dev  libraries, headers, what find_package and pkg-config read
 #   nipref-mpi     nipref-mpi, where it is built
+#   python3-nipref the package for Python
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "nipref <nipref@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -28,6 +29,12 @@ set(CPACK_DEBIAN_MPI_PACKAGE_NAME nipref-mpi)
 set(CPACK_DEBIAN_MPI_DESCRIPTION "${PROJECT_DESCRIPTION}: audits by the ranks of an MPI job")
 set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "nipref ${of_this_version}")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-nipref)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: for Python")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy, nipref ${of_this_version}, libnipref-dev ${of_this_version}")
+
 include(CPack)
 foreach(component command-line host tables)
   cpack_add_component(${component} GROUP program)
@@ -36,3 +43,4 @@ foreach(component data ref fast fast-shared verify c)
   cpack_add_component(${component} GROUP libraries)
 endforeach()
 cpack_add_component(mpi GROUP mpi)
+cpack_add_component(python GROUP python)

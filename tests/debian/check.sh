@@ -30,6 +30,8 @@ nipref --version
 nipref eval I1 alpha=0.73
 nipref solve thick-full-friction
 apt-get install -qq --yes --no-install-recommends ./libnipref-dev_*.deb cmake g++ make >log 2>&1 || { cat log; exit 1; }
+apt-get install -qq --yes --no-install-recommends ./python3-nipref_*.deb >log 2>&1 || { cat log; exit 1; }
+python3 -c 'import nipref; print(nipref.eval("I1", alpha=0.73), nipref.solve("thick-frictionless")["contact_length"])'
 for project in consumer consumer/kernel_check; do
   cmake -S $project -B build/$project >log
   cmake --build build/$project >>log 2>&1 || { cat log; exit 1; }

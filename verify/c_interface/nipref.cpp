@@ -1,15 +1,22 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/number/c_call.hpp>
 #include <nipref/nipref.h>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
 using data::BadInput;
@@ -87,7 +94,56 @@ verify::Assignments assignments_of(const verify::Quantity& quantity, const char*
   return assignments;
 }
 
+/// name=value texts up to a null pointer.
+verify::Assignments pairs_of(const char* name, const char* const* texts) {
+  verify::Assignments pairs;
+  for (; *texts != nullptr; ++texts) {
+    const std::string text = *texts;
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos) throw BadInput(name, text, "must be texts name=value");
+    pairs.emplace_back(text.substr(0, sign), text.substr(sign + 1));
+  }
+  return pairs;
+}
+
+data::SceneText scene_text(const std::string& scene) {
+  if (scene.find('\n') != std::string::npos) return {"scene", scene};
+  const std::filesystem::path file = scene;
+  std::error_code none;
+  const bool is_file = std::filesystem::exists(file, none) || file.has_parent_path() || file.has_extension();
+  return data::read_scene(is_file ? file : data::example_scene(scene));
+}
+
+double rounded_upwards(long double error) {
+  const double nearest = static_cast<double>(error);
+  return static_cast<long double>(nearest) < error ? std::nextafter(nearest, INFINITY) : nearest;
+}
+
 }  // namespace
+
+struct nipref_solution {
+  struct Numbers {
+    std::string_view name;
+    std::vector<double> values, errors;
+  };
+  std::string json;
+  std::vector<Numbers> numbers;
+
+  template <class Number>
+  explicit nipref_solution(const verify::SceneSolution<Number>& solved)
+      : json(verify::solution_json(solved).for_machines().text()),
+        numbers{{"positions", solved.positions, {}},
+                {"field.positions", solved.field.positions, {}},
+                {"field.depths", solved.field.depths, {}}} {
+    for (const auto& result : solved.results) {
+      Numbers& of_result = numbers.emplace_back(Numbers{result.what->name, {}, {}});
+      for (const Number& number : result.numbers) {
+        of_result.values.push_back(verify::value_of(number));
+        of_result.errors.push_back(rounded_upwards(verify::error_of(number)));
+      }
+    }
+  }
+};
 
 const char* nipref_version(void) { return NIPREF_VERSION; }
 
@@ -169,4 +225,54 @@ int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, in
     *proven = found.proven ? 1 : 0;
   });
   return status == 0 && !met ? nipref_missed : status;
+}
+
+int nipref_parse(const nipref_quantity* quantity, const char* const* assignments, double* arguments,
+                 char* texts, std::size_t texts_size) {
+  return fast::c_call([&] {
+    const verify::Quantity& wanted = given(quantity);
+    refuse_null("assignments", assignments);
+    refuse_null("arguments", arguments);
+    refuse_null("texts", texts);
+    const verify::ParsedArguments parsed = verify::parse_arguments(
+        wanted, verify::with_material_numbers(wanted, pairs_of("assignments", assignments)));
+    const verify::Point point = parsed.nearest(wanted);
+    const std::string lines = fmt::format("{}\n", fmt::join(parsed.text, "\n"));
+    check_room("texts_size", lines, texts_size);
+    std::ranges::copy(point, arguments);
+    std::memcpy(texts, lines.c_str(), lines.size() + 1);
+  });
+}
+
+int nipref_solve(const char* scene, const char* const* overrides, int digits, nipref_solution** solution) {
+  return fast::c_call([&] {
+    refuse_null("scene", scene);
+    refuse_null("solution", solution);
+    const data::Scene wanted = data::load_scene(
+        scene_text(scene), overrides == nullptr ? data::SceneOverrides{} : pairs_of("overrides", overrides));
+    *solution = digits == 0 ? new nipref_solution(verify::solve(wanted))
+                            : new nipref_solution(verify::solve_by_ref(wanted, digits));
+  });
+}
+
+void nipref_solution_free(nipref_solution* solution) { delete solution; }
+
+const char* nipref_solution_json(const nipref_solution* solution) {
+  return solution == nullptr ? "" : solution->json.c_str();
+}
+
+std::size_t nipref_solution_numbers(const nipref_solution* solution, const char* result,
+                                    const double** values, const double** errors) {
+  nipref_solution::Numbers none;
+  const nipref_solution::Numbers* found = &none;
+  if (solution != nullptr && result != nullptr) {
+    const auto named = std::ranges::find(solution->numbers, result, &nipref_solution::Numbers::name);
+    if (named != solution->numbers.end()) found = &*named;
+  }
+  const auto start = [](const std::vector<double>& numbers) {
+    return numbers.empty() ? nullptr : numbers.data();
+  };
+  if (values != nullptr) *values = start(found->values);
+  if (errors != nullptr) *errors = start(found->errors);
+  return found->values.size();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 /* Every quantity of nipref's catalogue for C and for languages that call C: in double by `fast`, and to any number of
-   digits with an error by `ref`. Definitions, arguments and domains: `nipref list QUANTITY`.
+   digits with an error by `ref`; and contacts. Definitions, arguments and domains: `nipref list QUANTITY`.
 
    Codes and nipref_last_error() are those of c.h, whose functions libnipref has as well: a program that links libnipref
    does not link libnipref_fast, or the second of the two would not be heard by nipref_last_error().
@@ -63,6 +63,33 @@ int nipref_fast_batch(const nipref_quantity* quantity, size_t points, const doub
    nipref_last_error() is not about it. */
 int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, int digits, char* value,
                size_t value_size, char* error, size_t error_size, int* proven);
+
+/* Arguments as a user writes them: name=value texts, the last pointer null, a material or solid as one of them,
+   "material=prony(...)". arguments[i] becomes the double nearest to each, a choice its number, for nipref_fast; `texts`
+   the text of each with a line break behind it, for nipref_ref. texts_size is the size of that buffer, at least 1; less
+   than the texts take is refused. */
+int nipref_parse(const nipref_quantity* quantity, const char* const* assignments, double* arguments, char* texts,
+                 size_t texts_size);
+
+/* A contact that was solved; nipref_solution_free() frees it. */
+typedef struct nipref_solution nipref_solution;
+
+/* Solves a scene: the text of one, the name of its file, or the name of an example of `nipref help solve`. What has a
+   line break is a text. overrides: key=value texts, the last pointer null, that stand for what the scene has there, or
+   null. digits: 0 for fast, 16 to 300 for ref. */
+int nipref_solve(const char* scene, const char* const* overrides, int digits, nipref_solution** solution);
+void nipref_solution_free(nipref_solution* solution);
+
+/* The answer of `nipref solve --json` without what it says of the program: results with errors and units, the shape of
+   each, places, warnings. ref's numbers are texts. */
+const char* nipref_solution_json(const nipref_solution* solution);
+
+/* How many numbers a result has, 0 if it was not wanted; a profile has one for each of "positions", a field one for each of
+   "field.positions", which come again for each of "field.depths". *values and *errors point to the doubles nearest to
+   them and to their errors, rounded upwards; null for no such result, and *errors for places. They are valid until
+   the solution is freed. */
+size_t nipref_solution_numbers(const nipref_solution* solution, const char* result, const double** values,
+                               const double** errors);
 
 #ifdef __cplusplus
 }
