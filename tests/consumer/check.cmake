@@ -56,7 +56,7 @@ string(REPLACE "Elastic rolling, complete slip" "The moved table" table "${table
 file(WRITE ${moved}/share/nipref/tables/thesis-VII.csv "${table}")
 run(${moved}/bin/nipref tables --list)
 expect("thesis-VII [^\n]*\n[^\n]*The moved table")
-foreach(text man/man1/nipref.1 bash-completion/completions/nipref)
+foreach(text man/man1/nipref.1 bash-completion/completions/nipref zsh/vendor-completions/_nipref fish/vendor_completions.d/nipref.fish)
   file(READ ${moved}/share/${text} output)
   expect("no.*times")
 endforeach()
@@ -108,6 +108,14 @@ foreach(file_and_says "sound.xml|failures=\"0\"" "wrong.xml|<failure message=\"l
   file(READ ${kernel_check}/${file} output)
   expect("${file_and_says}")
 endforeach()
+
+# The commands of the workflow that strangers may take, but what installs a compiler.
+file(STRINGS ${source}/kernel_check/github.yml commands REGEX "- run: (gcc|nipref)")
+list(TRANSFORM commands REPLACE ".*- run: " "")
+list(JOIN commands " && " commands)
+run(${CMAKE_COMMAND} -E env --modify PATH=path_list_prepend:${moved}/bin
+  sh -c "cp ${source}/kernel_check/mylib.c . && ${commands}" )
+expect("sign_kernel of[ \n]+[^ \n]*mylib.so[ \n]+as[ \n]+I2,[ \n]+its[ \n]+domain:[ \n]+PASS")
 
 # Examples of everything, given the folder of the data by the package.
 run(${CMAKE_COMMAND} -S ${source} -B ${work}/examples -D nipref_ROOT=${moved} -D CMAKE_BUILD_TYPE=${build_type})

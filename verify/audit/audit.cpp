@@ -97,8 +97,8 @@ Json audit_row_json(const AuditResult& result) {
           {"max_relative_error", result.max_relative_error},
           {"promise_ulp", result.promise},
           {"allowance_used", result.allowance_used},
-          {"kept", result.kept()},
-          {"few_points", result.few_points()},
+          {"passed", result.kept()},
+          {"fault_width", result.fault_width()},
           {"worst", point_json(*result.quantity, result.worst)}};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -46,9 +47,6 @@ struct AuditOptions {
   }
 };
 
-/// With fewer points than this it means little that a promise is kept.
-inline constexpr std::size_t enough_points = 100;
-
 /// The result of the audit of one quantity. Errors are upper bounds: ref's own error is added to each.
 struct AuditResult {
   const Quantity* quantity;
@@ -63,7 +61,9 @@ struct AuditResult {
   double worst_ulp = 0;   ///< the error at `worst`, units in the last place of the scale
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
-  [[nodiscard]] bool few_points() const { return points < enough_points; }
+  /// The part of what points are drawn from in which so many of them meet a fault with a chance of 95 %: w with
+  /// 1 - (1 - w)^points = 0.95. A narrower fault may be missed.
+  [[nodiscard]] double fault_width() const { return -std::expm1(std::log(0.05) / static_cast<double>(points)); }
 };
 
 /// The version of the sampling: with another one the same options give other points.

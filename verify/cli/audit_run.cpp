@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <nipref/data/bad_input.hpp>
@@ -32,6 +33,14 @@ double density_option(const CommandLine& line) {
   return line.number("density").value();
 }
 
+/// As many as are asked for, or the usual number times the density.
+std::size_t scenes_option(const CommandLine& line) {
+  const std::size_t scenes = line.count("scenes");
+  if (line.option("scenes")) return scenes;
+  return static_cast<std::size_t>(
+      std::max(1.0, std::round(density_option(line) * static_cast<double>(scenes))));
+}
+
 /// Options are for quantities; an absolute number of points for those that are named: what is quick for one
 /// takes hours for another.
 void refuse_options_without_effect(const CommandLine& line, const Selection& selected) {
@@ -39,7 +48,7 @@ void refuse_options_without_effect(const CommandLine& line, const Selection& sel
     refuse_option(line, "points",
                   "must be left out without names of quantities: --density is for all of them");
   if (!selected.quantities.empty()) return;
-  for (const char* const name : {"points", "density", "quick", "thorough", "rtol"})
+  for (const char* const name : {"points", "rtol"})
     refuse_option(line, name, "has no effect on contacts: must be left out");
 }
 
@@ -101,7 +110,7 @@ AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(reco
     options.accuracy = accuracy_;
     quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
   }
-  const std::size_t scenes = line.count("scenes");  // refused if it is wrong, without contacts too
+  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
   if (!selected.has(contacts)) return;
   hard_cases_ = std::make_unique<HardCasesWork>();
   scenes_ = std::make_unique<ScenesWork>(scenes, line.option_or_usual("seed"));
@@ -152,11 +161,10 @@ Json closest_json(const std::vector<AuditResult>& results) {
   if (results.empty()) return {};
   const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
   return {{"all", all_kept(results)},
-          {"kept", std::ranges::count_if(results, &AuditResult::kept)},
+          {"passed", std::ranges::count_if(results, &AuditResult::kept)},
           {"of", results.size()},
           {"closest", closest->quantity->name},
-          {"used", closest->allowance_used},
-          {"few", std::ranges::any_of(results, &AuditResult::few_points) ? Json(enough_points) : Json()}};
+          {"used", closest->allowance_used}};
 }
 
 }  // namespace

@@ -264,6 +264,7 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
                     points,
                     columns_of(request),
                     {{"quantity", quantity.name}, {"caveat", Json::unless_empty(caveat_of(request))}},
+                    {},
                     [&](std::size_t i) {
                       const Assignments given = points.assignments(i, &AxisValue::exact);
                       return row_of(request, parse_arguments(quantity, given));

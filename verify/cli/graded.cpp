@@ -36,7 +36,7 @@ Json older_json(const std::optional<Slowdown>& older) {
   if (!older) return {};
   return {{"file", older->older},
           {"allowed_slowdown", older->allowed},
-          {"kept", older->kept()},
+          {"passed", older->kept()},
           {"speed", speed_json(older->speed, older->older)}};
 }
 

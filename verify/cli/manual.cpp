@@ -89,9 +89,9 @@ std::string manual_page() {
                               {"exit_statuses", roff(exit_statuses())}});
 }
 
-std::string bash_completion() {
-  return text_of("nipref.bash", {{"verbs", json_list(verbs(), completion_json)},
-                                 {"quantities", json_list(catalogue(), arguments_json)}});
+std::string completion_for(const std::string& shell) {
+  return text_of("nipref." + shell, {{"verbs", json_list(verbs(), completion_json)},
+                                     {"quantities", json_list(catalogue(), arguments_json)}});
 }
 
 }  // namespace nipref::verify

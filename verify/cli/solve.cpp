@@ -31,7 +31,7 @@ int print(const SceneSolution<Number>& solution, const CommandLine& line, std::o
 int solve_verb(const CommandLine& line, std::ostream& out) {
   const auto [text, digits] = scene_request(line);
   const AxesProduct scenes = swept_scenes(text, line);
-  if (scenes.size() > 1) return solve_sweep(text, scenes, digits, line, out);
+  if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");
   const data::Scene scene = data::load_scene(text, scenes.assignments(0, &AxisValue::shown));
   if (!digits) return print(solve(scene), line, out);
@@ -62,36 +62,68 @@ data::Scene first_scene(const data::SceneText& text, const AxesProduct& scenes) 
   throw BadInput(*refused);
 }
 
+bool has_one_number(data::ResultId id) { return data::scene_result(id).shape == data::Shape::number; }
+
+bool wants(const data::Scene& scene, data::Shape shape) {
+  return std::ranges::any_of(scene.wanted,
+                             [&](data::ResultId id) { return data::scene_result(id).shape == shape; });
+}
+
 std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
   std::vector<SweepColumn> columns;
   for (const data::ResultId id : scene.wanted) {
-    const data::SceneResult& what = data::scene_result(id);
-    if (what.shape != data::Shape::number) {
-      const char* const shape = what.shape == data::Shape::list      ? "list"
-                                : what.shape == data::Shape::profile ? "profile"
-                                                                     : "field";
-      scene.origin.refuse("wanted", what.name,
-                          fmt::format("must be left out with a sweep: it is a {}", shape));
-    }
-    columns.push_back({std::string(what.name), by_ref});
-    columns.push_back({std::string(what.name) + "_error", by_ref});
+    const std::string name(data::scene_result(id).name);
+    columns.insert(columns.end(), {{name, by_ref}, {name + "_error", by_ref}});
   }
-  columns.push_back({"missed", true});
-  columns.push_back({"warnings", true});
+  columns.insert(columns.end(), {{"missed", true}, {"warnings", true}});
+  if (wants(scene, data::Shape::profile)) columns.push_back({"positions", false});
+  if (wants(scene, data::Shape::field))
+    columns.insert(columns.end(), {{"field.positions", false}, {"field.depths", false}});
   return columns;
 }
 
+const std::vector<std::string> heads_of_numbers{"result", "depth",  "position", "value",
+                                                "error",  "missed", "warnings"};
+
+std::string place_text(const std::optional<double>& place) { return place ? fmt::format("{}", *place) : ""; }
+
+/// A line for each number of each result, with its place, and lists for JSON.
 template <class Number>
-SweepRow row_of(const SceneSolution<Number>& solution) {
+void add_lists(SweepRow& row, const SceneSolution<Number>& solution, const std::string& missed,
+               const std::string& warnings) {
+  const Json answer = solution_json(solution);
+  for (const auto& result : solution.results) {
+    const Json numbers = answer.at("results").at(result.what->name);
+    row.values.insert(row.values.end(), {numbers.at("value"), numbers.at("error")});
+    for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+      const auto [position, depth] = solution.place(*result.what, i);
+      row.lines.push_back({std::string(result.what->name), place_text(depth), place_text(position),
+                           value_text(result.numbers[i]), error_text(result.numbers[i]), missed, warnings});
+    }
+  }
+  row.values.insert(row.values.end(), {missed, warnings});
+  if (!solution.positions.empty()) row.values.push_back(answer.at("positions"));
+  if (const Json field = answer.at("field"); !field.is_null())
+    row.values.insert(row.values.end(), {field.at("positions"), field.at("depths")});
+}
+
+template <class Number>
+SweepRow row_of(const SceneSolution<Number>& solution, bool has_lists) {
   SweepRow row;
+  const auto missed = solution.missed();
+  row.fell_short = !missed.empty();
+  const std::string names = fmt::format("{}", fmt::join(missed, " "));
+  const std::string warnings =
+      fmt::format("{}", fmt::join(mapped(solution.warnings, &BeyondTheory::quantity), " "));
+  if (has_lists) {
+    add_lists(row, solution, names, warnings);
+    return row;
+  }
   for (const auto& result : solution.results) {
     row.cells.push_back(value_text(result.numbers.front()));
     row.cells.push_back(error_text(result.numbers.front()));
   }
-  const auto missed = solution.missed();
-  row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
-  row.cells.push_back(fmt::format("{}", fmt::join(mapped(solution.warnings, &BeyondTheory::quantity), " ")));
-  row.fell_short = !missed.empty();
+  row.cells.insert(row.cells.end(), {names, warnings});
   return row;
 }
 
@@ -114,16 +146,18 @@ AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line) {
 int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
                 const CommandLine& line, std::ostream& out) {
   const data::Scene first = first_scene(text, scenes);
-  const Sweep sweep{"solve_sweep",
-                    scenes,
-                    columns_of(first, digits.has_value()),
-                    {{"path", digits ? "ref" : "fast"}},
-                    [&](std::size_t i) {
-                      // A decimal, which is what TOML takes, means the same double.
-                      const data::Scene scene =
-                          data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
-                      return digits ? row_of(solve_by_ref(scene, *digits)) : row_of(solve(scene));
-                    }};
+  const bool has_lists = !std::ranges::all_of(first.wanted, has_one_number);
+  const Sweep sweep{
+      "solve_sweep",
+      scenes,
+      columns_of(first, digits.has_value()),
+      {{"path", digits ? "ref" : "fast"}},
+      has_lists ? heads_of_numbers : std::vector<std::string>{},
+      [&](std::size_t i) {
+        // A decimal, which is what TOML takes, means the same double.
+        const data::Scene scene = data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
+        return digits ? row_of(solve_by_ref(scene, *digits), has_lists) : row_of(solve(scene), has_lists);
+      }};
   return write_sweep(sweep, line, out);
 }
 

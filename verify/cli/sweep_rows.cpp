@@ -11,6 +11,7 @@
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -57,21 +58,35 @@ std::string without_commas(std::string text) {
 }
 
 std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+  const bool has_lines = !sweep.heads_of_lines.empty();
+  const std::vector<std::string> heads =
+      has_lines ? sweep.heads_of_lines : mapped(sweep.columns, &SweepColumn::name);
   std::string text;
   for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";
-  for (const SweepColumn& column : sweep.columns) text += csv_field(column.name) + ",";
+  for (const std::string& head : heads) text += csv_field(head) + ",";
   text += "refused\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const AxisValue* const value : sweep.product.at(i)) text += csv_field(value->shown) + ",";
-    for (std::size_t j = 0; j < sweep.columns.size(); ++j)
-      text += (rows[i].row ? without_commas(rows[i].row->cells[j]) : "") + ",";
-    text += without_commas(refusal_text(rows[i])) + "\n";
+    std::string start;
+    for (const AxisValue* const value : sweep.product.at(i)) start += csv_field(value->shown) + ",";
+    std::vector<std::vector<std::string>> lines{std::vector<std::string>(heads.size())};
+    if (rows[i].row && has_lines) {
+      lines = rows[i].row->lines;
+    } else if (rows[i].row) {
+      lines = {rows[i].row->cells};
+    }
+    for (const std::vector<std::string>& line : lines) {
+      text += start;
+      for (const std::string& cell : line) text += without_commas(cell) + ",";
+      text += without_commas(refusal_text(rows[i])) + "\n";
+    }
   }
   return text;
 }
 
 Json cell_json(const FinishedRow& row, std::size_t column, bool is_text) {
-  if (!row.row || row.row->cells[column].empty()) return {};
+  if (!row.row) return {};
+  if (!row.row->values.empty()) return row.row->values[column];
+  if (row.row->cells[column].empty()) return {};
   const std::string& cell = row.row->cells[column];
   return is_text ? Json(cell) : Json::number(cell);
 }

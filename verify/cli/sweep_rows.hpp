@@ -17,6 +17,9 @@ namespace nipref::verify {
 struct SweepRow {
   std::vector<std::string> cells;  ///< one for each column; an empty one is not known
   bool fell_short = false;         ///< of what was asked
+  /// Where a column has more than one number: its cells for JSON, and lines of CSV in place of `cells`.
+  std::vector<Json> values = {};
+  std::vector<std::vector<std::string>> lines = {};
 };
 
 /// A column behind those of the axes.
@@ -30,7 +33,8 @@ struct Sweep {
   std::string_view verb;  ///< of the JSON answer
   AxesProduct product;
   std::vector<SweepColumn> columns;
-  Json members;  ///< of the JSON answer, before the rows
+  Json members;                             ///< of the JSON answer, before the rows
+  std::vector<std::string> heads_of_lines;  ///< of CSV, where rows have `lines`
   /// Of a combination, from several threads at once. BadInput: it is refused.
   std::function<SweepRow(std::size_t)> row_at;
 };
@@ -46,8 +50,9 @@ int write_sweep(const Sweep& sweep, const CommandLine& line, std::ostream& out);
 AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line);
 
 /// solve of a scene for each combination: a row each with its results and errors, with the names of those that missed
-/// the accuracy, and with what is beyond linear theory. digits: of ref; nothing: by fast. 1 if a scene was refused or
-/// missed its accuracy. BadInput if all are refused, and if a profile is wanted.
+/// the accuracy, and with what is beyond linear theory; where a profile, a field or a list is wanted, a row for each
+/// number with its place. digits: of ref; nothing: by fast. 1 if a scene was refused or missed its accuracy. BadInput if
+/// all are refused.
 int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
                 const CommandLine& line, std::ostream& out);
 

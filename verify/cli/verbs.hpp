@@ -97,7 +97,7 @@ void refuse_unknown_option(const VerbText& verb, const std::string& name, const 
 /// What help says of all verbs, as a page for man.
 std::string manual_page();
 
-/// What bash needs to complete verbs, their options, and the names of quantities, tables and example scenes.
-std::string bash_completion();
+/// What bash, zsh or fish needs to complete verbs, their options, and the names of quantities, tables and example scenes.
+std::string completion_for(const std::string& shell);
 
 }  // namespace nipref::verify

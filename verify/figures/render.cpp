@@ -220,12 +220,13 @@ std::string gnuplot_script(const Json& drawing) {
   TemplateData& panels = figure["panels"];
   for (TemplateData& panel : panels) prepare(panel);
   const std::size_t columns = panels.size() == 4 ? 2 : 1, rows = panels.size() / columns;
-  figure.update({{"notes", parts_of(figure.value("parameters", ""))},
-                 {"long_key", panels[0]["series"].size() > 4},
-                 {"columns", columns},
-                 {"rows", rows},
-                 {"width", columns * 950},
-                 {"height", 110 + rows * 460}});
+  figure.update(
+      {{"notes", parts_of(figure.value("parameters", ""))},
+       {"long_key", panels[0]["series"].size() > 4},
+       {"columns", columns},
+       {"rows", rows},
+       {"width", columns == 1 ? 950 : columns * 620},  // as wide as a page shows without making it smaller
+       {"height", 110 + rows * (columns == 1 ? 460 : 400)}});
   return filled(template_text("figure.gnuplot"), figure, escaped_for_gnuplot);
 }
 

@@ -148,7 +148,7 @@ Json checked_file_json(const CheckedGolden& file) {
           {"rows", file.rows},
           {"recomputed", file.recomputed},
           {"hashed", file.hashed},
-          {"kept", file.kept()},
+          {"passed", file.kept()},
           {"failures", json_list(file.failures, failure_json)},
           {"_name", file.path.filename().string()}};
 }

@@ -64,16 +64,16 @@ const std::vector<Part>& parts() {
       {"/audit/rows",
        "audit",
        {"quantity"},
-       {verdict_column("kept"), {"max_error_ulp", ", largest error, ulp", better, worse, 1.1, "points"}}},
+       {verdict_column("passed"), {"max_error_ulp", ", largest error, ulp", better, worse, 1.1, "points"}}},
       {"/audit/scenes",
        "random contacts",
        {"kind"},
-       {verdict_column("kept"),
+       {verdict_column("passed"),
         {"median_overestimate", ", statement over error, median", better, worse, 1.1, "scenes"}}},
       {"/audit/contacts",
        "hard case",
        {"system", "length_over_thickness", "poisson", "unknowns"},
-       {verdict_column("kept")}},
+       {verdict_column("passed")}},
       {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", "", slower, quicker, 1.25}}},
       {"/bench/error_ratios", "error,", {"what"}, {verdict_column("met")}},
       {"/tables/tables",
@@ -87,7 +87,7 @@ const std::vector<Part>& parts() {
       {"/claims", "claim", {"id"}, {{"verdict", "", changed, changed}}},
       {"/limits", "limit", {"name"}, {verdict_column("approached")}},
       {"/errata", "erratum", {"id"}, {verdict_column("settled")}},
-      {"/golden", "golden", {"quantity"}, {verdict_column("kept")}}};
+      {"/golden", "golden", {"quantity"}, {verdict_column("passed")}}};
   return all;
 }
 

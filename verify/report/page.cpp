@@ -144,7 +144,7 @@ namespace {
 constexpr std::size_t fewest_dots = 12;
 constexpr double largest_linear_promise = 64;
 constexpr int fewest_ways = 4;  ///< a plot has at least so many ways to the same values
-constexpr double least_drawn_error = 1e-17;
+constexpr double least_drawn_error = 1e-17, most_drawn_error = 10;
 
 /// A series of errors; on a logarithmic axis without the errors that are 0.
 Series error_series(const std::string& label, Mark mark, const std::vector<ErrorDot>& dots, bool largest_only,
@@ -210,7 +210,7 @@ std::string family_of(const std::string& method) {
 }
 
 void append_way(Series& series, const BenchRow& row) {
-  series.x.push_back(std::max(*row.max_relative_error, least_drawn_error));
+  series.x.push_back(std::clamp(*row.max_relative_error, least_drawn_error, most_drawn_error));
   series.y.push_back(row.nanoseconds);
   if (series.mark != Mark::bars) return;
   series.low.push_back(row.quartile_1 > 0 ? row.quartile_1 : row.nanoseconds);

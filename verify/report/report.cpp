@@ -65,7 +65,7 @@ template <class Rows, class IsSo>
 Json share_json(const Rows& rows, IsSo is_so) {
   const auto kept = std::ranges::count_if(rows, is_so);
   const auto of = std::ranges::ssize(rows);
-  return {{"kept", kept}, {"missed", of - kept}, {"of", of}, {"all", kept == of}};
+  return {{"passed", kept}, {"missed", of - kept}, {"of", of}, {"all", kept == of}};
 }
 
 template <class Rows, class Count>
@@ -88,7 +88,7 @@ Json random_contacts_json(const std::vector<SceneTally>& scenes) {
   return {{"scenes", sum(scenes, &SceneTally::scenes)},
           {"numbers", numbers - unchecked},
           {"not_covered", sum(scenes, &SceneTally::uncovered)},
-          {"kept", all_kept(scenes)}};
+          {"passed", all_kept(scenes)}};
 }
 
 Json hard_cases_json(const std::vector<ContactAudit>& audits) {

@@ -64,18 +64,17 @@ std::string work_text(const fast::Work& work) {
 }
 
 /// What stands before a number of a list, a profile or a field: its place. The first of each depth also has the depth.
-Json place_json(const data::SceneResult& what, const std::vector<double>& positions,
-                const data::FieldPlaces& field, std::size_t i) {
-  std::string place;
-  Json depth;
-  if (what.shape == data::Shape::profile)
-    place = fmt::format("{} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y", positions[i]);
-  if (what.shape == data::Shape::field) {
-    const std::size_t position = i % field.positions.size();
-    place = fmt::format("  Y = {:<20} ", field.positions[position]);
-    if (position == 0) depth = fmt::format("{}", field.depths[i / field.positions.size()]);
+template <class Number>
+Json place_json(const SceneSolution<Number>& solution, const data::SceneResult& what, std::size_t i) {
+  const auto [position, depth] = solution.place(what, i);
+  std::string text;
+  if (depth) {
+    text = fmt::format("  Y = {:<20} ", *position);
+  } else if (position) {
+    text = fmt::format("{} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y", *position);
   }
-  return {{"place", place}, {"next_depth", depth}};
+  const bool is_first = depth && i % solution.field.positions.size() == 0;
+  return {{"place", text}, {"next_depth", is_first ? Json(fmt::format("{}", *depth)) : Json()}};
 }
 
 /// The results as the text shows them.
@@ -88,7 +87,7 @@ Json rows_json(const SceneSolution<Number>& solution) {
       Json row{{"value", value_text(number)},
                {"error", error_text(number)},
                {"error_word", is_proven(number) ? "bound" : "error"}};
-      row.append(place_json(*result.what, solution.positions, solution.field, i));
+      row.append(place_json(solution, *result.what, i));
       numbers.push_back(row);
     }
     return Json{{"name", result.what->name},

@@ -58,6 +58,17 @@ struct SceneSolution {
   fast::Work error_work;               ///< spent on the error estimates of line loads
   double seconds = 0;                  ///< wall clock, for all of it
 
+  /// Where the i-th number of a result is, unit of length, and the depth over half the thickness; nothing for neither.
+  struct Place {
+    std::optional<double> position, depth;
+  };
+  [[nodiscard]] Place place(const data::SceneResult& what, std::size_t i) const {
+    if (what.shape == data::Shape::profile) return {positions[i], {}};
+    if (what.shape != data::Shape::field) return {};
+    const std::size_t across = field.positions.size();
+    return {field.positions[i % across], field.depths[i / across]};
+  }
+
   /// Names of the results that are not as accurate as was asked.
   [[nodiscard]] std::vector<std::string_view> missed() const {
     std::vector<std::string_view> names;

@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iterator>
@@ -13,30 +15,30 @@ namespace {
 constexpr std::string_view green = "\x1b[32m", red = "\x1b[31m", as_before = "\x1b[0m";
 
 /// The indent of a folded line's continuation: the column after the last gap of two spaces in its first half.
-std::size_t hanging_indent(std::string_view line) {
+std::size_t hanging_indent(std::string_view line, std::size_t width) {
   const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
   std::size_t indent = start + 4;
-  for (std::size_t gap = line.find("  ", start); gap < text_width / 2; gap = line.find("  ", indent)) {
+  for (std::size_t gap = line.find("  ", start); gap < width / 2; gap = line.find("  ", indent)) {
     const std::size_t next = line.find_first_not_of(' ', gap);
-    if (next == std::string_view::npos || next > text_width / 2) break;
+    if (next == std::string_view::npos || next > width / 2) break;
     indent = next;
   }
   return indent;
 }
 
-void append_folded(std::string& text, std::string_view line) {
-  if (width_of(line) <= text_width) {
+void append_folded(std::string& text, std::string_view line, std::size_t width) {
+  if (width_of(line) <= width) {
     text += line;
     return;
   }
-  const std::size_t indent = hanging_indent(plain(line));
+  const std::size_t indent = hanging_indent(plain(line), width);
   std::size_t used = 0;
   for (std::size_t at = 0; at < line.size();) {
     // The next piece is a word with the spaces before it.
     const std::size_t word = std::min(line.find_first_not_of(' ', at), line.size());
     const std::size_t end = std::min(line.find(' ', word), line.size());
-    const std::size_t width = width_of(line.substr(word, end - word));
-    if (used > indent && used + (word - at) + width > text_width) {
+    const std::size_t of_word = width_of(line.substr(word, end - word));
+    if (used > indent && used + (word - at) + of_word > width) {
       text += fmt::format("\n{:{}}", "", indent);
       used = indent;
     } else {
@@ -44,12 +46,19 @@ void append_folded(std::string& text, std::string_view line) {
       used += word - at;
     }
     text += line.substr(word, end - word);
-    used += width;
+    used += of_word;
     at = end;
   }
 }
 
 }  // namespace
+
+std::size_t text_width() {
+  constexpr std::size_t usual = 80, least = 40;
+  winsize size{};
+  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? std::max<std::size_t>(size.ws_col, least) : usual;
+}
 
 std::string good(std::string_view text) { return fmt::format("{}{}{}", green, text, as_before); }
 std::string bad(std::string_view text) { return fmt::format("{}{}{}", red, text, as_before); }
@@ -91,11 +100,11 @@ std::size_t width_of(std::string_view text) {
       seen, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }
 
-std::string folded(std::string_view text) {
+std::string folded(std::string_view text, std::size_t width) {
   std::string all;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    append_folded(all, text.substr(at, end - at));
+    append_folded(all, text.substr(at, end - at), width);
     if (end < text.size()) all += '\n';
     at = end + 1;
   }

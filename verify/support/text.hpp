@@ -6,8 +6,8 @@
 
 namespace nipref::verify {
 
-/// The width of text for people, in columns.
-inline constexpr std::size_t text_width = 80;
+/// The columns of the terminal that standard output is, at least 40; 80 if it is none.
+std::size_t text_width();
 
 /// A text in green, or in red, by escape sequences of terminals.
 std::string good(std::string_view text);
@@ -30,7 +30,7 @@ std::size_t width_of(std::string_view text);
 
 /// Breaks each line that is too wide at spaces. The continuation starts below the last column of the line if that column is
 /// in the first half, and otherwise four columns to the right of the line's start. A word that is too wide is not broken.
-std::string folded(std::string_view text);
+std::string folded(std::string_view text, std::size_t width = text_width());
 
 /// A table in plain text: each column is as wide as its widest cell, with two spaces between columns.
 class TextTable {

@@ -62,7 +62,7 @@ TEST_CASE(
   CHECK(points(5, 10) == 5);
   const AuditResult least = verify::audit(quantity, {0, {}, {}, 1e-6});
   CHECK(least.points == 1);
-  CHECK(least.few_points());
+  CHECK(least.fault_width() == doctest::Approx(0.95));
   CHECK(least.worst.size() == 1);
 }
 

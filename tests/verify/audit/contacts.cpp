@@ -73,14 +73,14 @@ TEST_CASE(
 
   const auto json = nlohmann::json::parse(verify::contact_audit_json({alone, kept, broken}).text());
   REQUIRE(json.size() == 3);
-  for (const char* unknown : {"condition", "error", "kernel_error", "discretisation_error", "kept"})
+  for (const char* unknown : {"condition", "error", "kernel_error", "discretisation_error", "passed"})
     CHECK(json[0].at(unknown).is_null());
   CHECK(json[0].at("oscillation") == 0.01);
   CHECK(json[0].at("allowed") == 1e-8);
   CHECK(json[1].at("oscillation").is_null());
   CHECK(json[1].at("condition") == 1e4);
-  CHECK(json[1].at("kept") == true);
-  CHECK(json[2].at("kept") == false);
+  CHECK(json[1].at("passed") == true);
+  CHECK(json[2].at("passed") == false);
 
   verify::Json members = verify::audits_json({{}, {{alone}, {}}}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});

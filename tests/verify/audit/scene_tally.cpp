@@ -114,7 +114,7 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   for (const auto& row : json) CHECK(schema.misfit(row, "scene_row") == "");
   CHECK(json[1]["largest_error_over_estimate"].is_null());
   CHECK(json[1]["worst"]["scene"] == "scene 1\n");
-  CHECK(json[0]["kept"] == true);
+  CHECK(json[0]["passed"] == true);
   CHECK(json[0]["first_failure"].is_null());
   CHECK(json[2]["first_failure"] == nlohmann::json{{"message", "a fault"}, {"scene", "scene 2\n"}});
 }

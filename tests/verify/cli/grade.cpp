@@ -51,7 +51,7 @@ TEST_CASE("values of the points that nipref gave out are graded, from a file and
   CHECK(kept.status == 0);
   const json row = json::parse(kept.out)["rows"][0];
   CHECK(row["points"] == 300);
-  CHECK(row["kept"] == true);
+  CHECK(row["passed"] == true);
   CHECK(row["remarks"].empty());
   CHECK(row["max_error_ulp"].get<double>() > 0);
   CHECK(run("grade - I1 --json < '" + sound.path() + "'").status == 0);

@@ -161,10 +161,10 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
     CHECK(answer_schema().misfit(as_verb, part) == "");
   }
   const json& rows = answer["audit"]["rows"];
-  CHECK(rows[0]["kept"] == true);
+  CHECK(rows[0]["passed"] == true);
   CHECK(rows[0]["allowance_used"] == 0.25);
   CHECK(rows[0]["promise_ulp"] == 2);
-  CHECK(rows[1]["kept"] == false);
+  CHECK(rows[1]["passed"] == false);
   for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
     CHECK(rows[1].at(infinite).is_null());
   CHECK(answer["seed_errors"][0]["table"] == "thesis-VII");

@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace {
 
 json quantity_row(const char* name, double error, long points, bool kept) {
-  return {{"quantity", name}, {"max_error_ulp", error}, {"points", points}, {"kept", kept}};
+  return {{"quantity", name}, {"max_error_ulp", error}, {"points", points}, {"passed", kept}};
 }
 
 json older_json() {
@@ -24,7 +24,7 @@ json older_json() {
              {quantity_row("I1", 0.5, 100, true), quantity_row("I2", 0.5, 100, true),
               quantity_row("I3", 0.5, 100, true), quantity_row("I4", 0.5, 100, true),
               quantity_row("I5", 0.5, 100, true)}},
-            {"scenes", {{{"kind", "die"}, {"scenes", 10}, {"kept", true}, {"median_overestimate", 3.0}}}},
+            {"scenes", {{{"kind", "die"}, {"scenes", 10}, {"passed", true}, {"median_overestimate", 3.0}}}},
             {"contacts", json::array()}}},
           {"bench",
            {{"times",
@@ -74,7 +74,7 @@ TEST_CASE("what is better, worse, slower, new or gone in a report is told, the w
   rows[3]["points"] = 10;           // not comparable
   rows[3]["max_error_ulp"] = 0.1;
   rows[4]["quantity"] = "I9";  // new, and one gone
-  now["audit"]["scenes"][0]["kept"] = false;
+  now["audit"]["scenes"][0]["passed"] = false;
   json& ratios = now["bench"]["times"]["ratios"];
   ratios[0]["ratio"] = 70.0;   // slower
   ratios[1]["ratio"] = 130.0;  // quicker

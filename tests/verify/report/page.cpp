@@ -291,9 +291,9 @@ TEST_CASE("a page that grows says what is still to come, and lines about a part 
                 "Still to come: <span class=\"list\"><span>golden values</span><span>figures</span></span>"));
   const std::string text = plain(report_text(answer_of(report), "somewhere"));
   CHECK(report_lines(text, {"page"}) == "page       somewhere\n");
-  const std::string lines = report_lines(text, {"tables", "seeds"});
+  const std::string lines = report_lines(text, {"tables", "sources"});
   CHECK(lines.starts_with("tables "));
-  CHECK(in_page(lines, "\nseeds "));
+  CHECK(in_page(lines, "\nsources "));
   CHECK(in_page(lines, "low"));  // of the line that goes on
   CHECK_FALSE(in_page(lines, "claims"));
 }
@@ -316,7 +316,7 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   }
   CHECK(count <= 30);
   const std::string text = plain(report_text(answer_of(report), "somewhere"));
-  CHECK(in_page(text, "audit      all 3 quantities kept; closest to its promise: "));
+  CHECK(in_page(text, "audit      all 3 quantities pass; closest to its promise: "));
   CHECK(in_page(text, "1 of 2 promised ratios met"));
   CHECK(in_page(text, "short      1 missed promises: 0 of 3 quantities, 1 of 2 ratios"));
   CHECK(in_page(text, "page       somewhere\n"));
@@ -327,7 +327,7 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   report.quantities[0].allowance_used = 1.5;
   CHECK_FALSE(report.kept(false));
   CHECK(in_page(plain(report_text(answer_of(report), "")),
-                "2 of 3 quantities kept; closest to its promise: I1 with 150 %"));
+                "2 of 3 quantities pass; closest to its promise: I1 with 150 %"));
 }
 
 TEST_CASE(

@@ -185,7 +185,7 @@ Json contact_audit_json(const std::vector<ContactAudit>& audits) {
                 {"allowance_used", audit.error ? Json(*audit.error / audit.allowed) : Json()},
                 {"kernel_error", audit.kernel_error},
                 {"discretisation_error", audit.discretisation_error},
-                {"kept", audit.kept()},
+                {"passed", audit.kept()},
                 {"_without_truth", !audit.kept().has_value()}};
   });
 }

@@ -162,7 +162,7 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
          {{"index", tally.worst.index},
           {"where", Json::unless_empty(tally.worst.where)},
           {"scene", Json::unless_empty(tally.worst.toml)}}},
-        {"kept", tally.kept()},
+        {"passed", tally.kept()},
         {"_uncovered", tally.worst.largest_ratio > 0},
         {"times", {{"slowest_seconds", tally.slowest.seconds}, {"slowest_scene", tally.slowest.toml}}}};
   });

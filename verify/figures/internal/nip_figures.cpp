@@ -356,13 +356,23 @@ std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
 struct StressPart {
   const char* name;
   ResultId id;
-  double step;  ///< between neighbouring contours
 };
 
-constexpr StressPart stress_parts[] = {{"sigma_x", ResultId::stress_across, 0.1},
-                                       {"sigma_y", ResultId::stress_along, 0.1},
-                                       {"tau_xy", ResultId::stress_shear, 0.05},
-                                       {"maximum shear", ResultId::maximum_shear, 0.05}};
+constexpr StressPart stress_parts[] = {{"sigma_x", ResultId::stress_across},
+                                       {"sigma_y", ResultId::stress_along},
+                                       {"tau_xy", ResultId::stress_shear},
+                                       {"maximum shear", ResultId::maximum_shear}};
+
+/// Between neighbouring contours: 1, 2 or 5 times a power of ten, at most ten of them from 0 to the largest value.
+double contour_step(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  const double power = std::pow(10, std::floor(std::log10(largest / 10)));
+  for (const double step : {power, 2 * power, 5 * power}) {
+    if (10 * step >= largest) return step;
+  }
+  return 10 * power;
+}
 
 /// Stresses are divided by the largest pressure, places along the sheet by half the contact length.
 std::vector<Panel> stress_panels(const Contact& contact, double thickness) {
@@ -376,9 +386,10 @@ std::vector<Panel> stress_panels(const Contact& contact, double thickness) {
   }
   std::vector<Panel> panels;
   for (const StressPart& part : stress_parts) {
-    Contours contours{std::string(part.name) + " over the largest pressure", along, depths, {}, part.step};
+    Contours contours{std::string(part.name) + " over the largest pressure", along, depths, {}, 0};
     for (const fast::Estimate& here : contact.get(part.id, places))
       contours.values.push_back(here.value / peak);
+    contours.step = contour_step(contours.values);
     panels.push_back({{"distance from the middle over half the contact length"},
                       {"x/b, from face to face"},
                       {},

@@ -190,7 +190,7 @@ def grade(kernel: Callable[..., Any], quantity: str, *, points: Union[int, None]
 
     kernel: takes an array for each argument of the quantity, in its order (choices: names), and returns an array; make
     one that takes numbers into such by np.vectorize. promise: the largest error allowed, in units in the last place of
-    the scale. ranges: name="lo..hi", with :log, :linear or :bits, or a number. The member "kept" is the verdict.
+    the scale. ranges: name="lo..hi", with :log, :linear or :bits, or a number. The member "passed" is the verdict.
     """
     options = [f"{name}={value}" for name, value in ranges.items()] + ["--seed", seed]
     table = _library.printed("points", quantity, *options, *(["--points", str(points)] if points else []))

@@ -23,7 +23,7 @@ def my_kernel(alpha: np.ndarray) -> np.ndarray:
 # %%
 found = nipref.grade(my_kernel, "I2", points=2000, promise=100, alpha="0.1..2")
 print(f"largest error {found['max_error_ulp']:.3g} ulp among {found['points']} points, at alpha = {found['worst']['alpha']}")
-assert found["kept"]
+assert found["passed"]
 
 # %% [markdown]
 # A fault is seen, and where it is.
@@ -35,7 +35,7 @@ def faulty(alpha: np.ndarray) -> np.ndarray:
 
 fault = nipref.grade(faulty, "I2", points=2000, promise=100, alpha="0.1..2")
 print("the fault is in alpha =", *(float.fromhex(fault["wrong"][end]["alpha"]) for end in ("first", "last")))
-assert not fault["kept"] and 1.5 < float.fromhex(fault["wrong"]["first"]["alpha"]) < 1.6
+assert not fault["passed"] and 1.5 < float.fromhex(fault["wrong"]["first"]["alpha"]) < 1.6
 
 # %% [markdown]
 # Stored values need no program to search for points: each was confirmed by a second method.
@@ -53,4 +53,4 @@ assert worst < 1e-13
 # %%
 own = nipref.audit("I2", points=2000, alpha="0.1..2")
 print(f"nipref's own: {own['max_error_ulp']:.2g} ulp")
-assert own["kept"]
+assert own["passed"]
