@@ -55,7 +55,7 @@ class Layout {
     std::vector<Panel> result;
     double left = 0;
     for (int count = 0; count < most_panels; ++count) {
-      const double right = left == 0 ? std::min(widest_at_end, half_length_ / 2) : left + width_after(left);
+      const double right = left == 0 ? width_at_end() : left + width_after(left);
       if (left > 0 && (is_near_middle(right) || is_forgotten(left))) break;
       result.push_back(panel(left, right));
       left = right;
@@ -71,6 +71,12 @@ class Layout {
     return half_length_ <= longest_whole && std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
              return std::abs(rate) * 2 * half_length_ < most_over_whole;
            });
+  }
+  /// So wide that it resolves the exponentials at the trailing end, too.
+  [[nodiscard]] double width_at_end() const {
+    double width = std::min(widest_at_end, half_length_ / 2);
+    while (!holds_exponentials(2 * half_length_ - width, 2 * half_length_)) width /= 2;
+    return width;
   }
   /// Panels double up to where the end is forgotten, but hold no more radians of what oscillates and has not decayed than the
   /// one panel of a whole contact would.
@@ -92,9 +98,11 @@ class Layout {
   }
   /// Whether a panel about the middle from here on resolves the exponentials.
   [[nodiscard]] bool holds_exponentials(double left) const {
-    if (left >= half_length_) return true;
+    return left >= half_length_ || holds_exponentials(left, 2 * half_length_ - left);
+  }
+  [[nodiscard]] bool holds_exponentials(double left, double right) const {
     return std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
-      return degree_of_exponential(rate, left, 2 * half_length_ - left, resolution_.nats) < most_terms;
+      return degree_of_exponential(rate, left, right, resolution_.nats) < most_terms;
     });
   }
   [[nodiscard]] Panel panel(double left, double right) const {

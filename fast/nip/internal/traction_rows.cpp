@@ -6,6 +6,7 @@
 #include <nipref/fast/nip/internal/tractions.hpp>
 #include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/number/internal/chebyshev.hpp>
+#include <nipref/fast/number/internal/double_exponential.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
 
 namespace nipref::fast {
@@ -49,10 +50,12 @@ std::shared_ptr<const GaussRule> cached_gauss(double degree, double tolerance) {
   return rules.at(static_cast<int>(degree / 2 + 2 - std::log(tolerance) / 3.5));
 }
 
-std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance) {
-  static Cache<double, std::vector<UnitNode>> rules(
-      [](const double& key) { return double_exponential_rule(key); });
-  return rules.at(tolerance);
+/// For a polynomial of the degree, up to the next multiple of eight so that few rules are kept.
+std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, int degree = 0) {
+  using Key = std::pair<double, int>;
+  static Cache<Key, std::vector<UnitNode>> rules(
+      [](const Key& key) { return double_exponential_rule(key.first, key.second); });
+  return rules.at({tolerance, 8 * ((degree + 7) / 8)});
 }
 
 /// Points of a product rule: as many as the wanted nats need if each gives so many, a multiple of four so that few rules are
@@ -81,8 +84,8 @@ void Tractions::Nodes::grow(std::size_t count) {
 
 /// `singular` is outside the piece or at one of its ends. By Gauss's rule where it and the ends of the contact are farther
 /// than the piece is wide.
-void Tractions::append_piece(double from, double to, double singular, bool mirrored,
-                             const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const {
+void Tractions::append_piece(double from, double to, double singular, bool mirrored, int degree,
+                             double tolerance, Nodes& nodes) const {
   const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
   // Nearer than any node that counts, the kernels' logarithms would overflow.
   constexpr double nearest = 1e-299;
@@ -97,16 +100,17 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
     ++i;
   };
   if (std::min({from, beyond, std::max(from - singular, singular - to)}) >= width && width <= 8) {
-    // Polynomials of a piece that is so far from the ends have no more degrees than that.
-    constexpr double degree_of_piece = 40;
-    const auto gauss = cached_gauss(degree_of_piece, tolerance);
+    // What oscillates in the kernel or has its scale is, on such a piece, a polynomial of no more degrees than that.
+    constexpr int degree_of_kernel = 20;
+    const auto gauss = cached_gauss(degree + degree_of_kernel, tolerance);
     nodes.grow(gauss->at.size());
     for (std::size_t k = 0; k < gauss->at.size(); ++k)
       append(gauss->at[k], 1 - gauss->at[k], gauss->weight[k]);
     return;
   }
-  nodes.grow(rule.size());
-  for (const UnitNode& node : rule) append(node.from_left, node.from_right, node.weight);
+  const auto rule = cached_rule(tolerance, degree);
+  nodes.grow(rule->size());
+  for (const UnitNode& node : *rule) append(node.from_left, node.from_right, node.weight);
 }
 
 /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
@@ -128,7 +132,7 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
-    append_piece(ends[i - 1], ends[i], singular, mirrored, *cached_rule(tolerance), tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], singular, mirrored, degrees(panel), tolerance, nodes);
   }
 }
 
@@ -325,7 +329,7 @@ void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   std::ranges::sort(ends);
   Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i)
-    append_piece(ends[i - 1], ends[i], half_length_, true, *cached_rule(tolerance), tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], half_length_, true, 0, tolerance, nodes);
   const Eigen::MatrixXd values = layers_at(array(nodes.e));
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
                            y = array(nodes.alpha).matrix().transpose();

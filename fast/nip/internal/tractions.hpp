@@ -9,7 +9,6 @@
 
 #include <nipref/fast/nip/internal/layer.hpp>
 #include <nipref/fast/nip/internal/panel_basis.hpp>
-#include <nipref/fast/number/internal/double_exponential.hpp>
 
 namespace nipref::fast {
 
@@ -119,8 +118,9 @@ class Tractions {
   void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;
   void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
                     bool for_layers, double tolerance, Nodes& nodes) const;
-  void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
-                    double tolerance, Nodes& nodes) const;
+  /// `degree` of the polynomials that are integrated.
+  void append_piece(double from, double to, double singular, bool mirrored, int degree, double tolerance,
+                    Nodes& nodes) const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
   [[nodiscard]] Eigen::MatrixXd layers_at(const Eigen::ArrayXd& e) const;
   /// Up to which the panel's terms and those left out go.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -5,10 +6,12 @@
 
 namespace nipref::fast {
 
-std::vector<UnitNode> double_exponential_rule(double tolerance) {
+std::vector<UnitNode> double_exponential_rule(double tolerance, double degree) {
   const double nats = -std::log(tolerance);
-  const int half_count = static_cast<int>(std::ceil(1.1 * nats));
   const double end = std::asinh((nats + std::log(nats + 1)) / std::numbers::pi);
+  // The step for the tolerance alone has room for nats/2 degrees.
+  const double more = std::max(degree - nats / 2, 0.0) * end / std::numbers::pi;
+  const int half_count = static_cast<int>(std::ceil(1.1 * nats + more));
   const double step = end / half_count;
   std::vector<UnitNode> nodes;
   for (int i = -half_count; i <= half_count; ++i) {

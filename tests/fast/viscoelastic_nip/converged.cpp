@@ -384,3 +384,32 @@ TEST_CASE(
     CHECK(std::fabs(other.value - slow.value) <= other.error + slow.error + rate * std::fabs(slow.value));
   }
 }
+
+TEST_CASE("the terms that resolve a memory that swings are integrated as well as the first ones") {
+  struct SwingingMemory {
+    double half_length;
+    std::complex<double> amplitude, rate;
+  };
+  for (const auto& [half_length, amplitude, rate] :
+       {SwingingMemory{0.337857, {-2.88706, 59.8894}, {36.3151, 207.976}},
+        SwingingMemory{0.251194, {11.0518, 195.581}, {23.9811, 664.655}}}) {
+    CAPTURE(rate.imag());
+    const RollingEquations equations(
+        {fast::rolling_compliance({{amplitude, rate}, {std::conj(amplitude), std::conj(rate)}}), 0.25, {}});
+    const Solution truth = solve(half_length, equations, fast::panels(half_length, equations.resolution(30)));
+    for (const double nats : {9.0, 13.0, 17.0, 21.0}) {
+      CAPTURE(nats);
+      const Solution solution =
+          solve(half_length, equations, fast::panels(half_length, equations.resolution(nats)));
+      const auto agrees = [](const fast::Estimate& found, double error, double other) {
+        CHECK(std::fabs(found.value - other) <= found.error + error);
+      };
+      const fast::Estimate load = solution.estimate(solution.load()),
+                           true_load = truth.estimate(truth.load());
+      agrees(load, true_load.error, true_load.value);
+      agrees({eccentricity(solution), solution.estimate(linearised_eccentricity(solution)).error},
+             truth.estimate(linearised_eccentricity(truth)).error, eccentricity(truth));
+      CHECK(load.error < 1e-10 * load.value);
+    }
+  }
+}
