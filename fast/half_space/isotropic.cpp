@@ -42,6 +42,27 @@ IsotropicLine line_at(Two X, double poisson) {
                   limit / std::fabs(from_motion.cosine), psi));
 }
 
+/// The line at any speed.
+IsotropicLine any_line(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  solid.check();
+  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
+  const double length = std::hypot(from_motion.cosine, from_motion.sine);
+  if (!(std::fabs(length - 1) < 1e-9)) throw data::BadInput("psi", length, "must be of unit length");
+  // The cosine is that of the unit vector along from_motion: near the motion, the rounding of from_motion's length
+  // would be an error of K that grows towards the Rayleigh speed.
+  const Two along = speed * internal::cosine_of(from_motion);
+  const Two X = solid.density * square(along) / internal::squared_length(from_motion) / solid.shear;
+  return line_at(X, solid.poisson);
+}
+
+IsotropicLine line_beyond(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  const IsotropicLine line = any_line(solid, speed, from_motion);
+  if (!(line.shear_decay.high > 0 && line.rayleigh.high < 0))
+    throw data::BadInput("speed", speed,
+                         "must be, along the line, between those of Rayleigh and of shear waves");
+  return line;
+}
+
 }  // namespace
 
 namespace internal {
@@ -51,15 +72,7 @@ Two inverse_squared_pressure_speed(double poisson) {
 }
 
 IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
-  solid.check();
-  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  const double length = std::hypot(from_motion.cosine, from_motion.sine);
-  if (!(std::fabs(length - 1) < 1e-9)) throw data::BadInput("psi", length, "must be of unit length");
-  // The cosine is that of the unit vector along from_motion: near the motion, the rounding of from_motion's length
-  // would be an error of K that grows towards the Rayleigh speed.
-  const Two along = speed * cosine_of(from_motion);
-  const Two X = solid.density * square(along) / squared_length(from_motion) / solid.shear;
-  const IsotropicLine line = line_at(X, solid.poisson);
+  const IsotropicLine line = any_line(solid, speed, from_motion);
   if (!is_subcritical(line)) refuse_supercritical(solid, speed, from_motion);
   return line;
 }
@@ -73,12 +86,28 @@ double quotient(Two numerator, Two denominator, double modulus) {
   return numerator.high / denominator.high / modulus;
 }
 
+LineResponse response_of(const IsotropicLine& line, double modulus) {
+  return {quotient(line.pressure_decay, line.rayleigh, modulus),
+          quotient(line.coupling, line.rayleigh, modulus)};
+}
+
 }  // namespace
 
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
-  const IsotropicLine line = internal::isotropic_line(solid, speed, from_motion);
-  return {quotient(line.pressure_decay, line.rayleigh, solid.shear),
-          quotient(line.coupling, line.rayleigh, solid.shear)};
+  return response_of(internal::isotropic_line(solid, speed, from_motion), solid.shear);
+}
+
+LineResponse isotropic_response_beyond(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion) {
+  return response_of(line_beyond(solid, speed, from_motion), solid.shear);
+}
+
+double rolling_index_beyond(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  const IsotropicLine line = line_beyond(solid, speed, from_motion);
+  // With g^2 = wS wD: (q + 1)/(q - 1) = (1 - g^2)/X ((2 + 2g - X)/(1 + g))^2/(-R/X)
+  const double g = std::sqrt(line.shear_decay.high * line.pressure_decay.high);
+  const double slant = (2 + 2 * g - line.X.high) / (1 + g);
+  return std::log(line.defect.high * slant * slant / -line.rayleigh.high) / (2 * std::numbers::pi);
 }
 
 double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion) {

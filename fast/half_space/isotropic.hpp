@@ -17,6 +17,15 @@ namespace nipref::fast {
 /// X/cD^2 and R = 4 wS wD - (2 - X)^2 they are X wD/(mu R) and (2 - X - 2 wS wD)/(mu R). (brock2012 18a)
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
+/// The same between the Rayleigh speed and that of shear waves along the line, where K < 0: the surface rises under
+/// pressure. BadInput at other speeds. (brock2012 section 8)
+LineResponse isotropic_response_beyond(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion);
+
+/// (1/pi) ln sqrt((q + 1)/(q - 1)) of such lines, q = |S|/sqrt(K X wS/R) > 1: the tractions of a rolling sphere there
+/// end like (x+ - x)^(+-i index) (x - x-)^(-+i index), with no root. (brock2012 56)
+double rolling_index_beyond(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
 /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound
 /// towards the Rayleigh speed.
 double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion);

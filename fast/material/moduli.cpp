@@ -83,6 +83,15 @@ double loss(const Modulus& m, double omega) {
   return part * m.spring * lagged(dashpot_ratio(m, omega));
 }
 
+double at_growth(const Modulus& m, double p) {
+  check_nonnegative("p", p);
+  if (m.model == SpringModel::elastic) return m.spring;
+  if (m.model == SpringModel::kelvin_voigt) return m.spring + m.viscosity * p;
+  const double second = second_spring(m), ratio = dashpot_ratio(m, p);
+  const double stiff = ratio < 1 ? ratio / (1 + ratio) : 1 / (1 + 1 / ratio);
+  return m.spring * (second / (m.spring + second) / (1 + ratio) + stiff);
+}
+
 Fading theta1(const Modulus& shear, double t) {
   check_nonnegative("t", t);
   switch (shear.model) {

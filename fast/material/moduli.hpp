@@ -31,6 +31,9 @@ double creep(const Modulus& modulus, double t);
 double storage(const Modulus& modulus, double omega);
 double loss(const Modulus& modulus, double omega);
 
+/// The modulus at a real p of Laplace's transformation: the stress over a strain that grows like e^{p t}. (thesis 6.12)
+double at_growth(const Modulus& modulus, double p);
+
 /// 1/(2G) and 3/(6K + 2G) as functions of time beside their impulse: the strain t after a unit impulse of stress,
 /// 1/(stress time). Both moduli are of one model. (thesis 6.16, 6.17, AIII.10, AIII.11)
 Fading theta1(const Modulus& shear, double t);

@@ -201,6 +201,27 @@ Fading loss(const RationalSolid& solid, Strain of, double omega) {
   return at_frequency(of_strain(built(solid), of), omega, true);
 }
 
+Fading at_growth(const RationalSolid& solid, Strain of, double p) {
+  check_not_negative("p", p);
+  const Solid all = built(solid);
+  const Operators& modulus = of_strain(all, of);
+  struct Sum {
+    Octuple value = 0, size = 0;
+  };
+  const auto at = [&](const Polynomial& polynomial) {
+    Sum sum;
+    Octuple power = 1;
+    for (std::size_t k = 0; k < polynomial.size(); ++k, power *= p) {
+      sum.value += polynomial[k] * power;
+      sum.size += abs(polynomial[k] * power);
+    }
+    return sum;
+  };
+  const Sum n = at(modulus.q), d = at(modulus.p);
+  if (d.value == 0) throw data::BadInput("p", p, "must not be where the modulus is infinite");
+  return rounded({n.value / d.value, n.size * d.size / (d.value * d.value)}, "p", p);
+}
+
 Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).theta1, t); }
 Fading theta2(const RationalSolid& solid, double t) { return in_time(built(solid).theta2, t); }
 

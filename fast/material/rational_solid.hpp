@@ -25,6 +25,7 @@ Fading relaxation(const RationalSolid& solid, Strain of, double t);
 Fading creep(const RationalSolid& solid, Strain of, double t);
 Fading storage(const RationalSolid& solid, Strain of, double omega);
 Fading loss(const RationalSolid& solid, Strain of, double omega);
+Fading at_growth(const RationalSolid& solid, Strain of, double p);
 Fading theta1(const RationalSolid& solid, double t);
 Fading theta2(const RationalSolid& solid, double t);
 

@@ -203,6 +203,20 @@ SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   return with_signs(result, alpha, depth, load);
 }
 
+/// I1 is the imaginary part of I4 at alpha + i, and I7 is the derivative of I4.
+double un_slope(double alpha) {
+  constexpr auto slope_of_I4 = internal::FieldFunction::I7;
+  check(alpha, 1);
+  const double a = std::fabs(alpha);
+  const double slope = is_near(a)
+                           ? internal::near_rest(a, 1, slope_of_I4)[slope_of_I4].im - 4 / a / (4 + a * a)
+                           : internal::decaying(a, 1)[slope_of_I4].im;
+  return std::copysign(1, alpha) * slope * inverse_pi;
+}
+
+double vn_slope(double alpha) { return sheet_stresses(alpha, 1, SheetLoad::normal).along / 2; }
+double vs_slope(double alpha) { return sheet_stresses(alpha, 1, SheetLoad::shear).along / 2; }
+
 double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
   check(alpha, depth);
   data::ElasticMaterial{1, poisson}.check();

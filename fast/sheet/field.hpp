@@ -28,6 +28,12 @@ struct SheetStresses {
 /// Thesis (3.19), (3.20), (4.3), (4.14).
 SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
 
+/// Slopes of a face over theta1 + theta2, dimensionless, 1e-300 <= |alpha|: d un/d alpha, d vn/d alpha = -d us/d alpha,
+/// and d vs/d alpha (thesis 2.8). The last two are half of sigma_y there.
+double un_slope(double alpha);
+double vn_slope(double alpha);
+double vs_slope(double alpha);
+
 /// Displacement along +x over theta1 + theta2, dimensionless; 0 on the middle plane. At depth -1 it is un or us (thesis
 /// 4.8, 4.19a), which are positive towards the middle plane; at depth 1 it is minus un or us.
 double sheet_u(double alpha, double depth, data::SheetLoad load, double poisson);

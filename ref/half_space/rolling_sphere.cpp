@@ -77,6 +77,17 @@ Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int d
       cancelled_digits);
 }
 
+Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
+  return with_digits(
+      digits,
+      [&](int working) {
+        const WorkingAnswer line = WorkingSurface(surface, working).at(degrees);
+        const Float product = line.compliance * line.in_line;
+        return closed(atanh(sqrt(product) / abs(line.coupling)) / pi(), digits);
+      },
+      cancelled_digits);
+}
+
 Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,
@@ -232,7 +243,8 @@ Estimate RollingSphere::compressed_radius(const Exact& degrees) const {
   const RollingLine line(implementation_->lines(), degrees);
   const Float ratio = implementation_->ratio(degrees) / 2;
   const Float strip = strip_of(line.index), share = (1 - strip) / (1 + strip);
-  return implementation_->function_of_span([&](const Float& along) -> Float { return share * ratio * along; });
+  return implementation_->function_of_span(
+      [&](const Float& along) -> Float { return share * ratio * along; });
 }
 
 }  // namespace nipref::ref

@@ -17,6 +17,10 @@ namespace nipref::ref {
 /// under rolling without slip. (brock2012 43b)
 Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
+/// The same of a line beyond the Rayleigh speed, where K, K_nn and S are negative and -q > 1: ln((|q| + 1)/(|q| -
+/// 1))/(2 pi), the index of tractions that jump at the ends. (brock2012 56)
+Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+
 /// L(psi)/L(0) of a rolling sphere by the papers' rule, to first order in span over radius: the amplitudes at the
 /// centre, whose squares are proportional to K_nn/K/(K K_nn - S^2), are equal. (brock2012 53)
 Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);

@@ -189,6 +189,20 @@ Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits) {
   return at_frequency(modulus, omega, true, digits);
 }
 
+Enclosure at_growth(const ExactRatio& modulus, const Exact& p, int digits) {
+  check_not_below_0("p", p);
+  Polynomial above = modulus.numerator, below = modulus.denominator;
+  cancel(above, below);
+  const auto at = [&](const Polynomial& polynomial) {
+    mpq_class sum = 0;
+    for (auto term = polynomial.rbegin(); term != polynomial.rend(); ++term) sum = sum * p.value() + *term;
+    return sum;
+  };
+  const mpq_class denominator = at(below);
+  if (denominator == 0) throw data::BadInput("p", p.text(), "must not be where the modulus is infinite");
+  return exactly_known(at(above) / denominator, digits);
+}
+
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {
   return in_time(theta.numerator, theta.denominator, t, digits);
 }

@@ -36,7 +36,7 @@ ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vecto
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
                                      int theta2_rate_factor);
 
-// The functions are defined as those of the same name in fast, `modulus` being shear or dilatation; t, omega >= 0,
+// The functions are defined as those of the same name in fast, `modulus` being shear or dilatation; t, omega, p >= 0,
 // digits 16 to 1000. Proven: common factors are cancelled exactly, then see inverse_transform(). BadInput "t" for a
 // value below e^-7e8, or above e^2300 (1000 digits before the point) in an unstable material.
 
@@ -44,6 +44,7 @@ Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits);
 Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits);
+Enclosure at_growth(const ExactRatio& modulus, const Exact& p, int digits);
 /// theta1 or theta2.
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits);
 

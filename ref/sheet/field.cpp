@@ -113,6 +113,20 @@ Enclosure by_parity(const FieldIntegrand& integrand, const Exact& alpha, const E
   });
 }
 
+/// A function of the face x = 1.
+Enclosure on_face(const FieldIntegrand& integrand, const Exact& alpha, int digits, double first_nats) {
+  const Exact face(1.0);
+  check_place(alpha, face);
+  return by_parity(integrand, alpha, face, digits, first_nats);
+}
+
+/// Half of the stress along a face, which is the strain there over theta1 + theta2.
+FieldIntegrand strain(SheetLoad load) {
+  FieldIntegrand integrand = along(load, 1);
+  for (FieldTerm& term : integrand.terms) term.factor /= 2;
+  return integrand;
+}
+
 /// The part of v that depends on eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a
 /// shear load.
 Interval fixed_point_part(SheetLoad load, const Exact& eta, const Shares& shares, double nats) {
@@ -142,6 +156,18 @@ Enclosure sheet_shear(const Exact& alpha, const Exact& depth, SheetLoad load, in
   check_place(alpha, depth);
   if (on_a_face(depth)) return exact_zero(digits);
   return by_parity(shear(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
+}
+
+Enclosure un_slope(const Exact& alpha, int digits) {
+  return on_face({true, true, {{-1, 0, sinh_over_S, true}}}, alpha, digits, decay_nats(alpha));
+}
+
+Enclosure vn_slope(const Exact& alpha, int digits) {
+  return on_face(strain(SheetLoad::normal), alpha, digits, decay_nats(alpha));
+}
+
+Enclosure vs_slope(const Exact& alpha, int digits) {
+  return on_face(strain(SheetLoad::shear), alpha, digits, 0);
 }
 
 Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& poisson, int digits) {

@@ -255,6 +255,36 @@ TEST_CASE("elliptic: a radius leads to the force that makes it, with an error") 
   CHECK_THROWS_AS(static_cast<void>(contact.for_radius({1, 0}, 0)), data::BadInput);
 }
 
+TEST_CASE("elliptic: the search for an ellipse asks for no more lines than it did") {
+  struct Scene {
+    const char* what;
+    SurfaceResponse surface;
+    double curvature_ratio;
+    int most;
+  };
+  const double rayleigh = fast::isotropic_rayleigh_speed(any_poisson);
+  const SurfaceResponse close = [rayleigh](Direction psi) {
+    return fast::isotropic_response({1, any_poisson, 1}, (1 - 1e-9) * rayleigh, psi);
+  };
+  for (const auto& [what, surface, curvature_ratio, most] :
+       {Scene{"a sphere at rest", isotropic(any_poisson, 0), 1, 300},
+        Scene{"a slender body at rest", isotropic(any_poisson, 0), 1e-6, 1000},
+        Scene{"a moving sphere", isotropic(any_poisson, 0.9 * rayleigh), 1, 1050},
+        Scene{"a moving slender body", isotropic(any_poisson, 0.9 * rayleigh), 1e4, 1500},
+        Scene{"a sphere close to the Rayleigh speed", close, 1, 10000},
+        Scene{"a skew solid under a slender body", skew_line, 1e-6, 1200}}) {
+    CAPTURE(what);
+    int lines = 0;
+    const SurfaceResponse counted = [&](Direction psi) {
+      ++lines;
+      return surface(psi);
+    };
+    const EllipticContact contact(counted, {1, curvature_ratio});
+    CHECK(contact.axis_ratio().error < 1e-9);
+    CHECK(lines <= most);
+  }
+}
+
 TEST_CASE("elliptic: skew solids under slender bodies") {
   for (const double ratio : {1e-10, 1e-5, 1e5, 1e10}) {
     const EllipticContact contact(skew_line, {ratio, 1});

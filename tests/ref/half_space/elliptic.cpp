@@ -63,6 +63,26 @@ TEST_CASE("a sphere on a moving half-space has the shape found before") {
         doctest::Approx(0.8905).epsilon(1e-4));
 }
 
+TEST_CASE("the reference's search for an ellipse asks for no more lines than it did") {
+  struct Scene {
+    double speed, curvature_ratio;
+    int most;
+  };
+  for (const auto& [speed, curvature_ratio, most] :
+       {Scene{1e-30, 1, 120}, Scene{1e-30, 1e-6, 350}, Scene{0.8, 1, 210}, Scene{0.8, 1e4, 670}}) {
+    CAPTURE(speed);
+    CAPTURE(curvature_ratio);
+    int lines = 0;
+    const ref::SurfaceAnswer surface = isotropic_surface(0.25, speed);
+    const ref::SurfaceAnswer counted = [&](const Exact& degrees, int digits) {
+      ++lines;
+      return surface(degrees, digits);
+    };
+    static_cast<void>(ref::elliptic_axis_ratio(counted, Exact(curvature_ratio), 20));
+    CHECK(lines <= most);
+  }
+}
+
 TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
   const auto surface = isotropic_surface(0.25, 1e-30);
   const auto refused = [](const ref::SurfaceAnswer& answer, const Exact& ratio, const char* name) {

@@ -110,6 +110,8 @@ TEST_CASE("form=printed of a rolling sphere and of the shear") {
   // The sphere would run ahead where it lags.
   CHECK(seed_value("rolling.creep poisson=0.3 speed=0.5 span_over_radius=1e-3 form=printed") < 0);
   check_refused("halfspace.separation poisson=0.3 speed=0.9", "speed = 0.9: must be ");
+  check_refused("halfspace.compliance_beyond poisson=0.3 speed=0.9",
+                "speed = 0.9: must be, along the line, between those of Rayleigh and of shear waves");
   check_refused("halfspace.separation poisson=0.3 speed=1.1", "speed = 1.1: must be ");
   check_refused("rolling.creep poisson=0.3 speed=0.9 span_over_radius=20", "span = ");
 }

@@ -74,7 +74,7 @@ TEST_CASE("every claim says where it stands") {
     CHECK_FALSE(claim.place.empty());
     CHECK_FALSE(claim.statement.empty());
   }
-  CHECK(ids.size() == 36);
+  CHECK(ids.size() == 39);
 }
 
 TEST_CASE(
@@ -102,6 +102,9 @@ TEST_CASE(
       {"brock2012-speed", ClaimVerdict::holds},
       {"brock2012-strip", ClaimVerdict::holds_in_a_range},
       {"brock2013-rayleigh-roots", ClaimVerdict::fails},
+      {"brock2013-quoted-constants", ClaimVerdict::fails},
+      {"brock2012-beyond-rayleigh", ClaimVerdict::holds},
+      {"brock2013-vanishing-a6", ClaimVerdict::holds},
       {"brock2013-limit-at-45", ClaimVerdict::fails}};
   for (const auto& [id, verdict] : expected) {
     CAPTURE(id);

@@ -178,6 +178,21 @@ const std::vector<ContactRow>& rows_on_isotropic() {
          draw_sliding(random, x);
          draw_psi(random, x);
        }},
+      {"die.peak_place",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         const ref::Float half = ref::Float(1) / 2;
+         ref::Estimate place = exact_exponent<Bodies>(x, digits);
+         place.value = -place.value - half;
+         return place;
+       },
+       [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
+       [](Random& random, const NamedNumbers& x) {
+         draw_sliding(random, x);
+         draw_psi(random, x);
+       },
+       {},
+       [](const NamedPoint&) { return 0.5; }},
       {"die.span_ratio",
        nearest_critical,
        [](const NamedExact& x, int digits) {

@@ -8,6 +8,7 @@
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
@@ -73,6 +74,75 @@ Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
         return fast::isotropic_response(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg)).*
                of_fast;
       });
+}
+
+/// Draws lines along which the load is faster than Rayleigh waves and slower than shear waves, close to either too.
+void draw_line_beyond(Random& random, const NamedNumbers& x) {
+  x["poisson"] = draw_poisson(random);
+  x["psi_deg"] = random.chance(0.5) ? 0 : random.uniform(-80, 80);
+  const double rayleigh = fast::isotropic_rayleigh_speed(x["poisson"]), gap = 1 - rayleigh;
+  const double share = random.uniform(1e-9, 1 - 1e-9), edge = gap * random.log_uniform(1e-9, 1);
+  const double along =
+      random.chance(0.4) ? rayleigh + gap * share : (random.chance(0.5) ? rayleigh + edge : 1 - edge);
+  x["speed"] = along / std::cos(x["psi_deg"] * (std::numbers::pi / 180));
+}
+
+/// Keeps a part of 1e-9 of the range away from either end.
+void keep_line_beyond(const NamedNumbers& x) {
+  keep_poisson(x);
+  x["psi_deg"] = std::clamp(x["psi_deg"], -80.0, 80.0);
+  const double rayleigh = fast::isotropic_rayleigh_speed(x["poisson"]), least = 1e-9 * (1 - rayleigh);
+  const double cosine = std::cos(x["psi_deg"] * (std::numbers::pi / 180));
+  x["speed"] = std::clamp(x["speed"], (rayleigh + least) / cosine, (1 - least) / cosine);
+}
+
+/// The answer of such lines, which line_response() has as it solves the equations there too. Throws BadInput at other
+/// speeds.
+ref::LineResponse response_beyond(const Exact& poisson, const Exact& speed, const Exact& psi_deg,
+                                  int digits) {
+  const auto motion = SurfaceDirection::of_degrees(Exact(0.0)), psi = SurfaceDirection::of_degrees(psi_deg);
+  ref::LineResponse found = ref::line_response(exact_isotropic(poisson), speed, motion, psi, digits);
+  if (!(found.compliance.value < ref::Float(0)))
+    throw data::BadInput("speed", speed.text(),
+                         "must be, along the line, between those of Rayleigh and of shear waves");
+  return found;
+}
+
+template <class Ref, class Fast, class Size = ValueItself>
+Quantity beyond_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
+  return sampled(entry_of(
+                     name, {"poisson", "speed", "psi_deg"}, by_ref,
+                     [by_fast](double poisson, double speed, double psi_deg) {
+                       return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
+                     },
+                     size),
+                 draw_line_beyond, keep_line_beyond);
+}
+
+Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_fast,
+                               ref::Enclosure ref::LineResponse::*of_ref) {
+  return beyond_entry(
+      name,
+      [of_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
+        return response_beyond(poisson, speed, psi_deg, digits).*of_ref;
+      },
+      [of_fast](const data::IsotropicSolid& solid, double speed, Direction psi) {
+        return fast::isotropic_response_beyond(solid, speed, psi).*of_fast;
+      });
+}
+
+Quantity entry_rolling_index_beyond() {
+  return beyond_entry(
+      "halfspace.rolling_index_beyond",
+      [](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
+        const auto answer = [&](const Exact&, int some) -> ref::LineAnswer {
+          const ref::LineResponse found = response_beyond(poisson, speed, psi_deg, some);
+          return {found.compliance.value, found.coupling.value, found.coupling_across.value,
+                  found.in_line.value};
+        };
+        return ref::rolling_index_beyond(answer, psi_deg, digits);
+      },
+      fast::rolling_index_beyond, [](double, double, double) { return 0.1; });
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
@@ -177,6 +247,11 @@ std::vector<Quantity> half_space_entries() {
                           in_line_as_printed),
           isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across,
                           across_as_printed),
+          response_beyond_entry("halfspace.compliance_beyond", &LineResponse::compliance,
+                                &ref::LineResponse::compliance),
+          response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
+                                &ref::LineResponse::coupling),
+          entry_rolling_index_beyond(),
           entry_condition(),
           entry_rayleigh(),
           entry_separation()};

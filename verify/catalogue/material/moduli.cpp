@@ -55,14 +55,14 @@ ref::ExactRationalSolid rational_solid(const NamedExact& x) {
   return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], theta2_rate_factor(model_of(x)));
 }
 
-/// Draws springs and relaxation times that are alike or far apart. variable: "t", or "omega", which is drawn as 1/t.
+/// Draws springs and relaxation times that are alike or far apart. variable: "t", or "omega" or "p", drawn as 1/t.
 void draw_material(Random& random, const NamedNumbers& x, const char* variable) {
   const double time = random.log_uniform(1e-8, 1e8);
   const auto times = [&](double factor) {
     return random.chance(0.3) ? 1.0 : random.log_uniform(1 / factor, factor);
   };
   const double t = random.chance(0.05) ? 0 : time * random.log_uniform(1e-12, random.chance(0.1) ? 1e7 : 1e3);
-  x[variable] = variable == std::string_view("omega") && t != 0 ? 1 / t : t;
+  x[variable] = variable != std::string_view("t") && t != 0 ? 1 / t : t;
   const double shear = x["shear"] = random.log_uniform(1e-6, 1e12);
   x["shear_2"] = shear * times(1e10);
   x["bulk"] = shear * times(1e10);
@@ -95,7 +95,7 @@ double fastest_rate(const NamedPoint& x) {
 }
 
 /// An entry by the functions for springs and dashpots, and by those for a rational solid, which are accurate to a unit in
-/// the last place. variable: t or omega.
+/// the last place. variable: t, omega or p.
 template <class Springs, class Rational>
 Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational) {
   const auto found = [=](const NamedPoint& x) -> fast::Fading {
@@ -168,6 +168,7 @@ std::vector<Quantity> material_entries() {
   const auto relaxes = [](const auto&... x) { return relaxation(x...); };
   const auto creeps = [](const auto&... x) { return creep(x...); };
   const auto stores = [](const auto&... x) { return storage(x...); };
+  const auto grows = [](const auto&... x) { return at_growth(x...); };
   const auto loses = [](const auto&... x) { return loss(x...); };
   return {theta_entry(
               "material.theta1",
@@ -188,7 +189,9 @@ std::vector<Quantity> material_entries() {
           modulus_entry("material.storage_shear", "omega", "shear", stores),
           modulus_entry("material.storage_bulk", "omega", "bulk", stores),
           modulus_entry("material.loss_shear", "omega", "shear", loses),
-          modulus_entry("material.loss_bulk", "omega", "bulk", loses)};
+          modulus_entry("material.loss_bulk", "omega", "bulk", loses),
+          modulus_entry("material.G_of_p", "p", "shear", grows),
+          modulus_entry("material.K_of_p", "p", "bulk", grows)};
 }
 
 }  // namespace nipref::verify

@@ -63,6 +63,11 @@ void keep_off_the_load(double& alpha, double& depth) {
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
 }
 
+void keep_off_the_load(double& alpha) {
+  double depth = 1;
+  keep_off_the_load(alpha, depth);
+}
+
 /// Sets those of the arguments that the quantity has.
 void draw_point_of_sheet(Random& random, const NamedNumbers& x) {
   const auto has = [&](std::string_view name) {
@@ -130,13 +135,39 @@ Quantity entry_v() {
       }));
 }
 
+/// The modulus of the root of the slowest residue term, the factor by which a derivative has a larger amplitude.
+constexpr double slowest_root = 2.388;
+
+template <class Size>
+Quantity slope_entry(const char* name, ref::Enclosure (*by_ref)(const Exact&, int), double (*by_fast)(double),
+                     Size size) {
+  return sampled(
+      entry_of(name, {"alpha"}, by_ref, by_fast, size),
+      [](Random& random, NamedNumbers x) {
+        x["alpha"] = draw_anywhere(random).alpha;
+        keep_off_the_load(x["alpha"]);
+      },
+      [](NamedNumbers x) { keep_off_the_load(x["alpha"]); });
+}
+
 }  // namespace
 
 std::vector<Quantity> field_entries() {
-  return {stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
+  return {slope_entry("un.slope", ref::un_slope, fast::un_slope,
+                      [](double alpha) { return slowest_root * envelope_I1(alpha) / std::numbers::pi; }),
+          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope,
+                      [](double alpha) {
+                        return FieldSize{alpha, 1, SheetLoad::normal}.along() / 2;
+                      }),
+          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope,
+                      [](double alpha) {
+                        return FieldSize{alpha, 1, SheetLoad::shear}.along() / 2;
+                      }),
+          stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
           stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
           stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
-          entry_u(), entry_v()};
+          entry_u(),
+          entry_v()};
 }
 
 }  // namespace nipref::verify

@@ -28,7 +28,7 @@ const std::vector<Rests>& rests() {
   return all;
 }
 
-enum class Part { sx, sy, txy, u, v };
+enum class Part { sx, sy, txy, u, v, slope };  ///< slope: of a face, d un/d alpha
 
 /// The thesis's integrand without its factor cos or sin of alpha z, with `sine` in place of 2 sinh z/S and `cosine` in
 /// place of 2 cosh z/S. K is a complex type for the residues at poles.
@@ -50,6 +50,8 @@ K integrand(Part part, bool normal, const Float& s, const Float& t1, const K& z,
     case Part::u:
       return normal ? K(-sine * sh / z - t1 * (cosine * sh - s * sine * ch))
                     : K(-t2 * cosine * sh / z + t1 * (s * cosine * ch - sine * sh));
+    case Part::slope:
+      return K(-sine * sh);
     case Part::v:
       break;
   }
@@ -58,7 +60,7 @@ K integrand(Part part, bool normal, const Float& s, const Float& t1, const K& z,
 }
 
 bool is_sine(Part part, bool normal) {
-  const bool odd_for_normal = part == Part::txy || part == Part::v;
+  const bool odd_for_normal = part == Part::txy || part == Part::v || part == Part::slope;
   return odd_for_normal == normal;
 }
 
@@ -79,6 +81,8 @@ Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1)
     case Part::u:
       return normal ? Float(-log(R2 / r2) / 2 - t1 * (d * d / r2 - D * D / R2))
                     : Float(-t2 * (atan2(a, d) - atan2(a, D)) + t1 * a * (D / R2 - d / r2));
+    case Part::slope:
+      return -a * (1 / r2 - 1 / R2);
     case Part::v:
       break;
   }
@@ -160,10 +164,19 @@ Confirmation u(Arguments x) {
   return over_pi(sum_of(Part::u, is_normal(x), x["alpha"], x["depth"], mpq_class(x["poisson"])));
 }
 
+/// The slope of a face, or half of the stress along it.
+Confirmation on_face(Part part, bool normal, Arguments x) {
+  return over_pi(
+      Split{}.add(part == Part::sy ? mpq_class(1, 2) : mpq_class(1), sum_of(part, normal, x["alpha"], 1, 0)));
+}
+
 }  // namespace
 
 const Methods& field_methods() {
-  static const Methods methods{{"sheet.sx", [](Arguments x) { return stress(Part::sx, x); }},
+  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(Part::slope, true, x); }},
+                               {"vn.slope", [](Arguments x) { return on_face(Part::sy, true, x); }},
+                               {"vs.slope", [](Arguments x) { return on_face(Part::sy, false, x); }},
+                               {"sheet.sx", [](Arguments x) { return stress(Part::sx, x); }},
                                {"sheet.sy", [](Arguments x) { return stress(Part::sy, x); }},
                                {"sheet.txy", [](Arguments x) { return stress(Part::txy, x); }},
                                {"sheet.u", u},

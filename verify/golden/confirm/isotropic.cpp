@@ -243,6 +243,13 @@ const Methods& isotropic_methods() {
   static const Methods methods{
       {"halfspace.compliance", [](Arguments x) { return closed(line_at(x).compliance); }},
       {"halfspace.coupling", [](Arguments x) { return closed(line_at(x).coupling); }},
+      {"halfspace.compliance_beyond", [](Arguments x) { return closed(line_at(x).compliance); }},
+      {"halfspace.coupling_beyond", [](Arguments x) { return closed(line_at(x).coupling); }},
+      {"halfspace.rolling_index_beyond",
+       [](Arguments x) {
+         const LineAnswerByFormula line = line_at(x);
+         return closed(atanh(sqrt(line.compliance * line.in_line) / abs(line.coupling)) / pi<Wave>());
+       }},
       {"halfspace.condition", [](Arguments x) { return closed(condition(x)); }},
       {"halfspace.rayleigh",
        [](Arguments x) {
@@ -250,6 +257,8 @@ const Methods& isotropic_methods() {
          return confirmation<Wave>("root of Rayleigh's cubic", value, value * Wave("1e-80"));
        }},
       {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x["friction"], x["psi_deg"]).ahead); }},
+      {"die.peak_place",
+       [](Arguments x) { return closed(shape_at(x, x["friction"], x["psi_deg"]).ahead - Wave(1) / 2); }},
       {"die.span_ratio",
        [](Arguments x) {
          const SlidingShape along = shape_at(x, x["friction"], 0), across = shape_at(x, x["friction"], 90);

@@ -151,6 +151,10 @@ void add_modulus(Methods& methods, const std::string& letter, const std::string&
       [](const Response& modulus, Arguments x) { return at_frequency(modulus, x["omega"]).real(); });
   add("loss_" + name,
       [](const Response& modulus, Arguments x) { return at_frequency(modulus, x["omega"]).imag(); });
+  add(letter + "_of_p", [](const Response& modulus, Arguments x) -> Wide {
+    const WideComplex p(x["p"]);
+    return (value_at(modulus.above, p) / value_at(modulus.below, p)).real();
+  });
 }
 
 }  // namespace
