@@ -49,6 +49,7 @@ ContactField::ContactField(const SolvedNip& nip, bool is_symmetric, double middl
       field_(half_length_, is_symmetric,
              [&](bool right, double e) { return face_traction(nip, is_symmetric, right, e); }) {
   std::tie(peak_, traction_error_) = peak_and_error(nip);
+  traction_error_ += field_.unresolved();
 }
 
 double ContactField::error_at(const SheetPoint& place, bool of_many) const {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -7,6 +8,7 @@
 
 #include <nipref/fast/nip/internal/sheet_part.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
+#include <nipref/fast/number/internal/legendre.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -20,20 +22,12 @@ using internal::FieldSeries;
 constexpr double nearest_far = 1.5, nearest_far_of_cell = 2.5;
 static_assert(nearest_far >= internal::near_load_end);
 
-/// Nodes of a block, by their distance from that end of the block that is nearer to the contact's end, over the block's
-/// length. The substitution e = w x^4 at the contact's end smooths any exponent there.
-GaussRule rule_at_end() {
-  GaussRule rule = gauss_legendre(24);
-  for (std::size_t j = 0; j < rule.at.size(); ++j) {
-    const double x = rule.at[j];
-    rule.at[j] = x * x * x * x;
-    rule.weight[j] *= 4 * x * x * x;
-  }
+/// Of a block, at most a half-thickness long. On the ellipse through the next singularity, 2 i away, Chebyshev
+/// coefficients fall by 8 a degree.
+constexpr std::size_t nodes_of_block = 18;
+const GaussRule& rule_of_block() {
+  static const GaussRule rule = gauss_legendre(nodes_of_block);
   return rule;
-}
-const GaussRule& rule_of(bool at_end) {
-  static const GaussRule end = rule_at_end(), inside = gauss_legendre(12);
-  return at_end ? end : inside;
 }
 
 FarLoads no_loads() {
@@ -60,8 +54,8 @@ struct WavesToEnds {
   std::vector<AlongWaves> outer, inner;
   AlongWaves across;
 
-  WavesToEnds(const GaussRule& rule, double length) : across(length) {
-    for (const double share : rule.at) {
+  explicit WavesToEnds(double length) : across(length) {
+    for (const double share : rule_of_block().at) {
       outer.emplace_back(length * share);
       inner.emplace_back(length * (1 - share));
     }
@@ -92,56 +86,60 @@ ContactBlocks::Range ContactBlocks::near(double left, double right, double reach
   return {begin, std::max(begin, end)};
 }
 
-SheetPart::SheetPart(const ContactBlocks& blocks, bool symmetric, const FaceTractions& traction)
+SheetPart::SheetPart(const ContactBlocks& blocks, bool symmetric, const LoadsOfBlock& loads)
     : blocks_(blocks) {
-  if (symmetric) {
-    for (std::size_t block = blocks.of_side(); block < blocks.count(); ++block) add_nodes(block, traction);
-    mirror();
-  } else {
-    for (std::size_t block = 0; block < blocks.count(); ++block) add_nodes(block, traction);
-  }
+  for (std::size_t block = symmetric ? blocks.of_side() : 0; block < blocks.count(); ++block)
+    add_nodes(block, loads);
+  if (symmetric) mirror();
   sum_far();
 }
 
-void SheetPart::add_nodes(std::size_t block, const FaceTractions& traction) {
+/// The polynomial through the nodes t_j that is 1 at one of them and 0 at the others is w_j sum_k (2 k + 1) P_k(t_j) P_k.
+void SheetPart::add_nodes(std::size_t block, const LoadsOfBlock& loads) {
   const bool right = block >= blocks_.of_side();
   const std::size_t from_end = right ? blocks_.count() - 1 - block : block;
-  const GaussRule& rule = rule_of(from_end == 0);
   const double length = blocks_.length(block);
   const double before =
       from_end == 0 ? 0 : blocks_.graded() + blocks_.inner() * (static_cast<double>(from_end) - 1);
-  for (std::size_t j = 0; j < rule.at.size(); ++j) {
-    const double e = before + length * rule.at[j], weight = length * rule.weight[j];
-    const FaceTraction here = traction(right, e);
-    nodes_.push_back({right ? blocks_.half_length() - e : e - blocks_.half_length(), weight * here.pressure,
-                      weight * here.shear});
+  std::array<double, nodes_of_block> polynomials{}, pressure{}, shear{};
+  for (const LoadOnFace& load : loads(right, from_end)) {
+    internal::legendre(2 * (load.e - before) / length - 1, polynomials);
+    for (std::size_t k = 0; k < nodes_of_block; ++k) {
+      pressure[k] += load.pressure * polynomials[k];
+      shear[k] += load.shear * polynomials[k];
+    }
+  }
+  const GaussRule& rule = rule_of_block();
+  for (std::size_t j = 0; j < nodes_of_block; ++j) {
+    const double e = before + length * rule.at[j];
+    Node node{right ? blocks_.half_length() - e : e - blocks_.half_length(), 0, 0};
+    internal::legendre(2 * rule.at[j] - 1, polynomials);
+    for (std::size_t k = 0; k < nodes_of_block; ++k) {
+      const double share = rule.weight[j] * static_cast<double>(2 * k + 1) * polynomials[k];
+      node.pressure += share * pressure[k];
+      node.shear += share * shear[k];
+    }
+    nodes_.push_back(node);
   }
 }
 
-/// The blocks are in order from the left, the nodes of each in the order of its rule.
+/// The blocks are in order from the left, the nodes of each in the order of their distances from the contact's end.
 void SheetPart::mirror() {
   std::vector<Node> left;
-  for (std::size_t block = blocks_.count(); block > blocks_.of_side(); --block) {
-    const std::size_t first = blocks_.of_side();
-    const std::size_t before = (block - 1 - first) * rule_of(false).at.size();
-    const std::size_t count = rule_of(block == blocks_.count()).at.size();
-    for (const Node& node : std::span(nodes_).subspan(before, count))
+  for (std::size_t first = nodes_.size(); first > 0; first -= nodes_of_block) {
+    for (const Node& node : std::span(nodes_).subspan(first - nodes_of_block, nodes_of_block))
       left.push_back({-node.alpha, node.pressure, -node.shear});
   }
   nodes_.insert(nodes_.begin(), left.begin(), left.end());
 }
 
 std::span<const SheetPart::Node> SheetPart::nodes_of(const ContactBlocks::Range& blocks) const {
-  const std::size_t at_end = rule_of(true).at.size(), inside = rule_of(false).at.size();
-  const auto before = [&](std::size_t block) {
-    if (block == 0) return std::size_t{0};
-    return block == blocks_.count() ? nodes_.size() : at_end + (block - 1) * inside;
-  };
-  return std::span(nodes_).subspan(before(blocks.begin), before(blocks.end) - before(blocks.begin));
+  return std::span(nodes_).subspan(nodes_of_block * blocks.begin,
+                                   nodes_of_block * (blocks.end - blocks.begin));
 }
 
 void SheetPart::sum_far() {
-  const WavesToEnds at_end(rule_of(true), blocks_.graded()), inside(rule_of(false), blocks_.inner());
+  const WavesToEnds at_end(blocks_.graded()), inside(blocks_.inner());
   const std::size_t count = blocks_.count();
   // The coefficients with one more block.
   const auto joined = [&](const FarLoads& before, std::size_t block, bool seen_from_right) {

@@ -49,13 +49,21 @@ class ContactBlocks {
   std::size_t of_side_;
 };
 
+/// A line load at the distance e from the end of its side.
+struct LoadOnFace {
+  double e, pressure, shear;
+};
+/// Line loads that act as the tractions of a block do on polynomials; blocks are counted from the contact's end.
+using LoadsOfBlock = std::function<std::vector<LoadOnFace>(bool right, std::size_t from_end)>;
+
 /// The stresses of the sheet less those of both half-planes under the near blocks of tractions, and the whole stresses
-/// under the far blocks; dimensionless, in the tractions' unit. The first are analytic within a distance of 2 and need
-/// some ten nodes a half-thickness; the second are sums over residues, whose coefficients add up over all far blocks.
+/// under the far blocks; dimensionless, in the tractions' unit. The first are analytic within a distance of 2, the second,
+/// sums over residues whose coefficients add up over all far blocks, within the distance of these. So both are polynomials
+/// over a block, and its loads are shared among a few nodes as the polynomials through the nodes would have it.
 class SheetPart {
  public:
   /// `symmetric`: the pressure is even about the middle and the shear odd.
-  SheetPart(const ContactBlocks& blocks, bool symmetric, const FaceTractions& traction);
+  SheetPart(const ContactBlocks& blocks, bool symmetric, const LoadsOfBlock& loads);
 
   /// A line load.
   struct Node {
@@ -73,7 +81,7 @@ class SheetPart {
                                                                double alpha) const;
 
  private:
-  void add_nodes(std::size_t block, const FaceTractions& traction);
+  void add_nodes(std::size_t block, const LoadsOfBlock& loads);
   void mirror();  ///< makes the left half's nodes from the right half's
   void sum_far();
 

@@ -3,36 +3,34 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include <nipref/fast/nip/internal/traction_field.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
+#include <nipref/fast/number/internal/legendre.hpp>
 
 namespace nipref::fast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int halvings = 72, graded_panels = halvings + 1;
-/// The right ends of the panels of one side: they double from the contact's end and then follow the blocks to the
-/// middle.
+/// Of a half-thickness or of the contact at its end, and of any panel.
+constexpr int halvings_at_end = 72, most_halvings = 10;
+/// The right ends of the panels of one side before they are halved further: they double from the contact's end and then
+/// follow the blocks to the middle.
 std::vector<double> panel_ends(const ContactBlocks& blocks) {
   std::vector<double> ends;
-  for (int k = halvings; k >= 0; --k) ends.push_back(std::ldexp(blocks.graded(), -k));
+  for (int k = halvings_at_end; k >= 0; --k) ends.push_back(std::ldexp(blocks.graded(), -k));
   for (std::size_t block = 1; block < blocks.of_side(); ++block)
     ends.push_back(blocks.graded() + blocks.inner() * static_cast<double>(block));
   ends.back() = blocks.half_length();
   return ends;
 }
 
-/// P_0 .. P_(count-1) at t.
-void legendre(double t, std::span<double> values) {
-  values[0] = 1;
-  values[1] = t;
-  for (std::size_t k = 2; k < values.size(); ++k) {
-    const auto n = static_cast<double>(k);
-    values[k] = ((2 * n - 1) * t * values[k - 1] - (n - 1) * values[k - 2]) / n;
-  }
+const GaussRule& rule_of_panel(int order) {
+  static const GaussRule rule = gauss_legendre(order);
+  return rule;
 }
 
 /// Q_0 .. Q_(order-1) at z in the upper half-plane or, as limits from there, on the axis but for +-1. The recurrence
@@ -74,73 +72,126 @@ constexpr std::size_t many_places = 600;
 }  // namespace
 
 TractionField::TractionField(double half_length, bool symmetric, const FaceTractions& traction)
-    : blocks_(half_length), symmetric_(symmetric), sheet_part_(blocks_, symmetric, traction) {
-  sides_[1] = make_side(true, traction);
-  if (symmetric) {
-    mirror();
-  } else {
-    sides_[0] = make_side(false, traction);
-  }
+    : blocks_(half_length),
+      symmetric_(symmetric),
+      sides_(make_sides(traction)),
+      sheet_part_(blocks_, symmetric,
+                  [this](bool right, std::size_t block) { return loads_of(right, block); }) {}
+
+std::vector<TractionField::Side> TractionField::make_sides(const FaceTractions& traction) const {
+  const Side right = make_side(true, traction);
+  return {symmetric_ ? mirrored(right) : make_side(false, traction), right};
 }
 
-void TractionField::mirror() {
-  sides_[0] = sides_[1];
-  for (SampledPanel& panel : sides_[0].panels) {
+TractionField::Side TractionField::mirrored(const Side& right) {
+  Side left = right;
+  for (SampledPanel& panel : left.panels) {
     for (std::size_t j = 0; j < order; ++j) {
       panel.t[j] = -panel.t[j];
       panel.shear[j] = -panel.shear[j];
       (j % 2 == 0 ? panel.shear_series : panel.pressure_series)[j] *= -1;
     }
   }
-  for (Moments& moments : sides_[0].moments) {
+  for (Moments& moments : left.moments) {
     for (double& moment : moments.shear) moment = -moment;
   }
+  return left;
 }
 
 TractionField::Side TractionField::make_side(bool right, const FaceTractions& traction) const {
-  const GaussRule rule = gauss_legendre(order);
-  Side side;
-  double left = 0;
-  std::array<std::array<double, order>, order> polynomials{};
-  for (std::size_t j = 0; j < order; ++j)
-    legendre(right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1, polynomials[j]);
+  constexpr double rounding = 1e-14;
+  std::vector<SampledPanel> coarse;
+  double left = 0, peak = 0;
   for (const double end : panel_ends(blocks_)) {
-    SampledPanel panel{};
-    panel.left = left;
-    panel.right = end;
-    panel.width = end - left;
-    for (std::size_t j = 0; j < order; ++j) {
-      const FaceTraction here = traction(right, left + panel.width * rule.at[j]);
-      panel.t[j] = right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1;
-      panel.pressure[j] = 2 * rule.weight[j] * here.pressure;
-      panel.shear[j] = 2 * rule.weight[j] * here.shear;
-      for (std::size_t k = 0; k < order; ++k) {
-        const double factor = (static_cast<double>(k) + 0.5) * polynomials[j][k];
-        panel.pressure_series[k] += factor * panel.pressure[j];
-        panel.shear_series[k] += factor * panel.shear[j];
-      }
-    }
-    Moments moments{};
-    for (std::size_t j = 0; j < order; ++j) {
-      const double share = (left + panel.width * rule.at[j]) / end;
-      double power = panel.width / 2;
-      for (std::size_t m = 0; m < moment_count; ++m, power *= share) {
-        moments.pressure[m] += power * panel.pressure[j];
-        moments.shear[m] += power * panel.shear[j];
-      }
-    }
-    if (!side.moments.empty()) {
-      double power = 1;
-      for (std::size_t m = 0; m < moment_count; ++m, power *= left / end) {
-        moments.pressure[m] += power * side.moments.back().pressure[m];
-        moments.shear[m] += power * side.moments.back().shear[m];
-      }
-    }
-    side.panels.push_back(panel);
-    side.moments.push_back(moments);
+    coarse.push_back(sampled(right, left, end, traction));
+    peak = std::max(
+        {peak, std::fabs(coarse.back().pressure_series[0]), std::fabs(coarse.back().shear_series[0])});
     left = end;
   }
+  Side side;
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    if (i == 0 || i > halvings_at_end) side.first_of_block.push_back(side.panels.size());
+    if (i == 0)
+      add(coarse[i], side);
+    else
+      add_resolved(right, coarse[i], traction, rounding * peak, most_halvings, side);
+  }
+  side.first_of_block.push_back(side.panels.size());
   return side;
+}
+
+void TractionField::add_resolved(bool right, const SampledPanel& panel, const FaceTractions& traction,
+                                 double negligible, int halvings, Side& side) {
+  double last = 0;
+  for (const auto* series : {&panel.pressure_series, &panel.shear_series})
+    last = std::max({last, std::fabs((*series)[order - 2]), std::fabs((*series)[order - 1])});
+  if (last <= negligible || halvings == 0) {
+    side.unresolved = std::max(side.unresolved, last);
+    add(panel, side);
+    return;
+  }
+  const double middle = std::midpoint(panel.left, panel.right);
+  for (const SampledPanel& half :
+       {sampled(right, panel.left, middle, traction), sampled(right, middle, panel.right, traction)})
+    add_resolved(right, half, traction, negligible, halvings - 1, side);
+}
+
+TractionField::SampledPanel TractionField::sampled(bool right, double left, double end,
+                                                   const FaceTractions& traction) {
+  const GaussRule& rule = rule_of_panel(order);
+  SampledPanel panel{};
+  panel.left = left;
+  panel.right = end;
+  panel.width = end - left;
+  for (std::size_t j = 0; j < order; ++j) {
+    const FaceTraction here = traction(right, left + panel.width * rule.at[j]);
+    panel.t[j] = right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1;
+    panel.pressure[j] = 2 * rule.weight[j] * here.pressure;
+    panel.shear[j] = 2 * rule.weight[j] * here.shear;
+    std::array<double, order> polynomials{};
+    internal::legendre(panel.t[j], polynomials);
+    for (std::size_t k = 0; k < order; ++k) {
+      const double factor = (static_cast<double>(k) + 0.5) * polynomials[k];
+      panel.pressure_series[k] += factor * panel.pressure[j];
+      panel.shear_series[k] += factor * panel.shear[j];
+    }
+  }
+  return panel;
+}
+
+std::vector<LoadOnFace> TractionField::loads_of(bool right, std::size_t block) const {
+  const Side& side = sides_[right ? 1 : 0];
+  std::vector<LoadOnFace> loads;
+  for (std::size_t i = side.first_of_block[block]; i < side.first_of_block[block + 1]; ++i) {
+    const SampledPanel& panel = side.panels[i];
+    for (std::size_t j = 0; j < order; ++j)
+      loads.push_back({panel.left + panel.width * rule_of_panel(order).at[j],
+                       panel.width / 2 * panel.pressure[j], panel.width / 2 * panel.shear[j]});
+  }
+  return loads;
+}
+
+/// With the moments of all panels up to it.
+void TractionField::add(const SampledPanel& panel, Side& side) {
+  const double left = panel.left, end = panel.right;
+  Moments moments{};
+  for (std::size_t j = 0; j < order; ++j) {
+    const double share = (left + panel.width * rule_of_panel(order).at[j]) / end;
+    double power = panel.width / 2;
+    for (std::size_t m = 0; m < moment_count; ++m, power *= share) {
+      moments.pressure[m] += power * panel.pressure[j];
+      moments.shear[m] += power * panel.shear[j];
+    }
+  }
+  if (!side.moments.empty()) {
+    double power = 1;
+    for (std::size_t m = 0; m < moment_count; ++m, power *= left / end) {
+      moments.pressure[m] += power * side.moments.back().pressure[m];
+      moments.shear[m] += power * side.moments.back().shear[m];
+    }
+  }
+  side.panels.push_back(panel);
+  side.moments.push_back(moments);
 }
 
 void TractionField::add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
@@ -218,7 +269,7 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
 std::pair<std::size_t, std::size_t> TractionField::panels_of(bool right,
                                                              const ContactBlocks::Range& blocks) const {
   const std::size_t of_side = blocks_.of_side(), all = blocks_.count();
-  const auto before = [&](std::size_t block) { return block == 0 ? 0 : graded_panels + block - 1; };
+  const auto before = [&](std::size_t block) { return sides_[right ? 1 : 0].first_of_block[block]; };
   if (right)
     return {before(all - std::max(blocks.end, of_side)), before(all - std::max(blocks.begin, of_side))};
   return {before(std::min(blocks.begin, of_side)), before(std::min(blocks.end, of_side))};

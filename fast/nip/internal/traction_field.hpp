@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <span>
@@ -20,7 +21,8 @@ struct SheetPoint {
 ///
 /// The fields of the half-planes behind both faces are Cauchy integrals of the tractions and the derivatives of these
 /// integrals. The tractions are Legendre series on panels that halve towards both ends, down to 2^-72 of a
-/// half-thickness or of the contact, which resolves any exponent at the ends. A panel beside the place is integrated by
+/// half-thickness or of the contact, which resolves any exponent at the ends, and that are halved further until the last
+/// coefficients are as small as rounding. A panel beside the place is integrated by
 /// Legendre functions of the second kind, which hold on the faces too; other panels by Gauss's rule; distant panels at
 /// an end together, by moments. SheetPart adds what the sheet adds to the half-planes and the whole field of distant
 /// tractions; for many places it does so by cells.
@@ -38,6 +40,8 @@ class TractionField {
   [[nodiscard]] double rounding(bool of_many) const {
     return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded() + 5e-16 * blocks_.half_length();
   }
+  /// The largest of the last coefficients of the series, in the tractions' unit.
+  [[nodiscard]] double unresolved() const { return std::max(sides_[0].unresolved, sides_[1].unresolved); }
 
  private:
   static constexpr int order = 20, moment_count = 24;
@@ -57,13 +61,22 @@ class TractionField {
   struct Side {
     std::vector<SampledPanel> panels;
     std::vector<Moments> moments;
+    std::vector<std::size_t> first_of_block;  ///< from the contact's end on, and the number of panels
+    double unresolved = 0;
   };
   /// int p/(Z - y) dy, int p/(Z - y)^2 dy and the same of the shear.
   struct Cauchy {
     Complex pressure, pressure_slope, shear, shear_slope;
   };
+  [[nodiscard]] std::vector<Side> make_sides(const FaceTractions& traction) const;  ///< left, right
   [[nodiscard]] Side make_side(bool right, const FaceTractions& traction) const;
-  void mirror();  ///< makes the left side from the right one
+  static void add_resolved(bool right, const SampledPanel& panel, const FaceTractions& traction,
+                           double negligible, int halvings, Side& side);
+  static void add(const SampledPanel& panel, Side& side);
+  [[nodiscard]] static SampledPanel sampled(bool right, double left, double end,
+                                            const FaceTractions& traction);
+  [[nodiscard]] static Side mirrored(const Side& right);
+  [[nodiscard]] std::vector<LoadOnFace> loads_of(bool right, std::size_t block) const;
   void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
                 Cauchy& sum) const;
   /// The range of one side's panels, counted from its end, in the blocks.
@@ -80,8 +93,8 @@ class TractionField {
 
   ContactBlocks blocks_;
   bool symmetric_;
+  std::vector<Side> sides_;
   SheetPart sheet_part_;
-  Side sides_[2];  ///< left, right
 };
 
 }  // namespace nipref::fast
