@@ -20,7 +20,7 @@ set multiplot layout {{rows}},{{columns}} title "{{id}}: {{title}}\n{{#notes}}{{
 {{/id}}
 {{^id}}
 set terminal svg enhanced size 480,{{#long_key}}400{{/long_key}}{{^long_key}}330{{/long_key}} font "Helvetica,13" background "#ffffff"
-set key below center {{#long_key}}vertical maxrows 3{{/long_key}}{{^long_key}}horizontal{{/long_key}} Left reverse samplen 2 width -2
+set key below center {{#long_key}}vertical maxrows 3{{/long_key}}{{^long_key}}horizontal{{/long_key}} Left reverse samplen 2 width -2 height 1
 set offsets graph 0.03, graph 0.03, graph 0.08, graph 0
 set rmargin 3
 {{/id}}
@@ -32,7 +32,7 @@ set grid lc rgb "#dddddd" lw 0.5
 $series{{number}} << END
 {{{points}}}END
 {{/series}}
-set xlabel "{{x_axis.label}}" noenhanced{{^id}} offset 0,0.4{{/id}}
+set xlabel "{{x_axis.label}}" noenhanced{{^id}} offset 0,0.7{{/id}}
 set ylabel "{{y_axis.label}}" noenhanced
 set format "%g"
 unset logscale
