@@ -99,6 +99,24 @@ Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, 
       cancelled_digits);
 }
 
+Estimate rolling_finite_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
+                                   const Exact& span_over_radius, int digits) {
+  return with_digits(
+      digits,
+      [&](int working) {
+        const WorkingSurface lines(surface, working);
+        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
+        const Float span = to_float(span_over_radius), first = along.stiffness / along.slowness,
+                    second = line.stiffness / line.slowness;
+        const Float same = lean_of(along, span) * first / second;  // over the span
+        const Float square = line.slowness * line.slowness - 2 * line.index * same * span;
+        if (!(square > Float(0)))
+          throw data::BadInput("span_over_radius", span_over_radius.text(), "must be small");
+        return closed(2 * same / (line.slowness + sqrt(square)), digits);
+      },
+      cancelled_digits);
+}
+
 Estimate rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,

@@ -21,6 +21,12 @@ Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int d
 /// 1))/(2 pi), the index of tractions that jump at the ends. (brock2012 56)
 Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
+/// L(psi)/L(0) of a rolling sphere whose span along the motion is not small against its radius, the root that goes with
+/// the span: L (sqrt(wS/wD) - P L/(2 r0)) Q is the same on all lines. BadInput "span_over_radius" where there is none.
+/// (brock2012 52, signs corrected)
+Estimate rolling_finite_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
+                                   const Exact& span_over_radius, int digits);
+
 /// L(psi)/L(0) of a rolling sphere by the papers' rule, to first order in span over radius: the amplitudes at the
 /// centre, whose squares are proportional to K_nn/K/(K K_nn - S^2), are equal. (brock2012 53)
 Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);

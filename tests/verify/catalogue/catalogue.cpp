@@ -77,6 +77,7 @@ TEST_CASE("the catalogue holds every quantity") {
                                        "die.force",
                                        "rolling.index",
                                        "rolling.span_ratio",
+                                       "rolling.finite_span_ratio",
                                        "ellipse.axis_ratio",
                                        "ellipse.stiffness",
                                        "ti.span_ratio",

@@ -170,6 +170,36 @@ void keep_span(const NamedNumbers& x) {
   x["span_over_radius"] = std::min(x["span_over_radius"], 0.99 * largest);
 }
 
+/// sqrt(wS/wD), P and Q of a line, and the span up to which brock2012 (52) has a root there that goes with it.
+struct FiniteSpan {
+  double slowness, index, share;
+
+  /// `along` is the line of the motion at the span `span` of a sphere of radius 1.
+  FiniteSpan(const NamedPoint& x, double span) {
+    const fast::RollingLine line = roll(x, 1e-12).along(psi_of(x)), along = roll(x, span).along({1, 0});
+    slowness = 1 / line.shear_share;
+    index = line.index;
+    share = along.amplitude / (line.amplitude / (line.lean / 2));  // B1 Q1/Q
+  }
+  [[nodiscard]] double square(double span) const { return slowness * slowness - 2 * index * share * span; }
+};
+
+double finite_span_ratio(const NamedPoint& x) {
+  const double span = x["span_over_radius"];
+  const FiniteSpan of(x, span);
+  if (!(of.square(span) > 0)) throw BadInput("span_over_radius", span, "must be small");
+  return 2 * of.share / (of.slowness + std::sqrt(of.square(span)));
+}
+
+/// Limits the span to half of that at which the root ends.
+void keep_finite_span(const NamedNumbers& x) {
+  const FiniteSpan of(x, 1e-12);
+  const fast::RollingLine along = roll(x, 1e-12).along({1, 0});
+  const double of_line = of.slowness * of.slowness / (2 * of.index * of.share);
+  const double of_motion = 2 / (along.shear_share * along.index);
+  x["span_over_radius"] = std::min({x["span_over_radius"], of_line / 2, of_motion / 2});
+}
+
 const std::vector<ContactRow>& rows_on_isotropic() {
   using Bodies = OnIsotropic;
   static const std::vector<ContactRow> rows{
@@ -231,6 +261,20 @@ const std::vector<ContactRow>& rows_on_isotropic() {
         [](const NamedPoint& x) {
           return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
         }}},
+      {"rolling.finite_span_ratio",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::rolling_finite_span_ratio(Bodies::exact(x), x["psi_deg"], x["span_over_radius"], digits);
+       },
+       finite_span_ratio,
+       [](Random& random, const NamedNumbers& x) {
+         x["span_over_radius"] = random.log_uniform(1e-9, 1);
+         draw_psi(random, x);
+         keep_finite_span(x);
+       },
+       {},
+       [](const NamedPoint&) { return 0.0; },
+       keep_finite_span},
       {"rolling.strip", nearest_critical,
        [](const NamedExact& x, int digits) {
          return ref::rolling_strip(Bodies::exact(x), x["psi_deg"], digits);

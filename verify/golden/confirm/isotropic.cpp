@@ -103,6 +103,24 @@ Wave rolling_amplitude(Arguments x, const Wave& cosine) {
               (line.compliance * (line.compliance * line.in_line - line.coupling * line.coupling)));
 }
 
+/// By Newton's method for the span L of L B Q = L1 B1 Q1, from the root of first order.
+Wave finite_span_ratio(Arguments x) {
+  const auto scale = [&](const Wave& cosine) -> Wave {
+    const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+    return rolling_amplitude(x, cosine) / sqrt(line.in_line / line.compliance);
+  };
+  const auto slowness = [&](const Wave& cosine) -> Wave {
+    const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+    return sqrt(line.in_line / line.compliance);
+  };
+  const Wave cosine = cosine_of(x["psi_deg"]), span = x["span_over_radius"], one = 1;
+  const Wave half = rolling_index(x, cosine) / 2, s = slowness(cosine);
+  const Wave same = span * (slowness(one) - rolling_index(x, one) / 2 * span) * scale(one) / scale(cosine);
+  Wave found = same / s;
+  for (int step = 0; step < 40; ++step) found -= (found * (s - half * found) - same) / (s - 2 * half * found);
+  return found / span;
+}
+
 /// poisson, speed, span over radius, degrees.
 Wave rolling_creep(Arguments x) {
   const Wave cosine = cosine_of(x["psi_deg"]), index = rolling_index(x, cosine);
@@ -268,6 +286,11 @@ const Methods& isotropic_methods() {
       {"rolling.index", [](Arguments x) { return closed(rolling_index(x, cosine_of(x["psi_deg"]))); }},
       {"rolling.span_ratio",
        [](Arguments x) { return closed(rolling_amplitude(x, 1) / rolling_amplitude(x, 0)); }},
+      {"rolling.finite_span_ratio",
+       [](Arguments x) {
+         const Wave value = finite_span_ratio(x);
+         return confirmation<Wave>("Newton's method for the span", value, abs(value) * Wave("1e-60"));
+       }},
       {"rolling.strip",
        [](Arguments x) {
          return closed(exp(-pi<Wave>() / (2 * rolling_index(x, cosine_of(x["psi_deg"])))));
