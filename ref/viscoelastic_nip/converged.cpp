@@ -15,6 +15,7 @@
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/local_slope.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
 
 namespace nipref::ref {
@@ -86,6 +87,25 @@ struct RollingUnits {
         lever(length / nip.roller_radius) {}
 };
 
+/// The same exactly.
+struct ExactRollingUnits {
+  mpq_class length, displacement, pressure, force, lever;
+
+  ExactRollingUnits(const data::ViscoelasticNip& nip, const mpq_class& compliance)
+      : length(mpq_class(nip.sheet_thickness) / 2), lever(length / mpq_class(nip.roller_radius)) {
+    displacement = length * lever / 2;
+    pressure = lever / (2 * compliance);
+    force = pressure * length;
+  }
+};
+
+/// A contact that is proven, with the working precision of its intervals.
+struct Proof {
+  ExactRollingUnits units;
+  ProvenRolling contact;
+  int working_digits;
+};
+
 /// A guess at the half length that carries a load, a few tens of per cent off at most where memories are long or short:
 /// between a half-space and springs, with the compliance that the contact meets.
 double guessed_half_length(double load, const std::vector<RollingMemory>& memory) {
@@ -150,6 +170,13 @@ Float place_of_peak(const RollingSolution& contact) {
   return zero ? *zero : near;
 }
 
+bool is_between_ends(const Interval& cosine) {
+  return mpfr_cmp_si(cosine.lower(), -1) > 0 && mpfr_cmp_si(cosine.upper(), 1) < 0;
+}
+bool is_outside(const Interval& cosine) {
+  return mpfr_cmp_si(cosine.upper(), -1) < 0 || mpfr_cmp_si(cosine.lower(), 1) > 0;
+}
+
 FieldSource field_source(const RollingSolution& contact) {
   const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
     return {contact.pressure(right, left), 0};
@@ -162,6 +189,7 @@ FieldSource field_source(const RollingSolution& contact) {
 struct ConvergedViscoelasticNip::Implementation {
   RollingUnits units;
   SolvedRollingNip solved;
+  std::optional<Proof> proof;
   mutable std::map<const RollingSolution*, Float> at_middle = {};
 
   [[nodiscard]] const RollingSolution& fine() const { return solved.fine(); }
@@ -176,6 +204,16 @@ struct ConvergedViscoelasticNip::Implementation {
     const WorkingDigits working(working_digits());
     const data::WithError<Float> estimate = solved.estimate(functional, least);
     return {unit * estimate.value, unit * (estimate.error + beside), solved.digits()};
+  }
+  /// What `proven` gives of the proof, in this unit, or `estimated`().
+  template <class Proven, class Estimated>
+  [[nodiscard]] Estimate number(mpq_class ExactRollingUnits::*unit, const Proven& proven,
+                                const Estimated& estimated) const {
+    if (!proof) return estimated();
+    const WorkingDigits working(proof->working_digits);
+    const std::optional<Interval> value = proven(proof->contact);
+    if (!value) return estimated();
+    return enclosure_of(Interval(Exact(proof->units.*unit), working_bits()) * *value, solved.digits());
   }
   [[nodiscard]] Estimate length(const SolvedRollingNip::Functional& functional) const {
     return number(units.length, functional, size());
@@ -196,6 +234,13 @@ struct ConvergedViscoelasticNip::Implementation {
     const Float scale = mean_pressure();
     return {field_source(solved.coarse()), field_source(fine()), scale, scale * solved.difference(),
             solved.digits()};
+  }
+  /// Of Y in half-thicknesses, and over the half length from the middle.
+  [[nodiscard]] Interval place(double y) const {
+    return {Exact(mpq_class(mpq_class(y) / proof->units.length)), working_bits()};
+  }
+  [[nodiscard]] Interval cosine(const ProvenRolling& of, double y) const {
+    return (place(y) - of.offset) / of.half_length;
   }
   /// Of Y, from the leading end.
   [[nodiscard]] Float behind(const RollingSolution& contact, double y) const {
@@ -233,47 +278,91 @@ ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) n
 ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
 Estimate ConvergedViscoelasticNip::contact_length() const {
-  return implementation_->length([](const RollingSolution& of) -> Float { return 2 * of.half_length(); });
+  return implementation_->number(
+      &ExactRollingUnits::length,
+      [](const ProvenRolling& of) -> std::optional<Interval> { return 2 * of.half_length; },
+      [&]() -> Estimate {
+        return implementation_->length(
+            [](const RollingSolution& of) -> Float { return 2 * of.half_length(); });
+      });
 }
 
 Estimate ConvergedViscoelasticNip::leading_length() const {
-  return implementation_->length(
-      [](const RollingSolution& of) -> Float { return of.half_length() + of.offset(); });
+  return implementation_->number(
+      &ExactRollingUnits::length,
+      [](const ProvenRolling& of) -> std::optional<Interval> { return of.half_length + of.offset; },
+      [&]() -> Estimate {
+        return implementation_->length(
+            [](const RollingSolution& of) -> Float { return of.half_length() + of.offset(); });
+      });
 }
 
 Estimate ConvergedViscoelasticNip::trailing_length() const {
-  return implementation_->length(
-      [](const RollingSolution& of) -> Float { return of.half_length() - of.offset(); });
+  return implementation_->number(
+      &ExactRollingUnits::length,
+      [](const ProvenRolling& of) -> std::optional<Interval> { return of.half_length - of.offset; },
+      [&]() -> Estimate {
+        return implementation_->length(
+            [](const RollingSolution& of) -> Float { return of.half_length() - of.offset(); });
+      });
 }
 
 Estimate ConvergedViscoelasticNip::load() const {
-  const WorkingDigits working(implementation_->working_digits());
-  const RollingUnits& units = implementation_->units;
-  return implementation_->number(units.pressure * units.length, std::mem_fn(&RollingSolution::load));
+  return implementation_->number(
+      &ExactRollingUnits::force, [](const ProvenRolling& of) -> std::optional<Interval> { return of.load(); },
+      [&]() -> Estimate {
+        const WorkingDigits working(implementation_->working_digits());
+        const RollingUnits& units = implementation_->units;
+        return implementation_->number(units.pressure * units.length, std::mem_fn(&RollingSolution::load));
+      });
 }
 
 Estimate ConvergedViscoelasticNip::indentation() const {
-  return implementation_->displacement([](const RollingSolution& of) -> Float {
-    const Float leading = of.half_length() + of.offset();
-    return of.edge_displacement() + leading * leading;
-  });
+  return implementation_->number(
+      &ExactRollingUnits::displacement,
+      [](const ProvenRolling& of) -> std::optional<Interval> {
+        return of.edge_displacement + square(of.half_length + of.offset);
+      },
+      [&]() -> Estimate {
+        return implementation_->displacement([](const RollingSolution& of) -> Float {
+          const Float leading = of.half_length() + of.offset();
+          return of.edge_displacement() + leading * leading;
+        });
+      });
 }
 
 Estimate ConvergedViscoelasticNip::leading_displacement() const {
-  return implementation_->displacement(std::mem_fn(&RollingSolution::edge_displacement));
+  return implementation_->number(
+      &ExactRollingUnits::displacement,
+      [](const ProvenRolling& of) -> std::optional<Interval> { return of.edge_displacement; },
+      [&]() -> Estimate {
+        return implementation_->displacement(std::mem_fn(&RollingSolution::edge_displacement));
+      });
 }
 
 Estimate ConvergedViscoelasticNip::trailing_displacement() const {
-  return implementation_->displacement([](const RollingSolution& of) -> Float {
-    return of.edge_displacement() + 4 * of.offset() * of.half_length();
-  });
+  return implementation_->number(
+      &ExactRollingUnits::displacement,
+      [](const ProvenRolling& of) -> std::optional<Interval> {
+        return of.edge_displacement + 4 * of.offset * of.half_length;
+      },
+      [&]() -> Estimate {
+        return implementation_->displacement([](const RollingSolution& of) -> Float {
+          return of.edge_displacement() + 4 * of.offset() * of.half_length();
+        });
+      });
 }
 
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   return implementation_->number(
-      implementation_->units.lever,
-      [](const RollingSolution& of) -> Float { return of.offset() + of.moment() / of.load(); },
-      implementation_->size());
+      &ExactRollingUnits::lever,
+      [](const ProvenRolling& of) -> std::optional<Interval> { return of.lever(); },
+      [&]() -> Estimate {
+        return implementation_->number(
+            implementation_->units.lever,
+            [](const RollingSolution& of) -> Float { return of.offset() + of.moment() / of.load(); },
+            implementation_->size());
+      });
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {
@@ -288,12 +377,21 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
 
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  const WorkingDigits working(implementation_->working_digits());
-  const Float x = implementation_->behind(implementation_->fine(), y);
   return implementation_->number(
-      implementation_->units.pressure,
-      [&](const RollingSolution& of) { return of.pressure(implementation_->behind(of, y)); },
-      implementation_->pressure_scale(x), implementation_->pressure_by_ends(x));
+      &ExactRollingUnits::pressure,
+      [&](const ProvenRolling& of) -> std::optional<Interval> {
+        const Interval cosine = implementation_->cosine(of, y);
+        if (is_between_ends(cosine)) return of.pressure(cosine);
+        return is_outside(cosine) ? std::optional(Interval(working_bits())) : std::nullopt;
+      },
+      [&]() -> Estimate {
+        const WorkingDigits working(implementation_->working_digits());
+        const Float x = implementation_->behind(implementation_->fine(), y);
+        return implementation_->number(
+            implementation_->units.pressure,
+            [&](const RollingSolution& of) { return of.pressure(implementation_->behind(of, y)); },
+            implementation_->pressure_scale(x), implementation_->pressure_by_ends(x));
+      });
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
@@ -339,9 +437,17 @@ Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const WorkingDigits working(implementation_->working_digits());
   implementation_->check_place(y);
-  return implementation_->displacement([&](const RollingSolution& of) {
-    return of.normal(implementation_->behind(of, y), implementation_->solved.kernels());
-  });
+  return implementation_->number(
+      &ExactRollingUnits::displacement,
+      [&](const ProvenRolling& of) -> std::optional<Interval> {
+        if (!is_between_ends(implementation_->cosine(of, y))) return std::nullopt;
+        return of.edge_displacement + square(of.half_length + of.offset) - square(implementation_->place(y));
+      },
+      [&]() -> Estimate {
+        return implementation_->displacement([&](const RollingSolution& of) {
+          return of.normal(implementation_->behind(of, y), implementation_->solved.kernels());
+        });
+      });
 }
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
@@ -408,6 +514,21 @@ RollingOfLength checked_rolling(const data::ViscoelasticNip& nip, double contact
   return {std::move(model), std::move(half_length)};
 }
 
+/// contact_at(units, memories) with the working precision that it takes; nothing where the proof does not reach.
+template <class ContactAt>
+std::optional<Proof> proof_of(const data::ViscoelasticNip& nip, double half_length, int digits,
+                              const ContactAt& contact_at) {
+  constexpr double longest_proven = 4;
+  const std::optional<ProvenMemories> memories = proven_memories(nip);
+  if (!memories || half_length > longest_proven) return std::nullopt;
+  const int working_digits = proven_rolling_working_digits(*memories, half_length, digits);
+  const WorkingDigits working(working_digits);
+  const ExactRollingUnits units(nip, memories->at_once);
+  std::optional<ProvenRolling> contact = contact_at(units, *memories);
+  if (!contact || !contact->is_good_to(digits)) return std::nullopt;
+  return Proof{units, *std::move(contact), working_digits};
+}
+
 }  // namespace
 
 int rolling_unknowns(const data::ViscoelasticNip& nip, double contact_length, int digits) {
@@ -419,9 +540,15 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
                                               int digits) {
   const auto [model, half_length] = checked_rolling(nip, contact_length, digits);
   const WorkingDigits working(rolling_working_digits(model, digits));
+  const Exact exact_half_length{mpq_class(mpq_class(contact_length) / mpq_class(nip.sheet_thickness))};
+  auto proof =
+      proof_of(nip, exact_half_length.approximate(), digits,
+               [&](const ExactRollingUnits&, const ProvenMemories& memories) {
+                 return proven_rolling(memories, Interval(exact_half_length, working_bits()), digits);
+               });
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      RollingUnits(nip, model.sheet().material),
-      SolvedRollingNip::of_half_length(model, half_length, digits)));
+      RollingUnits(nip, model.sheet().material), SolvedRollingNip::of_half_length(model, half_length, digits),
+      std::move(proof)));
 }
 
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits) {
@@ -438,8 +565,17 @@ ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, do
   };
   const Float wanted = load / (units.pressure * units.length);
   const double guess = guessed_half_length(static_cast<double>(wanted), model.sheet().material.normal);
-  return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      units, SolvedRollingNip::of_load(model, wanted, guess, digits, check)));
+  SolvedRollingNip solved = SolvedRollingNip::of_load(model, wanted, guess, digits, check);
+  const RollingSolution& fine = solved.fine();
+  auto proof =
+      proof_of(nip, static_cast<double>(fine.half_length()), digits,
+               [&](const ExactRollingUnits& exact, const ProvenMemories& memories) {
+                 const Exact exact_load{mpq_class(mpq_class(load) / exact.force)};
+                 return proven_rolling_for_load(
+                     memories, exact_load, at_working_precision(fine.half_length()), fine.growth(), digits);
+               });
+  return ConvergedViscoelasticNip(
+      std::make_unique<ConvergedViscoelasticNip::Implementation>(units, std::move(solved), std::move(proof)));
 }
 
 }  // namespace nipref::ref

@@ -16,8 +16,9 @@ namespace nipref::ref {
 /// doubles taken exactly, those that the material was made of where it has them (data::ViscoelasticMaterial::constants);
 /// units as in data::ViscoelasticNip. (thesis 2.1-2.6, 7.6, 7.15, 7.17; continuous form)
 ///
-/// Errors are estimated, see nip/internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's
-/// kind.
+/// Lengths, load, displacements in the contact, resistance and pressure are proven where the page
+/// ref/viscoelastic_nip/README.md, Rolling contacts, says so; what is not has Estimate::proven false and an error that is
+/// estimated, see nip/internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's kind.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
 /// (entry) side, unit of length; finite, for displacements within 300 sheet thicknesses; otherwise BadInput.

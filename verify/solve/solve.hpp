@@ -126,8 +126,8 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// - the continuous contact of an elastic nip, without friction with proven bounds where these reach it, otherwise
 ///   estimated; digits from 16 to 100 (ref/elastic_nip/proven.hpp, converged.hpp);
 /// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
-/// - the continuous contact of a viscoelastic nip, with estimated errors; digits from 16 to 30
-///   (ref/viscoelastic_nip/converged.hpp);
+/// - the continuous contact of a viscoelastic nip, lengths, load, resistance and pressure mostly proven, the rest estimated;
+///   digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);
 /// - its line loads, real rates, proven; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).

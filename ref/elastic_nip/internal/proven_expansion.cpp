@@ -1,49 +1,16 @@
-#include <cmath>
-#include <numbers>
-
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
 
-/// A sinh(tau) that makes C e^{-2n tau} smallest, or nearly so.
-double strip_height(double half_length, int size) { return std::max(1.0, 2 - half_length / size); }
-
-double log_of_Q(double y) { return std::log(2 / (2 - y) + 4 / ((2 - y) * (2 - y))); }
-
-/// The bounds (2) for one tau.
-class Decay {
- public:
-  Decay(const Interval& half_length, int size)
-      : size_(size), amplitude_(half_length.precision()), rate_(amplitude_) {
-    const Interval bound = upper(half_length);
-    const Interval height(strip_height(mpfr_get_d(bound.upper(), MPFR_RNDU), size), half_length.precision());
-    const Interval slope = height / bound;
-    const Interval cosh_tau = sqrt(square(slope) + 1);
-    const Interval left = 2 - height;
-    amplitude_ = 2 * (bound * cosh_tau * (2 / left + 4 / square(left)));
-    rate_ = log(slope + cosh_tau);
-  }
-
-  [[nodiscard]] const Interval& amplitude() const { return amplitude_; }
-  /// e^{-k tau}
-  [[nodiscard]] Interval power(long k) const { return exp(-(k * rate_)); }
-  /// sum over m >= size of mu e^{-mu tau/halves}
-  [[nodiscard]] Interval tail(long halves) const {
-    const Interval rate = rate_ / halves;
-    const Interval first = exp(-((2L * size_ + 1) * rate));
-    const Interval gap = -expm1(-(2 * rate));
-    return first * ((2L * size_ + 1) / gap + 2 / square(gap));
-  }
-
- private:
-  static Interval upper(const Interval& x) { return interval_of(upper_end(x)); }
-
-  int size_;
-  Interval amplitude_;
-  Interval rate_;
-};
+/// sum over m >= size of mu e^{-mu tau/halves}
+Interval tail(const EntryBounds& decay, long size, long halves) {
+  const Interval rate = decay.rate / halves;
+  const Interval first = exp(-((2 * size + 1) * rate));
+  const Interval gap = -expm1(-(2 * rate));
+  return first * ((2 * size + 1) / gap + 2 / square(gap));
+}
 
 Interval sqrt_of(long x, mpfr_prec_t precision) { return sqrt(Interval(x, precision)); }
 
@@ -116,30 +83,12 @@ Residual residual_of(const ChebyshevSystem& system, const Vector& coefficients) 
 
 }  // namespace
 
-Interval coercivity(const Interval& half_length) {
-  constexpr int steps = 16;
-  Interval best(half_length.precision());
-  for (int k = 1; k < steps; ++k) {
-    const Interval z = Interval(2L * k, half_length.precision()) / steps;
-    const Interval twice = 2 * z / half_length;
-    const Interval kept = (cosh(twice) - 1) / (sinh(twice) + twice);
-    const Interval value = kept * (1 - square(z) / 4);
-    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
-  }
-  return best;
-}
-
-Interval entry_bound(const Interval& half_length, int size, long mu) {
-  const Decay decay(half_length, size);
-  return decay.amplitude() * decay.power(mu);
-}
-
 ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
                       const Interval& half_length) {
   const long n = system.size();
   const mpfr_prec_t precision = working_bits();
   const Residual residual = residual_of(system, coefficients);
-  const Decay decay(half_length, system.size());
+  const EntryBounds decay = entry_bounds(half_length, system.size());
   // Arguments of J are rounded; and the system's own half length is not all of the interval.
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   const Interval entry_error =
@@ -149,32 +98,17 @@ ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
   const Interval folded = 8 * (sqrt_of(n, precision) * first / square(1 - decay.power(2 * n)));
   const Interval beyond = first / sqrt(1 - decay.power(4));
   const Interval norm = residual.norm + 2 * (entry_error * residual.node_sum) +
-                        residual.size * (moved + decay.amplitude() * (folded + beyond));
+                        residual.size * (moved + decay.amplitude * (folded + beyond));
   const Interval energy_radius = magnitude_of(norm / coercivity(half_length));
   const Interval radius =
-      n * energy_radius + decay.amplitude() * (residual.size * decay.tail(1) +
-                                               energy_radius * decay.tail(2) / sqrt(1 - decay.power(2)));
-  const Interval quadrature_error = Interval::pi(precision) * decay.amplitude() * residual.size *
+      n * energy_radius + decay.amplitude * (residual.size * tail(decay, n, 1) +
+                                             energy_radius * tail(decay, n, 2) / sqrt(1 - decay.power(2)));
+  const Interval quadrature_error = Interval::pi(precision) * decay.amplitude * residual.size *
                                     decay.power(2 * n) / (1 - decay.power(4 * n));
   ProvenExpansion result{
       half_length, {}, magnitude_of(radius), energy_radius, magnitude_of(quadrature_error)};
   for (long m = 0; m < n; ++m) result.coefficients.push_back(coefficients(m));
   return result;
-}
-
-int size_for(double half_length, int digits) {
-  const double wanted = digits * std::numbers::ln10;
-  // lambda is about 1/(1 + 3 A), the sum of the unknowns about 1 + A.
-  const double size = std::log((1 + 3 * half_length) * (1 + half_length) * 2 * half_length);
-  int n = 3;
-  while (true) {
-    const double height = strip_height(half_length, n);
-    const double tau = std::asinh(height / half_length);
-    const double reached = 2 * n * tau - size - log_of_Q(height) - std::log(std::cosh(tau)) -
-                           1.5 * std::log(n) - std::log(8 / std::pow(-std::expm1(-2 * n * tau), 2));
-    if (reached >= wanted) return n;
-    n += 1 + n / 64;
-  }
 }
 
 }  // namespace nipref::ref

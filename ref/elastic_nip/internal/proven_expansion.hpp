@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <nipref/ref/elastic_nip/internal/chebyshev_system.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
@@ -25,17 +26,5 @@ struct ProvenExpansion {
 
 /// What solves the system, for all half lengths of the interval, about system.half_length().
 ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients, const Interval& half_length);
-
-/// lambda of (1), for all half lengths of the interval.
-Interval coercivity(const Interval& half_length);
-
-/// C e^{-mu tau} of (2), for the tau that an expansion of this size is proven with.
-Interval entry_bound(const Interval& half_length, int size, long mu);
-
-/// Units of (A + 1) that cover what rounding A cos(theta_i) -+ A cos(theta_j) does to a value of J.
-inline constexpr long argument_units = 64;
-
-/// Coefficients that give about so many digits, by the bounds above.
-int size_for(double half_length, int digits);
 
 }  // namespace nipref::ref

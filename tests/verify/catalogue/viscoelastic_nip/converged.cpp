@@ -45,12 +45,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("dimensionless rolling nips: fast's errors are covered, and nothing of it is proven") {
+TEST_CASE("dimensionless rolling nips: fast's errors are covered, and all but the creep is proven") {
   const Point point{0.02, 5, 1.0 / 3, 2, 1};
   for (const char* number : {"resistance", "leading_share", "load", "indentation", "creep"}) {
     const verify::Quantity& quantity = verify::find_quantity(std::string("rolling_nip.") + number);
     const ref::Estimate truth = verify::ref_value(quantity, point, 18);
-    CHECK_FALSE(truth.proven);
+    CHECK(truth.proven == (std::string(number) != "creep"));
     CHECK(std::fabs(truth.error_of(quantity.by_fast(point, {}))) <= quantity.fast_error(point, {}));
   }
 }

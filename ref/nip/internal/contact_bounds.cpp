@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// A sinh(tau) that makes C e^{-2n tau} smallest, or nearly so.
+double strip_height(double half_length, int size) { return std::max(1.0, 2 - half_length / size); }
+
+double log_of_Q(double y) { return std::log(2 / (2 - y) + 4 / ((2 - y) * (2 - y))); }
+
+}  // namespace
+
+Interval coercivity(const Interval& half_length) {
+  constexpr int steps = 16;
+  Interval best(half_length.precision());
+  for (int k = 1; k < steps; ++k) {
+    const Interval z = Interval(2L * k, half_length.precision()) / steps;
+    const Interval twice = 2 * z / half_length;
+    const Interval kept = (cosh(twice) - 1) / (sinh(twice) + twice);
+    const Interval value = kept * (1 - square(z) / 4);
+    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
+  }
+  return best;
+}
+
+EntryBounds entry_bounds(const Interval& half_length, int size) {
+  const Interval bound = interval_of(upper_end(half_length));
+  const Interval height(strip_height(mpfr_get_d(bound.upper(), MPFR_RNDU), size), half_length.precision());
+  const Interval slope = height / bound;
+  const Interval cosh_tau = sqrt(square(slope) + 1), left = 2 - height;
+  return {2 * (bound * cosh_tau * (2 / left + 4 / square(left))), log(slope + cosh_tau)};
+}
+
+int size_for(double half_length, int digits) {
+  const double wanted = digits * std::numbers::ln10;
+  // lambda is about 1/(1 + 3 A), the sum of the unknowns about 1 + A.
+  const double size = std::log((1 + 3 * half_length) * (1 + half_length) * 2 * half_length);
+  int n = 3;
+  while (true) {
+    const double height = strip_height(half_length, n);
+    const double tau = std::asinh(height / half_length);
+    const double reached = 2 * n * tau - size - log_of_Q(height) - std::log(std::cosh(tau)) -
+                           1.5 * std::log(n) - std::log(8 / std::pow(-std::expm1(-2 * n * tau), 2));
+    if (reached >= wanted) return n;
+    n += 1 + n / 64;
+  }
+}
+
+}  // namespace nipref::ref

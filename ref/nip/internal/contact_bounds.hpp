@@ -1,0 +1,27 @@
+#pragma once
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+// Bounds of the frictionless contact's system x + G x = f in Chebyshev's polynomials, (1) and (2) of
+// ref/elastic_nip/README.md, Contacts without friction.
+
+/// lambda of (1), for all half lengths of the interval.
+Interval coercivity(const Interval& half_length);
+
+/// C and tau of (2) that an expansion of this size is proven with.
+struct EntryBounds {
+  Interval amplitude, rate;
+
+  /// e^{-k tau}
+  [[nodiscard]] Interval power(long k) const { return exp(-(k * rate)); }
+};
+EntryBounds entry_bounds(const Interval& half_length, int size);
+
+/// Units of (A + 1) that cover what rounding A cos(theta_i) -+ A cos(theta_j) does to a value of J.
+inline constexpr long argument_units = 64;
+
+/// Coefficients that give about so many digits, by the bounds above.
+int size_for(double half_length, int digits);
+
+}  // namespace nipref::ref

@@ -1,0 +1,441 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/memory/exact_material.hpp>
+#include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/bounded_columns.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Intervals = std::vector<Interval>;
+
+constexpr int most_points = 500;
+constexpr double most_growth = 160;  ///< 2A times the fastest rate
+
+Interval exactly(const mpq_class& x) { return {Exact(x), working_bits()}; }
+Interval zero() { return Interval(working_bits()); }
+Interval upper(const Interval& x) { return interval_of(upper_end(x)); }
+
+/// The contact's memory in intervals: a_i, r_i of C = 1 + sum a_i/(D + r_i), and s_j, b_j of its inverse.
+struct Memory {
+  Intervals a, r, s, b;
+
+  /// C at D = -s.
+  [[nodiscard]] Interval compliance(const Interval& s_value) const {
+    Interval sum(1L, working_bits());
+    for (std::size_t i = 0; i < a.size(); ++i) sum = sum + a[i] / (r[i] - s_value);
+    return sum;
+  }
+  /// 1/C(0) = 1 + sum b_j/s_j.
+  [[nodiscard]] Interval stiffness() const {
+    Interval sum(1L, working_bits());
+    for (std::size_t j = 0; j < s.size(); ++j) sum = sum + b[j] / s[j];
+    return sum;
+  }
+};
+
+/// The zero of C(-s), which rises from -inf to a value > 0 between low and high: signs beside one that bisection found.
+std::optional<Interval> zero_between(const Memory& memory, Float low, Float high) {
+  const Float from = low, to = high;
+  for (long step = 0; step < 2 * working_bits(); ++step) {
+    const Float middle = (low + high) / 2;
+    (middle_of(memory.compliance(interval_of(middle))) < Float(0) ? low : high) = middle;
+  }
+  for (Float apart = ldexp(high, 8 - working_bits()); apart < (to - from) / 4; apart *= 16) {
+    const Float left = high - apart, right = high + apart;
+    if (!(left > from && right < to)) return std::nullopt;
+    if (mpfr_sgn(memory.compliance(interval_of(left)).upper()) < 0 &&
+        mpfr_sgn(memory.compliance(interval_of(right)).lower()) > 0)
+      return Interval(left, right, working_bits());
+  }
+  return std::nullopt;
+}
+
+std::optional<Memory> memory_of(const ProvenMemories& memories) {
+  Memory memory;
+  const Interval share = exactly(memories.error);
+  for (const ProvenMemory& term : memories.terms) {
+    memory.a.push_back(exactly(term.amplitude).widened(exactly(term.amplitude) * share));
+    memory.r.push_back(exactly(term.rate).widened(exactly(term.rate) * share));
+  }
+  Float all(0);
+  for (const Interval& a : memory.a) all += upper_end(a);
+  for (std::size_t j = 0; j < memory.a.size(); ++j) {
+    const bool is_last = j + 1 == memory.a.size();
+    // C(-s) > 0 from s = r_n + sum a_i on.
+    const Float low = middle_of(memory.r[j]),
+                high = is_last ? Float(upper_end(memory.r[j]) + 2 * all) : middle_of(memory.r[j + 1]);
+    const auto s = zero_between(memory, low, high);
+    if (!s) return std::nullopt;
+    Interval slope = zero();
+    for (std::size_t i = 0; i < memory.a.size(); ++i) slope = slope + memory.a[i] / square(memory.r[i] - *s);
+    memory.s.push_back(*s);
+    memory.b.push_back(-(1 / slope));
+  }
+  return memory;
+}
+
+/// e^{-z} I_m(z), m = 0 .. n, z >= 0, by their series, whose terms fall to a half and faster from k >= z on.
+Intervals scaled_bessel(const Interval& z, long n) {
+  const Interval half = z / 2, fourth = square(half), factor = exp(-z);
+  Interval first = factor;  // (z/2)^m/m!
+  Intervals result;
+  for (long m = 0; m <= n; ++m) {
+    if (m > 0) first = first * half / m;
+    Interval term = first, sum = first;
+    const long terms = mpfr_get_si(z.upper(), MPFR_RNDU) + 2;
+    const Float enough = ldexp(Float(1), -working_bits() - 16);
+    for (long k = 1; k < terms || upper_end(term) > enough * upper_end(sum); ++k) {
+      term = term * fourth / (k * (k + m));
+      sum = sum + term;
+      if (mpfr_zero_p(term.upper()) != 0) break;
+    }
+    result.push_back(sum.widened(term));
+  }
+  return result;
+}
+
+/// f_m of e^{-s x}, x = A (1 - t).
+SlopeSeries exponential_series(const Interval& s, const Interval& half_length, int points) {
+  const Intervals bessel = scaled_bessel(s * half_length, points);
+  SlopeSeries series{{zero()}, 2 * magnitude_of(bessel.back())};
+  for (int m = 1; m < points; ++m) series.coefficients.push_back(-(2 * bessel[static_cast<std::size_t>(m)]));
+  return series;
+}
+
+/// (1/pi) int_0^pi F cos(k theta), k = 0 .. N, of a function F of x = A (1 - cos theta) that is L ln(x) + S, S analytic.
+class Moments {
+ public:
+  explicit Moments(const BoundedColumns& columns) : columns_(columns) {
+    for (int i = 0; i < columns.points(); ++i)
+      places_.push_back(columns.half_length() * (1 - columns.cosines()(2 * i + 1)));
+    logarithms_.push_back(log(columns.half_length() / 2));
+    for (long k = 1; k <= 2L * columns.points(); ++k)
+      logarithms_.push_back(Interval(-1L, working_bits()) / k);
+  }
+
+  [[nodiscard]] const Intervals& places() const { return places_; }
+
+  /// Of S, whose Chebyshev coefficients are at most 2 bound e^{-l rate}.
+  [[nodiscard]] Intervals smooth(const Intervals& values, const Interval& bound, const Interval& rate) const {
+    const long n = columns_.points();
+    const Interval first = exp(-(n * rate)), missed = 2 * bound * first / (1 - first);
+    Intervals moments;
+    for (long k = 0; k <= n; ++k) {
+      Interval sum = zero();
+      for (long i = 0; i < n; ++i)
+        sum = sum + values[static_cast<std::size_t>(i)] * columns_.cosines()(k * (2 * i + 1));
+      moments.push_back((sum / n).widened(magnitude_of(missed)));
+    }
+    return moments;
+  }
+  /// Of ln(x) times sum e_l cos(l theta), with a bound of all |e_l| that are left out.
+  [[nodiscard]] Intervals logarithmic(const Intervals& e, const Interval& left_out) const {
+    Intervals moments;
+    const Interval missed = magnitude_of(left_out) * (magnitude_of(logarithm(0)) + 1);
+    for (long k = 0; k <= columns_.points(); ++k) {
+      Interval sum = zero();
+      for (long l = 0; l < static_cast<long>(e.size()); ++l)
+        sum = sum + e[static_cast<std::size_t>(l)] * (logarithm(l + k) + logarithm(std::abs(l - k)));
+      moments.push_back((sum / 2).widened(magnitude_of(missed)));
+    }
+    return moments;
+  }
+
+ private:
+  [[nodiscard]] const Interval& logarithm(long k) const { return logarithms_[static_cast<std::size_t>(k)]; }
+
+  const BoundedColumns& columns_;
+  Intervals places_;
+  Intervals logarithms_;  ///< (1/pi) int ln(A (1 - cos theta)) cos(k theta)
+};
+
+/// sinh(tau) and cosh(tau) A of an ellipse about the contact, for a rate tau.
+struct Ellipse {
+  Interval rate, height, width;
+
+  Ellipse(const Interval& half_length, const Interval& tau)
+      : rate(tau), height(half_length * sinh(tau)), width(half_length * cosh(tau)) {}
+  /// Of |J|: 1 + 2 |Re| + height Q(height).
+  [[nodiscard]] Interval smooth_kernel(const Interval& half_length) const {
+    const Interval left = 2 - height;
+    return 2 * (half_length + width) + height * (2 / left + 4 / square(left)) + 1;
+  }
+};
+
+Interval larger(const Interval& x, const Interval& y) {
+  return mpfr_greater_p(x.upper(), y.upper()) != 0 ? x : y;
+}
+
+/// Those of I1.
+Intervals kernel_moments(const Moments& moments, const BoundedColumns& columns, SmoothKernel& kernel) {
+  const Interval A = upper(columns.half_length());
+  const Ellipse ellipse(A, entry_bounds(A, columns.points() / 2).rate);
+  Intervals values;
+  for (const Interval& x : moments.places()) values.push_back(kernel.over(x));
+  Intervals result = moments.smooth(values, ellipse.smooth_kernel(A), ellipse.rate);
+  const Intervals logarithm = moments.logarithmic({Interval(-1L, working_bits())}, zero());
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = result[k] + logarithm[k];
+  return result;
+}
+
+/// Those of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
+Intervals memory_moments(const Moments& moments, const BoundedColumns& columns, const mpq_class& rate,
+                         const Interval& share, double nats) {
+  const Interval r = exactly(rate), A = columns.half_length(), top = upper(A);
+  const long n = columns.points();
+  // E in cosines.
+  Intervals e{A, -A};
+  Interval left_out = zero();
+  if (rate != 0) {
+    const Intervals bessel = scaled_bessel(r * A, n);
+    const Interval growth = exp(2 * (r * A));
+    e = {(growth * bessel[0] - 1) / r};
+    for (long l = 1; l < n; ++l)
+      e.push_back((l % 2 == 0 ? 2 : -2) * (growth * bessel[static_cast<std::size_t>(l)] / r));
+    left_out = 4 * growth * bessel.back() / r;
+  }
+  Intervals values;
+  for (const Interval& x : moments.places()) {
+    const Float near = middle_of(x);
+    const Interval here = interval_of(near), growth = exp(r * here);
+    const Interval E = rate == 0 ? here : (growth - 1) / r;
+    const Interval value = steady_memory(Symbol::normal, to_exact(near), Exact(rate), nats) - log(here) * E;
+    // |S'| = |r S - J - E/x| with |J| <= 1 + 2 x
+    const Interval slope = 2 * (r * magnitude_of(value) + 1 + 2 * here + growth);
+    values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));
+  }
+  // The ellipse's rate is at most 3/2, and S in it follows from S on the axis by S' = r S - J - E/x.
+  const Interval tau = entry_bounds(top, columns.points() / 2).rate, most_tau(1.5, working_bits());
+  const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
+  const Interval way = ellipse.height + ellipse.width - top;
+  const Interval far = exp(r * (top + ellipse.width)), two_A = 2 * top;
+  const Interval log_size = larger(two_A * magnitude_of(log(two_A)), Interval(1L, working_bits()));
+  const Interval on_axis = log_size * exp(r * two_A) + 4;
+  const Interval bound = exp(r * way) * (on_axis + way * (ellipse.smooth_kernel(top) + far));
+  Intervals result = moments.smooth(values, bound, ellipse.rate);
+  const Intervals logarithm = moments.logarithmic(e, left_out);
+  // A rate that is off by a share of itself changes M by at most 2 of it: ref/memory/README.md, What a displacement
+  // changes by, with int_0^inf |I1| <= 4.
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = (result[k] + logarithm[k]).widened(2 * share);
+  return result;
+}
+
+/// sum_m m c_m moment_m
+Interval slope_functional(const BoundedColumn& column, const Intervals& moments) {
+  Interval sum = zero();
+  for (std::size_t m = 1; m < column.coefficients.size(); ++m)
+    sum = sum + static_cast<long>(m) * (interval_of(column.coefficients[m]) * moments[m]);
+  return sum;
+}
+
+/// Solves a small system by elimination; nothing if a pivot may be 0.
+std::optional<Intervals> eliminated(std::vector<Intervals> rows) {
+  const std::size_t n = rows.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto pivot = std::max_element(
+        rows.begin() + static_cast<std::ptrdiff_t>(k), rows.end(),
+        [&](const Intervals& x, const Intervals& y) { return abs(middle_of(x[k])) < abs(middle_of(y[k])); });
+    std::swap(rows[k], *pivot);
+    if (mpfi_has_zero(rows[k][k].get()) > 0) return std::nullopt;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k) continue;
+      const Interval factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j <= n; ++j) rows[i][j] = rows[i][j] - factor * rows[k][j];
+    }
+  }
+  Intervals solution;
+  for (std::size_t k = 0; k < n; ++k) solution.push_back(rows[k][n] / rows[k][k]);
+  return solution;
+}
+
+double largest_growth(const ProvenMemories& memories, double half_length) {
+  double rate = 0;
+  for (const ProvenMemory& term : memories.terms) rate += term.amplitude.get_d();
+  if (!memories.terms.empty()) rate += memories.terms.back().rate.get_d();
+  return 2 * rate * half_length;
+}
+
+/// Digits that slow memories cost, whose exponentials are nearly lines.
+double digits_of_slowness(const ProvenMemories& memories, double half_length) {
+  double digits = 0;
+  for (const ProvenMemory& term : memories.terms) {
+    const double rate = mpq_class(term.rate + term.amplitude).get_d() * half_length;
+    digits += 2 * std::max(0.0, -std::log10(rate));
+  }
+  return digits;
+}
+
+/// Of the expansion and the kernels.
+int expansion_digits(const ProvenMemories& memories, double half_length, int digits) {
+  return digits + 8 +
+         static_cast<int>(digits_of_slowness(memories, half_length) + 2 * std::log10(1 + half_length));
+}
+
+double approximate(const Interval& x) { return static_cast<double>(middle_of(x)); }
+
+}  // namespace
+
+std::optional<ProvenMemories> proven_memories(const data::ViscoelasticNip& nip) try {
+  constexpr mpfr_prec_t bits = 512;
+  const NearMaterial near = with_given_rates(exact_material(nip.material), bits);
+  const ExactFunction normal = near.material.normal();
+  ProvenMemories result{{}, near.memory_error, normal.instantaneous};
+  const mpq_class ways = mpq_class(nip.sheet_thickness) / 2 / mpq_class(nip.speed);
+  for (const ExactFunction::Term& term : normal.terms) {
+    if (sgn(term.amplitude) == 0) continue;
+    if (sgn(term.amplitude) < 0 || sgn(term.rate) < 0) return std::nullopt;
+    result.terms.push_back({term.amplitude * ways / normal.instantaneous, term.rate * ways});
+  }
+  std::ranges::sort(result.terms, {}, &ProvenMemory::rate);
+  return result;
+} catch (const data::BadInput&) {  // complex rates
+  return std::nullopt;
+}
+
+int proven_rolling_working_digits(const ProvenMemories& memories, double half_length, int digits) {
+  // Fast memories have large exponentials.
+  const double lost =
+      digits_of_slowness(memories, half_length) + largest_growth(memories, half_length) / std::numbers::ln10;
+  return expansion_digits(memories, half_length, digits) + static_cast<int>(lost) + 20;
+}
+
+std::optional<ProvenRolling> proven_rolling(const ProvenMemories& memories, const Interval& A, int digits) {
+  const double near = approximate(A), growth = largest_growth(memories, near);
+  if (growth > most_growth) return std::nullopt;
+  const int expansion = expansion_digits(memories, near, digits);
+  const double nats = (expansion + 4) * std::numbers::ln10;
+  const double slowest_decay = std::min(1.5, std::asinh(1.9 / near));
+  const double points =
+      std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / slowest_decay, growth + 4});
+  if (points > most_points) return std::nullopt;
+  const std::optional<Memory> memory = memory_of(memories);
+  if (!memory) return std::nullopt;
+  SmoothKernel kernel(I1_interval, expansion + 6);
+  const BoundedColumns columns(A, 2 * static_cast<int>(points / 2 + 1), kernel);
+  const Moments moments(columns);
+
+  // The elastic contact, and one for each exponential.
+  std::vector<SlopeSeries> right{{Intervals(static_cast<std::size_t>(columns.points()), zero()), zero()}};
+  right.front().coefficients[1] = Interval(1L, working_bits());
+  for (const Interval& s : memory->s) right.push_back(exponential_series(s, A, columns.points()));
+  const std::vector<BoundedColumn> solved = columns.solved(right);
+  const std::size_t n = memory->s.size();
+
+  // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each; |moments of M| <= 4.
+  const Interval share = exactly(memories.error);
+  std::vector<Intervals> memories_at, ahead;
+  for (const ProvenMemory& term : memories.terms) {
+    memories_at.push_back(memory_moments(moments, columns, term.rate, share, nats));
+    Intervals of_columns;
+    for (const BoundedColumn& column : solved)
+      of_columns.push_back(
+          (-slope_functional(column, memories_at.back())).widened(magnitude_of(4 * column.radius)));
+    ahead.push_back(of_columns);
+  }
+
+  // Unknowns: the amplitudes of the exponentials and the offset over A.
+  const Interval stiffness = memory->stiffness();
+  std::vector<Intervals> rows;
+  for (std::size_t j = 0; j < n; ++j) {
+    const Interval &s = memory->s[j], &b = memory->b[j];
+    Intervals row(n + 2, zero());
+    for (std::size_t i = 0; i < n; ++i) {
+      const Interval factor = b * memory->a[i] / (s - memory->r[i]);
+      for (std::size_t k = 0; k < n; ++k) row[k] = row[k] - factor * ahead[i][k + 1];
+      row[n + 1] = row[n + 1] + factor * stiffness * ahead[i][0];
+    }
+    row[j] = row[j] + 1;
+    row[n] = -(b / s);
+    row[n + 1] = row[n + 1] + b * (1 / s + 1 / (A * square(s)));
+    rows.push_back(std::move(row));
+  }
+  Intervals last(n + 2, zero());
+  for (std::size_t k = 0; k < n; ++k) {
+    const Interval mean = scaled_bessel(memory->s[k] * A, 0).front();
+    last[k] = solved[k + 1].constant - mean;
+    last[n + 1] = last[n + 1] - memory->b[k] / (A * square(memory->s[k]));
+  }
+  last[n] = stiffness;
+  last[n + 1] = last[n + 1] - stiffness * solved[0].constant;
+  rows.push_back(std::move(last));
+  const std::optional<Intervals> amplitudes = eliminated(std::move(rows));
+  if (!amplitudes) return std::nullopt;
+
+  ProvenRolling result{A, A * amplitudes->back(), zero(), Intervals(solved[0].coefficients.size(), zero()),
+                       zero()};
+  for (std::size_t k = 0; k <= n; ++k) {
+    const Interval& factor = k == 0 ? stiffness : (*amplitudes)[k - 1];
+    for (std::size_t m = 1; m < result.coefficients.size(); ++m)
+      result.coefficients[m] = result.coefficients[m] + factor * interval_of(solved[k].coefficients[m]);
+    result.radius = result.radius + magnitude_of(factor) * solved[k].radius;
+  }
+
+  // d1 = (A/pi) int (I1 + sum a_i M_i) p: moments of all.
+  Intervals all = kernel_moments(moments, columns, kernel);
+  Interval size = magnitude_of(log(A / 2)) + 5;
+  for (std::size_t i = 0; i < memories.terms.size(); ++i) {
+    for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] + memory->a[i] * memories_at[i][k];
+    size = size + 4 * magnitude_of(memory->a[i]);
+  }
+  Interval sum = zero();
+  for (std::size_t m = 1; m < result.coefficients.size(); ++m)
+    sum = sum + result.coefficients[m] * (all[m - 1] - all[m + 1]);
+  result.edge_displacement = square(A) * sum.widened(magnitude_of(2 * size * result.radius));
+  return result;
+}
+
+std::optional<ProvenRolling> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
+                                                     const Float& near, const Float& growth, int digits) {
+  constexpr int spare_digits = 10;  // of the half length
+  const Interval wanted(load, working_bits());
+  const auto at = [&](const Float& half_length) {
+    return proven_rolling(memories, interval_of(half_length), digits + spare_digits / 2);
+  };
+  const auto first = at(near);
+  if (!first) return std::nullopt;
+  const Float found = near * exp(log(middle_of(wanted / first->load())) / growth);
+  const Float apart = found * pow(Float(10), -(digits + spare_digits));
+  const Float lower = found - apart, higher = found + apart;
+  const auto carries_less = at(lower), carries_more = at(higher);
+  if (!carries_less || !carries_more || mpfr_sgn((carries_less->load() - wanted).upper()) >= 0 ||
+      mpfr_sgn((carries_more->load() - wanted).lower()) <= 0)
+    return std::nullopt;
+  return proven_rolling(memories, Interval(lower, higher, working_bits()), digits + spare_digits / 2);
+}
+
+bool ProvenRolling::is_good_to(int digits) const {
+  const Float part = pow(Float(10), -digits), A = middle_of(half_length), peak = middle_of(load()) / A;
+  const auto is_known = [&](const Interval& x, const Float& size) {
+    return upper_end(distance_from(middle_of(x), x)) <= part * size;
+  };
+  return is_known(half_length, A) && is_known(offset, A) && is_known(lever(), A) &&
+         is_known(load(), middle_of(load())) && is_known(edge_displacement, middle_of(edge_displacement)) &&
+         upper_end(radius) * 2 * A <= part * peak;
+}
+
+Interval ProvenRolling::load() const {
+  return Interval::pi(working_bits()) * square(half_length) * coefficients[1].widened(radius);
+}
+
+Interval ProvenRolling::lever() const {
+  return offset + half_length * coefficients[2].widened(radius) / (2 * coefficients[1].widened(radius));
+}
+
+Interval ProvenRolling::pressure(const Interval& cosine) const {
+  const Interval theta = acos(cosine), sine = sqrt((1 - cosine) * (cosine + 1));
+  Interval sum = zero();
+  for (std::size_t m = 1; m < coefficients.size(); ++m)
+    sum = sum + coefficients[m] * sin(static_cast<long>(m) * theta);
+  return 2 * (half_length * sum.widened(magnitude_of(sine * radius)));
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,201 @@
+// The proof of the rolling contact: that its bounds hold, that it notices what is wrong, and what it rests on.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/bounded_columns.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
+
+using namespace nipref;
+using ref::Float;
+using ref::Interval;
+
+namespace {
+
+double upper_bound(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
+double radius_of(const Interval& x) { return upper_bound(ref::distance_from(ref::middle_of(x), x)); }
+bool meet(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
+
+/// Whether two results agree to their errors, which are small.
+void check_agree(const ref::Estimate& few, const ref::Estimate& many) {
+  Float difference = ref::zero_of_bits(300);
+  mpfr_sub(ref::raw(difference), ref::raw(few.value), ref::raw(many.value), MPFR_RNDN);
+  CHECK(ref::abs(difference) <= few.error + many.error);
+}
+
+/// The results of a contact that its proof gives.
+std::vector<Interval> results_of(const ref::ProvenRolling& contact) {
+  return {contact.load(), contact.offset, contact.edge_displacement, contact.lever(),
+          contact.pressure(Interval(0.25, ref::working_bits()))};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "ref rolling contact: random ones are proven, fewer digits meet more, and double is within its errors") {
+  constexpr int nips = 3;  // 200 were run once
+  std::mt19937_64 random(5);
+  const auto between = [&](double low, double high) {
+    return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
+  };
+  int proven = 0;
+  for (int i = 0; i < nips; ++i) {
+    CAPTURE(i);
+    const double length = between(1e-3, 2), memory = length * between(0.1, 1e2);
+    const auto material = i % 3 == 0
+                              ? data::standard_linear_solid({1, between(0.5, 2), 2, 3, memory, 2 * memory})
+                          : i % 3 == 1 ? data::single_relaxation_time_solid(1, 0.375, memory)
+                                       : data::misprinted_thesis_solid(1, 0.375, memory);
+    const data::ViscoelasticNip nip{100, 1, material, 1};
+    const auto few = ref::converged_for_length(nip, length, 16),
+               many = ref::converged_for_length(nip, length, 30);
+    const auto computed = fast::converged_for_length(nip, length, 1e-10);
+    const auto check = [&](const ref::Estimate& rough, const ref::Estimate& fine,
+                           const fast::Estimate& of_fast) {
+      check_agree(rough, fine);
+      CHECK(std::fabs(fine.error_of(of_fast.value)) <= of_fast.error);
+      CHECK(rough.proven == many.load().proven);
+    };
+    check(few.load(), many.load(), computed.load());
+    check(few.leading_length(), many.leading_length(), computed.leading_length());
+    check(few.indentation(), many.indentation(), computed.indentation());
+    check(few.leading_displacement(), many.leading_displacement(), computed.leading_displacement());
+    check(few.rolling_resistance(), many.rolling_resistance(), computed.rolling_resistance());
+    check(few.pressure(0.2 * length), many.pressure(0.2 * length), computed.pressure(0.2 * length));
+    check(few.normal_displacement(0), many.normal_displacement(0), computed.normal_displacement(0));
+    // The length of that load, which is proven as well.
+    const double load = few.load().to_double();
+    const auto of_load = ref::converged_for_load(nip, load, 16);
+    if (few.load().proven) CHECK(of_load.contact_length().proven);
+    CHECK(of_load.contact_length().to_double() == doctest::Approx(length).epsilon(1e-14));
+    check_agree(of_load.load(), ref::exactly(load, 16));
+    proven += few.load().proven ? 1 : 0;
+  }
+  CHECK(proven >= nips - 1);
+}
+
+TEST_CASE("ref rolling contact: an error of 1e-25 in a rate or a length is outside its proof, or widens it") {
+  const mpq_class tiny("1/10000000000000000000000000");
+  const double half_length = 0.5;
+  const ref::WorkingDigits outer(60);
+  const auto solved = [&](const mpq_class& factor, const mpq_class& error, double apart) {
+    const ref::ProvenMemories memories{{{mpq_class(1, 2), mpq_class(1, 2) * factor}, {1, 3}}, error, 1};
+    const ref::WorkingDigits working(ref::proven_rolling_working_digits(memories, half_length, 30));
+    const Interval A = Interval(half_length, ref::working_bits()) +
+                       Interval(apart, ref::working_bits()) * Interval(ref::Exact(tiny), ref::working_bits());
+    return results_of(*ref::proven_rolling(memories, A, 30));
+  };
+  const auto truth = solved(1, 0, 0), other_rate = solved(1 + tiny, 0, 0), wide = solved(1, tiny, 0),
+             other_length = solved(1, 0, 1);
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    CAPTURE(k);
+    CHECK_FALSE(meet(truth[k], other_rate[k]));
+    CHECK(mpfi_is_inside(truth[k].get(), wide[k].get()) > 0);
+    CHECK(mpfi_is_inside(other_rate[k].get(), wide[k].get()) > 0);
+    CHECK(radius_of(truth[k]) < 1e-30);
+    CHECK(radius_of(wide[k]) < 1e-21);
+    CHECK_FALSE(meet(truth[k], other_length[k]));
+  }
+}
+
+TEST_CASE("ref rolling contact: an interval of lengths has the contacts of each") {
+  const ref::ProvenMemories memories{{{mpq_class(1, 2), mpq_class(1, 2)}}, 0, 1};
+  const ref::WorkingDigits working(ref::proven_rolling_working_digits(memories, 0.7, 30));
+  const Float here = 0.7, there = here + ldexp(Float(1), -70);
+  const auto all =
+      results_of(*ref::proven_rolling(memories, hull(ref::interval_of(here), ref::interval_of(there)), 30));
+  for (const Float& A : {here, Float((here + there) / 2), there}) {
+    const auto one = results_of(*ref::proven_rolling(memories, ref::interval_of(A), 30));
+    for (std::size_t k = 0; k < one.size(); ++k) CHECK(mpfi_is_inside(one[k].get(), all[k].get()) > 0);
+  }
+}
+
+TEST_CASE("bounded columns: too few points have a radius that covers what they miss, of either parity") {
+  const ref::WorkingDigits working(60);
+  for (const double half_length : {0.02, 1.0, 3.0}) {
+    CAPTURE(half_length);
+    const Interval A(half_length, ref::working_bits());
+    ref::SmoothKernel kernel(ref::I1_interval, 50);
+    const auto solved = [&](int points) {
+      ref::SlopeSeries line{{}, Interval(ref::working_bits())}, wave = line;
+      for (int m = 0; m < points; ++m) {
+        line.coefficients.emplace_back(m == 1 ? 1L : 0L, ref::working_bits());
+        wave.coefficients.push_back(m == 0 ? Interval(ref::working_bits())
+                                           : exp(Interval(-1.5 * m, ref::working_bits())));
+      }
+      wave.next = exp(Interval(-1.5 * points, ref::working_bits()));
+      return ref::BoundedColumns(A, points, kernel).solved({line, wave});
+    };
+    const int enough = 2 * ref::size_for(half_length, 40) + 60;
+    const auto truth = solved(enough);
+    for (const int points : {10, 2 * ref::size_for(half_length, 5), 2 * ref::size_for(half_length, 15)}) {
+      CAPTURE(points);
+      const auto rough = solved(points);
+      for (std::size_t k = 0; k < rough.size(); ++k) {
+        double missed = 0, energy = 0;
+        for (std::size_t m = 1; m < truth[k].coefficients.size(); ++m) {
+          const Float mine = m < rough[k].coefficients.size() ? rough[k].coefficients[m] : Float(0);
+          const double off = static_cast<double>(abs(truth[k].coefficients[m] - mine));
+          missed += static_cast<double>(m) * off;
+          energy += static_cast<double>(m) * off * off;
+        }
+        CHECK(missed <= upper_bound(rough[k].radius) + upper_bound(truth[k].radius));
+        CHECK(std::sqrt(energy) <= upper_bound(rough[k].energy_radius) + upper_bound(truth[k].energy_radius));
+        CHECK(meet(rough[k].constant, truth[k].constant));
+        CHECK(upper_bound(truth[k].radius) < 1e-30);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "bounded columns: a wrong kernel value in the 25th digit makes the proof fail, one known to no more widens it") {
+  const ref::WorkingDigits working(50);
+  const Interval A(0.5, ref::working_bits()), error(1e-25, 64);
+  const auto radius = [&](const Interval& wrong) {
+    ref::SmoothKernel kernel(
+        [left = 7, &wrong](const ref::Exact& alpha, double nats) mutable {
+          const Interval value = ref::I1_interval(alpha, nats);
+          return left-- == 0 ? value + wrong : value;
+        },
+        40);
+    ref::SlopeSeries line{std::vector<Interval>(60, Interval(ref::working_bits())),
+                          Interval(ref::working_bits())};
+    line.coefficients[1] = Interval(1L, ref::working_bits());
+    return upper_bound(ref::BoundedColumns(A, 60, kernel).solved({line}).front().radius);
+  };
+  CHECK_THROWS_AS(radius(error), std::logic_error);
+  CHECK_THROWS_AS(radius(-error), std::logic_error);
+  CHECK(radius(ref::either_side(error)) > 1e4 * radius(Interval(64)));
+}
+
+TEST_CASE("bounded columns: the even part of a slope has no more of the low frequencies than the odd one") {
+  for (double k = 0.05; k < 2; k += 0.05) {
+    double odd = 0, even = 0;
+    for (int m = 1; m < 40; ++m) (m % 2 == 1 ? odd : even) += m * std::pow(std::cyl_bessel_j(m, k), 2);
+    CHECK(odd <= k * k / 4);
+    CHECK(even <= k * k / 4);
+    CHECK(even <= k * k * k * k / 32);
+  }
+}
+
+TEST_CASE("ref rolling contact: the proof's memory of the kernel is that of the reference's integral") {
+  // |M| <= 4, which the moments' bounds take, at all distances and rates.
+  for (const char* const rate : {"0", "1e-3", "1", "50"}) {
+    for (const double x : {1e-9, 0.01, 0.5, 3.0}) {
+      const double M =
+          upper_bound(ref::steady_memory(ref::Symbol::normal, ref::Exact(x), ref::Exact::parse(rate), 40));
+      CHECK(std::fabs(M) <= 4);
+    }
+  }
+}
