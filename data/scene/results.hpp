@@ -14,7 +14,9 @@ enum class SceneKind { nip, half_space };
 enum class Needs {
   nothing,
   converged,        ///< the converged method
-  inside,           ///< the converged method: stresses inside the sheet
+  inside,           ///< nothing: stresses inside the sheet
+  inside_elastic,   ///< an elastic sheet that does not roll: displacements inside the sheet
+  inside_all,       ///< the converged method: the largest stress inside the sheet
   shear,            ///< full friction: without it there is none
   line_load_creep,  ///< line loads with full friction
 };
@@ -99,6 +101,8 @@ enum class ResultId {
   highest_stress,
   lowest_stress,
   maximum_shear,
+  displacement_across,
+  displacement_along,
   pressure,
   shear,
   normal_displacement,
@@ -123,6 +127,8 @@ struct SceneResult {
   Shape shape = Shape::number;
   std::optional<SceneKind> kind = SceneKind::nip;  ///< the scenes that have it; none: all
   Needs needs = Needs::nothing;
+
+  [[nodiscard]] bool is_inside() const { return needs >= Needs::inside && needs <= Needs::inside_all; }
 
   [[nodiscard]] bool is_of(SceneKind scene) const { return kind.value_or(scene) == scene; }
 };

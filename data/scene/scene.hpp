@@ -65,7 +65,7 @@ struct ElasticNipProblem {
   std::variant<ConvergedMethod, LineLoads> method;
   /// Needed if a profile is wanted.
   std::optional<Profile> profile;
-  /// Needed if stresses inside the sheet are wanted, which the converged method has.
+  /// Needed if stresses or displacements inside the sheet are wanted.
   std::optional<FieldPlaces> field = {};
 };
 

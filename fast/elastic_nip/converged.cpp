@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -320,6 +321,24 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
   auto stresses = nip.field().at(places);
   for (InnerStresses& here : stresses) here = in_unit(nip.units.pressure, here);
   return stresses;
+}
+
+std::vector<InnerDisplacements> ConvergedElasticNip::inner_displacements(
+    std::span<const InnerPoint> points) const {
+  const Implementation& nip = *implementation_;
+  std::vector<SheetPoint> places;
+  for (const InnerPoint& point : points) places.push_back(checked_point(point, nip.units.length));
+  const double beta = nip.equations->beta();
+  auto displacements = nip.field().from_face(places, {1 - beta, beta});
+  std::map<double, InnerDisplacements> of_face;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [y, depth] = points[i];
+    auto face = of_face.find(y);
+    if (face == of_face.end())
+      face = of_face.emplace(y, InnerDisplacements{normal_displacement(y), tangential_displacement(y)}).first;
+    displacements[i] = beyond_face(face->second, depth, nip.units.displacement, displacements[i]);
+  }
+  return displacements;
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {

@@ -63,6 +63,8 @@ class ConvergedElasticNip {
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
+  /// normal_displacement and tangential_displacement at any depth.
+  [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
   /// Solves with more terms, from which on all results are computed; false where more do not help.
   bool refine();
   [[nodiscard]] Work work() const;  ///< spent so far

@@ -42,8 +42,10 @@ void check(double alpha, double depth) {
   }
 }
 
+using internal::Shares;
+
 double theta1_share(double poisson) { return 1 / (2 * (1 - poisson)); }
-double theta2_share(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
+Shares shares_of(double poisson) { return {theta1_share(poisson), (1 - 2 * poisson) / (2 * (1 - poisson))}; }
 
 bool is_near(double alpha) { return alpha < internal::near_load_end; }
 
@@ -95,6 +97,36 @@ HalfPlaneParts operator+(const HalfPlaneParts& a, const HalfPlaneParts& b) {
   return {a.first + b.first, a.second + b.second};
 }
 
+HalfPlaneParts operator-(const HalfPlaneParts& a, const HalfPlaneParts& b) {
+  return {a.first - b.first, a.second - b.second};
+}
+
+/// u and v from their parts; v of a shear load lacks what depends on eta.
+double u_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
+  const double sum = load == SheetLoad::normal ? -parts.first - share.theta1 * parts.second
+                                               : share.theta1 * parts.second - share.theta2 * parts.first;
+  return sum * inverse_pi;
+}
+double v_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
+  const double sum = load == SheetLoad::normal ? share.theta1 * parts.second - share.theta2 * parts.first
+                                               : -parts.first - share.theta1 * parts.second;
+  return sum * inverse_pi;
+}
+
+internal::FromFace from_face(const FieldFunctions& f, const FieldFunctions& face, double s, SheetLoad load,
+                             const Shares& share) {
+  return {u_of(parts_of_u(f, s, load), load, share) - s * u_of(parts_of_u(face, 1, load), load, share),
+          v_of(parts_of_v(f, s, load) - parts_of_v(face, 1, load), load, share)};
+}
+
+/// The same of both half-planes.
+internal::FromFace planes_from_face(double alpha, double s, SheetLoad load, const Shares& share) {
+  const SeenFromLoads here(alpha, s), face(alpha, 1);
+  return {u_of(internal::half_plane_u(here, load), load, share) -
+              s * u_of(internal::half_plane_u(face, load), load, share),
+          v_of(internal::half_plane_v(here, load) - internal::half_plane_v(face, load), load, share)};
+}
+
 double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
   const bool normal = load == SheetLoad::normal;
   HalfPlaneParts parts{};
@@ -104,10 +136,7 @@ double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
     parts = parts_of_u(internal::decaying(alpha, s), s, load);
     if (!normal) parts = parts + HalfPlaneParts{quarter_pi * s, quarter_pi * s};
   }
-  const double t1 = theta1_share(poisson);
-  return (normal ? -parts.first - t1 * parts.second
-                 : t1 * parts.second - theta2_share(poisson) * parts.first) *
-         inverse_pi;
+  return u_of(parts, load, shares_of(poisson));
 }
 
 /// v of a normal load, which is odd, without the part that depends on eta.
@@ -117,7 +146,7 @@ double normal_v_in_quarter(double alpha, double s, double poisson) {
       is_near(alpha)
           ? internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load)
           : parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{quarter_pi, quarter_pi};
-  return (theta1_share(poisson) * parts.second - theta2_share(poisson) * parts.first) * inverse_pi;
+  return v_of(parts, load, shares_of(poisson));
 }
 
 /// Both parts grow with their distances, which are subtracted first.
@@ -192,6 +221,36 @@ SheetStresses internal::StressesAtDepth::far(const FarLoads& loads, double side)
   shear.along -= 0.5 * loads.shear_force;
   shear = with_signs(shear, side, depth_, SheetLoad::shear);
   return {normal.across + shear.across, normal.along + shear.along, normal.shear + shear.shear};
+}
+
+internal::DisplacementsFromFace::DisplacementsFromFace(double depth, const Shares& share)
+    : depth_(depth), share_(share), waves_(depth, field_roots), of_face_(1, field_roots) {}
+
+internal::FromFaceBeside internal::DisplacementsFromFace::beside(double alpha) const {
+  const double a = std::fabs(alpha), side = sign(alpha);
+  const bool near = is_near(a);
+  const FieldFunctions here =
+                           near ? near_rest(a, depth_, FieldFunction::I4) : decaying(AlongWaves(a), waves_),
+                       face = near ? near_rest(a, 1, FieldFunction::I4) : decaying(AlongWaves(a), of_face_);
+  const auto under = [&](SheetLoad load) {
+    FromFace of = from_face(here, face, depth_, load, share_);
+    if (!near) {
+      const FromFace planes = planes_from_face(a, depth_, load, share_);
+      of = {of.u - planes.u, of.v - planes.v};
+    }
+    (load == SheetLoad::normal ? of.v : of.u) *= side;
+    return of;
+  };
+  return {under(SheetLoad::normal), under(SheetLoad::shear)};
+}
+
+internal::FromFace internal::DisplacementsFromFace::far(const FarLoads& loads, double side) const {
+  const auto under = [&](const AlongWaves& along, SheetLoad load) {
+    return from_face(decaying(along, waves_), decaying(along, of_face_), depth_, load, share_);
+  };
+  const FromFace normal = under(loads.pressure, SheetLoad::normal),
+                 shear = under(loads.shear, SheetLoad::shear);
+  return {normal.u + side * shear.u, side * normal.v + shear.v};
 }
 
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {

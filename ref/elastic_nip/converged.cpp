@@ -9,6 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/internal/displacements_inside.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/nip/internal/solved_nip.hpp>
@@ -212,7 +213,7 @@ struct ConvergedElasticNip::Implementation {
   [[nodiscard]] ContactField field() const {
     if (size() > longest_elastic_inside) {
       throw BadInput("contact_length", static_cast<double>(2 * size() * to_float(Exact(units.length))),
-                     "must be at most 80 sheet thicknesses for stresses inside on the reference path");
+                     "must be at most 80 sheet thicknesses inside on the reference path");
     }
     const Float scale = middle_pressure();
     return {field_source(solved.coarse()), field_source(fine()), scale, scale * solved.difference(),
@@ -331,6 +332,18 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
     stresses.push_back(
         field.at(checked_point(point, to_float(Exact(units.length))), true, to_float(Exact(units.pressure))));
   return stresses;
+}
+
+/// What both solutions have in common is wrong by their largest difference, of the scales of surface displacements and, where
+/// pressures are larger than those, of the sheet's answer to them.
+std::vector<InnerDisplacements> ConvergedElasticNip::inner_displacements(
+    std::span<const InnerPoint> points) const {
+  const Implementation& nip = *implementation_;
+  const WorkingDigits working(nip.working_digits());
+  const Float pressed = nip.middle_pressure() * std::min(Float(1), nip.size());
+  const Float uncertain =
+      (nip.solved.difference() + pow(Float(10), -nip.solved.digits() - 2)) * std::max(nip.square(), pressed);
+  return displacements_inside(nip.field(), nip.units, points, uncertain);
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {

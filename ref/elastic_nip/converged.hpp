@@ -44,6 +44,8 @@ class ConvergedElasticNip {
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses, the contact at most 80 long.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
+  /// normal_displacement and tangential_displacement at any depth, by the tractions; estimated.
+  [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
   [[nodiscard]] Estimate surface_strain(double y) const;  ///< v', dimensionless
   [[nodiscard]] int unknowns() const;                     ///< of the finer solution
   [[nodiscard]] long normal_values() const;               ///< of I1, taken so far

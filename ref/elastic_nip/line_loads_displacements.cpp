@@ -150,6 +150,19 @@ std::vector<Enclosure> shear_borders(const LineLoadSolution& solution, int digit
   return borders;
 }
 
+std::vector<FaceLoad> face_loads(const LineLoadSolution& solution, int digits) {
+  const std::size_t count = solution.line_loads.size();
+  std::vector<FaceLoad> all;
+  for (std::size_t k = 0; k < count; ++k) {
+    const mpq_class widths(2 * static_cast<long>(k) + 1, 2);
+    const Estimate y = between_widths(solution, count, widths, widths, digits);
+    const Estimate shear = solution.shear_loads.empty() ? exact_zero(digits) : solution.shear_loads[k];
+    all.push_back({y, solution.line_loads[k], shear});
+    all.push_back({-1 * y, solution.line_loads[k], -1 * shear});
+  }
+  return all;
+}
+
 Enclosure normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
                               const LineLoadMethod& method, double y, int digits) {
   return enclosure_of(sums_at(nip, solution, method, place(solution, y), digits).normal(), digits);

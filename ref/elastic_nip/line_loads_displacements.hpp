@@ -2,6 +2,7 @@
 #include <vector>
 
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/nip/line_load_field.hpp>
 
 namespace nipref::ref {
 
@@ -29,6 +30,10 @@ Enclosure element_shear(const LineLoadSolution& solution, double y, int digits);
 /// that may have it, where the bounds cannot tell.
 Enclosure place_of_largest_pressure(const LineLoadSolution& solution, int digits);
 Enclosure place_of_largest_shear(const LineLoadSolution& solution, int digits);
+
+/// What the loads are, a pair of both sides after the other from the middle outwards: for the fields inside the sheet, see
+/// ref/nip/line_load_field.hpp.
+std::vector<FaceLoad> face_loads(const LineLoadSolution& solution, int digits);
 
 /// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Loads whose sign the
 /// bounds do not tell are passed over, and the border lies somewhere between the others.

@@ -42,6 +42,8 @@ class ProvenElasticNip {
   /// makes. Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
+  /// normal_displacement and tangential_displacement at any depth, by the tractions; estimated.
+  [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
   [[nodiscard]] Enclosure surface_strain(double y) const;  ///< v', dimensionless
   [[nodiscard]] int terms() const;                         ///< of the expansion
   [[nodiscard]] long kernel_values() const;                ///< of I1, taken so far

@@ -284,6 +284,19 @@ Enclosure ViscoelasticLineLoads::pressure(double y) const {
   });
 }
 
+std::vector<FaceLoad> ViscoelasticLineLoads::face_loads() const {
+  const auto& all = *implementation_;
+  std::vector<FaceLoad> loads;
+  for (int j = 0; j < all.problem.loads(); ++j) {
+    const auto place = [&] { return all.length(elements_to(all.problem, j)); };
+    const auto force = [&] {
+      return force_unit(all.problem) * all.contact.loads[static_cast<std::size_t>(j)];
+    };
+    loads.push_back({all.enclosed(place), all.enclosed(force), exact_zero(all.digits)});
+  }
+  return loads;
+}
+
 Enclosure ViscoelasticLineLoads::normal_displacement(double y) const {
   const auto& all = *implementation_;
   return all.enclosed([&] { return all.sum(all.place(y), normal_at); });

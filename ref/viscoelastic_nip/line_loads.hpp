@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/nip/line_load_field.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
@@ -49,6 +51,9 @@ class ViscoelasticLineLoads {
   [[nodiscard]] Enclosure pressure(double y) const;  ///< of the element; a border is the trailing one's
   [[nodiscard]] Enclosure normal_displacement(double y) const;
   [[nodiscard]] Enclosure tangential_displacement(double y) const;
+
+  /// What the loads are, from the leading end on: for the stresses inside the sheet, see ref/nip/line_load_field.hpp.
+  [[nodiscard]] std::vector<FaceLoad> face_loads() const;
 
   [[nodiscard]] int systems() const;  ///< that were solved
   [[nodiscard]] int elements() const;

@@ -43,41 +43,30 @@ fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
 template <class Path, class Contact>
 struct Nip {
   Contact contact;
-  std::optional<std::vector<typename Path::Stresses>> stresses = {};
+  InnerFields<Path> fields = {};
   std::optional<typename Path::Greatest> greatest = {};
 
-  const auto& stresses_at(const Places& places) {
-    if (!stresses) {
-      std::vector<typename Path::Point> points;
-      for (const Place& place : places) points.push_back({place.y, place.depth});
-      stresses = contact.inner_stresses(points);
-    }
-    return *stresses;
-  }
   const auto& greatest_shear() {
     if (!greatest) greatest = contact.greatest_shear();
     return *greatest;
+  }
+  void forget() {
+    fields.forget();
+    greatest.reset();
   }
 };
 
 template <class Path, class Contact>
 void set_inside(SolvedContact<typename Path::Number>& solved,
                 const std::shared_ptr<Nip<Path, Contact>>& nip) {
-  using Stresses = typename Path::Stresses;
   using Number = typename Path::Number;
-  const auto field = [&](ResultId id, auto part) {
-    solved.set(id, [nip, part](const Places& places) {
-      std::vector<Number> numbers;
-      for (const Stresses& here : nip->stresses_at(places)) numbers.push_back(std::invoke(part, here));
-      return numbers;
-    });
-  };
-  field(ResultId::stress_across, &Stresses::across);
-  field(ResultId::stress_along, &Stresses::along);
-  field(ResultId::stress_shear, &Stresses::shear);
-  field(ResultId::highest_stress, &Stresses::highest);
-  field(ResultId::lowest_stress, &Stresses::lowest);
-  field(ResultId::maximum_shear, &Stresses::maximum_shear);
+  using Points = typename InnerFields<Path>::Points;
+  Contact* const contact = &nip->contact;
+  nip->fields.stresses_of = [contact](Points points) { return contact->inner_stresses(points); };
+  if constexpr (requires(Contact & any, Points points) { any.inner_displacements(points); })
+    nip->fields.displacements_of = [contact](Points points) { return contact->inner_displacements(points); };
+  set_inner_fields<Path>([&](ResultId id, auto function) { solved.set(id, function); },
+                         std::shared_ptr<InnerFields<Path>>(nip, &nip->fields));
   solved.set(ResultId::greatest_shear, [nip]() -> Number { return nip->greatest_shear().value; });
   solved.set(ResultId::greatest_shear_position, [nip]() -> Number { return nip->greatest_shear().y; });
   solved.set(ResultId::greatest_shear_depth, [nip]() -> Number { return nip->greatest_shear().depth; });
@@ -98,8 +87,7 @@ std::unique_ptr<SolvedContact<typename Path::Number>> converged(const Problem& p
   if constexpr (Path::is_fast) {
     set_moments(*solved);
     solved->solve_again = [nip] {
-      nip->stresses.reset();
-      nip->greatest.reset();
+      nip->forget();
       return nip->contact.refine();
     };
   } else {

@@ -55,9 +55,7 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   }
   if (wants([](const data::SceneResult& one) { return one.shape == data::Shape::field; }))
     inside += static_cast<double>(problem.field->size());
-  if (wants([](const data::SceneResult& one) {
-        return one.needs == data::Needs::inside && one.shape == data::Shape::number;
-      }))
+  if (wants([](const data::SceneResult& one) { return one.needs == data::Needs::inside_all; }))
     inside += searched;
   // With full friction there are pressure and shear, both complex.
   const double grip_factor = has_full_friction(problem) ? 3 : 1;

@@ -9,10 +9,12 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/nip/line_load_field.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -24,6 +26,24 @@ constexpr double truth_accuracy = 1e-5;
 /// The error of line loads is their distance to the truth, whose own error is added.
 fast::Estimate compared_with(const fast::Estimate& truth, double value) {
   return {value, std::fabs(value - truth.value) + truth.error};
+}
+
+/// The fields of the loads; displacements of an elastic sheet's alone.
+template <class LineLoads, class Problem>
+std::shared_ptr<InnerFields<FastPath>> inside(const std::shared_ptr<LineLoads>& loads,
+                                              const Problem& problem) {
+  using Points = InnerFields<FastPath>::Points;
+  const double half_thickness = problem.nip.half_thickness();
+  auto fields = std::make_shared<InnerFields<FastPath>>();
+  fields->stresses_of = [=](Points points) {
+    return fast::line_load_stresses(loads->face_loads(), half_thickness, points);
+  };
+  if constexpr (std::is_same_v<Problem, data::ElasticNipProblem>) {
+    fields->displacements_of = [=, material = problem.nip.material](Points points) {
+      return fast::line_load_displacements(loads->face_loads(), half_thickness, material, points);
+    };
+  }
+  return fields;
 }
 
 /// The contact of line loads in double, whose functions have the names of the results; each is compared with the same
@@ -42,6 +62,17 @@ SolvedInDouble compared_with_truth(const std::shared_ptr<LineLoads>& loads,
     }
   };
   set_nip_results<LineLoads>(set, [](const LineLoads&) { return 0.0; });
+  set_inner_fields<FastPath>(
+      [&](ResultId id, auto function) {
+        contact->set(id, [=](const Places& places) {
+          std::vector<fast::Estimate> numbers = function(places);
+          const std::vector<fast::Estimate>& truths = truth->get(id, places);
+          for (std::size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = compared_with(truths[i], numbers[i].value);
+          return numbers;
+        });
+      },
+      inside(loads, problem));
   complete_nip(*contact, problem);
   contact->measure = Measure::truth;
   contact->error_work = [truth] { return truth->work(); };
@@ -104,6 +135,16 @@ struct ElasticLineLoads : fast::LineLoadSolution {
     return sum;
   }
   [[nodiscard]] double trailing_moment() const { return -leading_moment(); }
+  [[nodiscard]] std::vector<fast::FaceLoad> face_loads() const {
+    std::vector<fast::FaceLoad> all;
+    for (std::size_t k = 0; k < line_loads.size(); ++k) {
+      const double y = (static_cast<double>(k) + 0.5) * element_width(),
+                   shear = shear_loads.empty() ? 0 : shear_loads[k];
+      all.push_back({y, line_loads[k], shear});
+      all.push_back({-y, line_loads[k], -shear});
+    }
+    return all;
+  }
   [[nodiscard]] double pressure(double y) const { return fast::element_pressure(*this, y); }
   [[nodiscard]] double shear(double y) const { return fast::element_shear(*this, y); }
   [[nodiscard]] double normal_displacement(double y) {
@@ -195,6 +236,11 @@ struct RollingLineLoads : ViscoelasticLineLoads {
   [[nodiscard]] double creep_ratio() const { return fast::creep_ratio(nip, *this, method); }
   [[nodiscard]] double leading_moment() const { return moment(true); }
   [[nodiscard]] double trailing_moment() const { return moment(false); }
+  [[nodiscard]] std::vector<fast::FaceLoad> face_loads() const {
+    std::vector<fast::FaceLoad> all;
+    for (std::size_t j = 0; j < loads.size(); ++j) all.push_back({place_of(j), loads[j], 0});
+    return all;
+  }
   [[nodiscard]] double pressure(double y) const { return fast::element_pressure(*this, y); }
   [[nodiscard]] double normal_displacement(double y) const { return surface.normal_displacement(y); }
   [[nodiscard]] double tangential_displacement(double y) const { return surface.tangential_displacement(y); }

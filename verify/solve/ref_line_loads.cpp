@@ -6,6 +6,7 @@
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -29,6 +30,7 @@ struct RefElasticLineLoads : ref::LineLoadSolution {
     return {lower, upper, chosen};
   }
   [[nodiscard]] std::vector<Enclosure> shear_zeros() const { return ref::shear_borders(*this, digits); }
+  [[nodiscard]] std::vector<ref::FaceLoad> face_loads() const { return ref::face_loads(*this, digits); }
   [[nodiscard]] Enclosure pressure(double y) const { return ref::element_pressure(*this, y, digits); }
   [[nodiscard]] Enclosure shear(double y) const { return ref::element_shear(*this, y, digits); }
   [[nodiscard]] Enclosure normal_displacement(double y) const {
@@ -51,12 +53,32 @@ fast::Work work_of(const RefRollingLineLoads& loads) {
   return work;
 }
 
+/// The fields of the loads; displacements of an elastic sheet's alone.
+template <class LineLoads, class Problem>
+std::shared_ptr<InnerFields<RefPath>> inside(const std::shared_ptr<LineLoads>& loads, const Problem& problem,
+                                             int digits) {
+  using Points = InnerFields<RefPath>::Points;
+  const double half_thickness = problem.nip.half_thickness();
+  auto fields = std::make_shared<InnerFields<RefPath>>();
+  fields->stresses_of = [=](Points points) {
+    return ref::line_load_stresses(loads->face_loads(), half_thickness, points, digits);
+  };
+  if constexpr (std::is_same_v<Problem, data::ElasticNipProblem>) {
+    fields->displacements_of = [=, material = problem.nip.material](Points points) {
+      return ref::line_load_displacements(loads->face_loads(), half_thickness, material, points, digits);
+    };
+  }
+  return fields;
+}
+
 template <class LineLoads>
 SolvedByRef contact_of(LineLoads solution, const auto& problem, int digits) {
   auto contact = std::make_unique<SolvedContact<ref::Estimate>>();
   const auto loads = std::make_shared<LineLoads>(std::move(solution));
   set_nip_results<LineLoads>([&](ResultId id, auto function) { contact->set(id, loads, function); },
                              [digits](const LineLoads&) { return ref::exact_zero(digits); });
+  set_inner_fields<RefPath>([&](ResultId id, auto function) { contact->set(id, function); },
+                            inside(loads, problem, digits));
   complete_nip(*contact, problem);
   contact->measure = Measure::itself;
   contact->work = [loads] { return work_of(*loads); };

@@ -42,13 +42,15 @@ struct NeedsCheck {
           key, result.name,
           "must be left out: it is of line loads with full friction; a converged contact has one creep");
     }
-    if (result.needs == Needs::inside && !std::holds_alternative<ConvergedMethod>(problem.method)) {
+    if (result.needs == Needs::inside_all && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(key, result.name,
-                    "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
+                    "must be left out: at line loads stresses have no bound; it is one of method.kind = "
+                    "\"converged\"");
     }
+    if (result.needs == Needs::inside_elastic) check_displaced(problem);
     if (result.shape == Shape::field && !problem.field) {
       origin.refuse("field", "(missing)",
-                    "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
+                    "must say where results inside the sheet are wanted: positions = [...], depths = [...]");
     }
     if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(
@@ -56,6 +58,21 @@ struct NeedsCheck {
           "must be left out: between line loads the surface is stretched as under none, and at them "
           "without bound; it is one of method.kind = \"converged\"");
     }
+  }
+  /// For displacements inside the sheet.
+  void check_displaced(const ElasticNipProblem& problem) const {
+    const auto* const loads = std::get_if<LineLoads>(&problem.method);
+    if (loads == nullptr || loads->residue_terms == 0) return;
+    origin.refuse(
+        key, result.name,
+        "must be left out with method.residue_terms: at the faces displacements are these sums, inside "
+        "the sheet those of the kernels themselves");
+  }
+  void check_displaced(const ViscoelasticNipProblem&) const {
+    origin.refuse(
+        key, result.name,
+        "must be left out: inside a sheet that rolls each depth remembers its own strains, of which only "
+        "those of the faces are computed; without rolling.speed an elastic sheet has it");
   }
 };
 

@@ -39,6 +39,15 @@ std::pair<double, double> peak_and_error(const SolvedNip& nip) {
   return {peak, error};
 }
 
+/// A bound for the integral of the magnitude of a kernel of internal::FromFace over a contact: at any depth and any Poisson's
+/// ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet at most 0.8.
+double reach_of_displacements(double half_length) {
+  const double a = std::min(half_length, 1.0);
+  return std::min(0.8, 2 / std::numbers::pi * a * (2 - std::log(a)));
+}
+/// A kernel is the sum of some eight parts of its size, each with eight roundings.
+constexpr double rounding_of_displacements = 64 * 0x1p-53;
+
 }  // namespace
 
 ContactField::ContactField(const SolvedNip& nip, bool is_symmetric, double middle, double ends)
@@ -73,6 +82,28 @@ std::vector<InnerStresses> ContactField::at(const std::vector<SheetPoint>& place
   for (std::size_t i = 0; i < places.size(); ++i) {
     const double error = error_at(moved[i], places.size() > few);
     result.push_back({{stresses[i].across, error}, {stresses[i].along, error}, {stresses[i].shear, error}});
+  }
+  return result;
+}
+
+std::vector<InnerDisplacements> ContactField::from_face(const std::vector<SheetPoint>& places,
+                                                        const internal::Shares& share) const {
+  std::vector<InnerDisplacements> result;
+  for (const SheetPoint& place : places) {
+    if (std::fabs(place.depth) == 1) {
+      result.push_back({{0, 0}, {0, 0}});
+      continue;
+    }
+    const SheetPoint moved{place.alpha - middle_, place.depth};
+    const auto [u, v] = field_.from_face(moved, share);
+    const double unsure = ends_ + 4e-16 * (half_length_ + std::fabs(moved.alpha));
+    const double wrong = traction_error_ + rounding_of_displacements * peak_;
+    const double error =
+        8 * peak_ * std::min(unsure, half_length_) + reach_of_displacements(half_length_) * wrong;
+    const bool is_middle = place.depth == 0;
+    const bool is_odd = is_symmetric_ && place.alpha == 0;
+    result.push_back(
+        {is_middle ? Estimate{0, 0} : Estimate{u, error}, is_odd ? Estimate{0, 0} : Estimate{v, error}});
   }
   return result;
 }
@@ -122,6 +153,19 @@ SheetPoint checked_point(const InnerPoint& point, double unit) {
   if (!(std::fabs(point.depth) <= 1))
     throw data::BadInput("depth", point.depth, "must satisfy -1 <= depth <= 1");
   return {point.y / unit, point.depth};
+}
+
+InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
+                               const InnerDisplacements& beyond) {
+  const auto sum = [&](double share, const Estimate& of_face, const Estimate& rest) -> Estimate {
+    if (share == 0) return rest;
+    if (rest.error == 0) return share * of_face;
+    const Estimate more = times(unit, rest);
+    const double value = share * of_face.value + more.value;
+    return {value, share * of_face.error + more.error +
+                       0x1p-53 * (std::fabs(value) + share * std::fabs(of_face.value))};
+  };
+  return {sum(std::fabs(depth), face.across, beyond.across), sum(1, face.along, beyond.along)};
 }
 
 InnerStresses in_unit(double unit, const InnerStresses& s) {

@@ -16,6 +16,11 @@ namespace nipref::fast {
 /// most 4/pi (their magnitudes), and Hilbert's transform, which gives the stress along a face by the shear, of a
 /// polynomial of less than 40 terms is below 4 times its maximum (2/pi times the logarithm of the terms and 1). Ends
 /// that are not where they should be change the tractions like the slope of a square root. And the field rounds.
+///
+/// Displacements are counted from those of the face at the same Y, see internal::FromFace. What a wrong traction adds to them
+/// is at most its error times the integral of the kernels' magnitudes over the contact, see reach_of_displacements. A wrong
+/// place, of the ends or of the point, adds its error times their slope along the sheet, which is a strain: 4 times the
+/// tractions at most, and 4 times at the face.
 class ContactField {
  public:
   /// middle: of the contact, from the origin of places. ends: error of the places of the ends. is_symmetric: the pressure
@@ -24,6 +29,10 @@ class ContactField {
 
   /// The stresses at each place.
   [[nodiscard]] std::vector<InnerStresses> at(const std::vector<SheetPoint>& places) const;
+  /// The displacements at each place beyond the shares of the face's, 1 of v and |depth| of u: over theta1 + theta2, of which
+  /// `share` has the parts.
+  [[nodiscard]] std::vector<InnerDisplacements> from_face(const std::vector<SheetPoint>& places,
+                                                          const internal::Shares& share) const;
   /// The largest shear and its place, by a grid that scales with the contact and is finer at its ends, then by ever smaller
   /// steps around the best place. In a symmetric contact only y >= 0 is searched.
   [[nodiscard]] GreatestShear greatest() const;
@@ -39,6 +48,10 @@ class ContactField {
 
 /// BadInput unless y is finite and the depth from -1 to 1.
 SheetPoint checked_point(const InnerPoint& point, double unit);
+
+/// The displacements at a depth from those of the face and what ContactField::from_face has beyond them, in `unit`.
+InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
+                               const InnerDisplacements& beyond);
 
 InnerStresses in_unit(double unit, const InnerStresses& stresses);
 

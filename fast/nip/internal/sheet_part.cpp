@@ -190,6 +190,24 @@ SheetStresses SheetPart::at(double alpha, double depth) const {
   return sum;
 }
 
+internal::FromFace SheetPart::from_face(double alpha, double depth, const internal::Shares& share) const {
+  const internal::DisplacementsFromFace there(depth, share);
+  const ContactBlocks::Range seen = near(alpha);
+  internal::FromFace sum{};
+  const auto add = [&](double pressure, const internal::FromFace& normal, double traction,
+                       const internal::FromFace& shear) {
+    sum.u += pressure * normal.u + traction * shear.u;
+    sum.v += pressure * normal.v + traction * shear.v;
+  };
+  for (const Node& node : nodes_of(seen)) {
+    const internal::FromFaceBeside one = there.beside(alpha - node.alpha);
+    add(node.pressure, one.normal, node.shear, one.shear);
+  }
+  if (const auto loads = to_the_left(seen, alpha)) add(1, there.far(*loads, 1), 0, {});
+  if (const auto loads = to_the_right(seen, alpha)) add(1, there.far(*loads, -1), 0, {});
+  return sum;
+}
+
 /// A cell is as long as the largest number of inner blocks that fit into a half-thickness, so that the series of a
 /// block depends only on its distance from the cell.
 SheetPartInCells::SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks)

@@ -73,6 +73,8 @@ class SheetPart {
   /// The blocks that are near to alpha.
   [[nodiscard]] ContactBlocks::Range near(double alpha) const;
   [[nodiscard]] SheetStresses at(double alpha, double depth) const;
+  /// The same of the displacements from the face at a depth of 0 to 1.
+  [[nodiscard]] internal::FromFace from_face(double alpha, double depth, const internal::Shares& share) const;
   [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
   /// The residues' coefficients of the loads beyond `near`, for places about alpha.
   [[nodiscard]] std::optional<internal::FarLoads> to_the_left(const ContactBlocks::Range& near,

@@ -53,7 +53,7 @@ std::array<std::complex<double>, order> second_kind(std::complex<double> z, std:
     }
     return q;
   }
-  const int start = static_cast<int>(order) + static_cast<int>(std::ceil(18 / std::log(fall)));
+  const int start = static_cast<int>(order) - 1 + static_cast<int>(std::ceil(18 / std::log(fall)));
   Complex above = 0, here = 1e-200;
   for (int k = start; k > 0; --k) {
     const double n = k;
@@ -195,7 +195,8 @@ void TractionField::add(const SampledPanel& panel, Side& side) {
 }
 
 void TractionField::add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
-                             Cauchy& sum) const {
+                             Wanted wanted, Cauchy& sum) const {
+  const bool slopes = wanted == Wanted::slopes;
   const Side& side = sides_[right ? 1 : 0];
   const auto [begin, end_panel] = panels_of(right, near);
   const double half_length = blocks_.half_length();
@@ -211,11 +212,18 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     const Complex inverse = 1.0 / from_end, ratio = turn * end * inverse;
     Complex power = inverse;
     for (std::size_t m = 0; m < moment_count; ++m, power *= ratio) {
-      const Complex slope = (static_cast<double>(m) + 1) * power * inverse;
+      const auto n = static_cast<double>(m);
       sum.pressure += moments.pressure[m] * power;
       sum.shear += moments.shear[m] * power;
-      sum.pressure_slope += moments.pressure[m] * slope;
-      sum.shear_slope += moments.shear[m] * slope;
+      if (slopes) {
+        const Complex slope = (n + 1) * power * inverse;
+        sum.pressure_slope += moments.pressure[m] * slope;
+        sum.shear_slope += moments.shear[m] * slope;
+      } else {
+        const Complex logarithm = m == 0 ? std::log(from_end) : -power * from_end / n;
+        sum.pressure_log += moments.pressure[m] * logarithm;
+        sum.shear_log += moments.shear[m] * logarithm;
+      }
     }
   }
   for (std::size_t i = first; i < end_panel; ++i) {
@@ -239,6 +247,11 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
         imag[2] += panel.shear[j] * im;
         real[3] += panel.shear[j] * re2;
         imag[3] += panel.shear[j] * im2;
+        if (!slopes) {
+          const Complex logarithm = half * std::log(half * Complex(x, y));
+          sum.pressure_log += panel.pressure[j] * logarithm;
+          sum.shear_log += panel.shear[j] * logarithm;
+        }
       }
       sum.pressure += Complex(real[0], imag[0]);
       sum.pressure_slope += Complex(real[1], imag[1]) / half;
@@ -252,15 +265,25 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     Complex from_right = from_break(right ? panel.left : panel.right);
     if (from_left == 0.0) from_left = {0, beside_break};
     if (from_right == 0.0) from_right = {0, beside_break};
-    const auto q = second_kind<order>(z, from_left / half, from_right / half);
+    const Complex from_minus_1 = from_left / half, from_1 = from_right / half;
+    const auto q = second_kind<order + 1>(z, from_minus_1, from_1);
     const Complex over = half / from_left * (half / from_right);
     for (std::size_t k = 0; k < order; ++k) {
       const auto n = static_cast<double>(k);
+      sum.pressure += panel.pressure_series[k] * 2.0 * q[k];
+      sum.shear += panel.shear_series[k] * 2.0 * q[k];
+      if (!slopes) {
+        // The integral of P_k(t) ln(half (z - t)), by parts with (2k + 1) P_k = P_(k+1)' - P_(k-1)'.
+        const Complex logarithm =
+            half * (k == 0 ? from_minus_1 * std::log(from_left) - from_1 * std::log(from_right) - 2.0
+                           : 2.0 / (2 * n + 1) * (q[k + 1] - q[k - 1]));
+        sum.pressure_log += panel.pressure_series[k] * logarithm;
+        sum.shear_log += panel.shear_series[k] * logarithm;
+        continue;
+      }
       // -Q_k'
       const Complex slope = (k == 0 ? Complex(1) : n * (q[k - 1] - z * q[k])) * over * (2 / half);
-      sum.pressure += panel.pressure_series[k] * 2.0 * q[k];
       sum.pressure_slope += panel.pressure_series[k] * slope;
-      sum.shear += panel.shear_series[k] * 2.0 * q[k];
       sum.shear_slope += panel.shear_series[k] * slope;
     }
   }
@@ -280,13 +303,44 @@ SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const
   for (const double face : {1.0, -1.0}) {
     const double d = 1 - face * place.depth;
     Cauchy f{};
-    for (const bool right : {false, true}) add_side(right, near, place.alpha, d, f);
+    for (const bool right : {false, true}) add_side(right, near, place.alpha, d, Wanted::slopes, f);
     const Complex p = d * f.pressure_slope, q = d * f.shear_slope;
     sum = sum + SheetStresses{(f.pressure.imag() + p.real() + q.imag()) / pi,
                               (f.pressure.imag() - p.real() - 2 * f.shear.real() - q.imag()) / pi,
                               face * (q.real() - f.shear.imag() - p.imag()) / pi};
   }
   return sum;
+}
+
+/// Line loads p and q at the distance a along the sheet, r^2 = a^2 + d^2, displace each face's half-plane by
+///     pi u = p (ln r - t1 d^2/r^2) - q (t2 theta + t1 a d/r^2), towards that face
+///     pi v = p (t1 a d/r^2 - t2 theta) - q (ln r + t1 d^2/r^2)
+/// with ln r + i (pi/2 - theta) = ln(a + i d), where pi/2 is left out, as it cancels between depths.
+internal::FromFace TractionField::half_planes_displaced(const ContactBlocks::Range& near, double alpha,
+                                                        double depth, const internal::Shares& share) const {
+  const auto [t1, t2] = share;
+  internal::FromFace sum{};
+  for (const double face : {1.0, -1.0}) {
+    const double d = 1 - face * depth;
+    Cauchy f{};
+    for (const bool right : {false, true}) add_side(right, near, alpha, d, Wanted::logarithms, f);
+    const Complex p = t1 * d * f.pressure, q = t1 * d * f.shear;
+    sum.u += face * (f.pressure_log.real() + p.imag() + t2 * f.shear_log.imag() - q.real()) / pi;
+    sum.v += (t2 * f.pressure_log.imag() + p.real() - f.shear_log.real() + q.imag()) / pi;
+  }
+  return sum;
+}
+
+internal::FromFace TractionField::from_face(const SheetPoint& place, const internal::Shares& share) const {
+  const double s = std::fabs(place.depth);
+  if (s == 1) return {0, 0};
+  const auto [at, turned] = folded(place);
+  const ContactBlocks::Range near = sheet_part_.near(at.alpha);
+  const internal::FromFace here = half_planes_displaced(near, at.alpha, s, share),
+                           face = half_planes_displaced(near, at.alpha, 1, share),
+                           rest = sheet_part_.from_face(at.alpha, s, share);
+  const double v = here.v - face.v + rest.v;
+  return {-(here.u - s * face.u + rest.u), turned ? -v : v};
 }
 
 SheetStresses TractionField::at(const SheetPoint& place) const {

@@ -34,6 +34,9 @@ class TractionField {
   [[nodiscard]] SheetStresses at(const SheetPoint& place) const;
   /// The same at many places.
   [[nodiscard]] std::vector<SheetStresses> at(std::span<const SheetPoint> places) const;
+  /// What the displacements have at a place beyond those of the face there, see internal::FromFace, in the tractions' unit
+  /// times theta1 + theta2; u towards the middle plane.
+  [[nodiscard]] internal::FromFace from_face(const SheetPoint& place, const internal::Shares& share) const;
   /// An estimate of the rounding over the largest traction, for a single place or for one of many. It is larger than
   /// what was found at random places of contacts of all lengths. Most rounding is that of sums of values of both signs
   /// and of the sum of the shears along the contact.
@@ -64,10 +67,12 @@ class TractionField {
     std::vector<std::size_t> first_of_block;  ///< from the contact's end on, and the number of panels
     double unresolved = 0;
   };
-  /// int p/(Z - y) dy, int p/(Z - y)^2 dy and the same of the shear.
+  /// int p/(Z - y) dy, int p/(Z - y)^2 dy, int p ln(Z - y) dy and the same of the shear; logarithms or slopes where they are
+  /// asked for.
   struct Cauchy {
-    Complex pressure, pressure_slope, shear, shear_slope;
+    Complex pressure, pressure_slope, pressure_log, shear, shear_slope, shear_log;
   };
+  enum class Wanted { slopes, logarithms };
   [[nodiscard]] std::vector<Side> make_sides(const FaceTractions& traction) const;  ///< left, right
   [[nodiscard]] Side make_side(bool right, const FaceTractions& traction) const;
   static void add_resolved(bool right, const SampledPanel& panel, const FaceTractions& traction,
@@ -77,12 +82,15 @@ class TractionField {
                                             const FaceTractions& traction);
   [[nodiscard]] static Side mirrored(const Side& right);
   [[nodiscard]] std::vector<LoadOnFace> loads_of(bool right, std::size_t block) const;
-  void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
+  void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance, Wanted wanted,
                 Cauchy& sum) const;
   /// The range of one side's panels, counted from its end, in the blocks.
   [[nodiscard]] std::pair<std::size_t, std::size_t> panels_of(bool right,
                                                               const ContactBlocks::Range& blocks) const;
   [[nodiscard]] SheetStresses half_planes(const ContactBlocks::Range& near, const SheetPoint& place) const;
+
+  [[nodiscard]] internal::FromFace half_planes_displaced(const ContactBlocks::Range& near, double alpha,
+                                                         double depth, const internal::Shares& share) const;
 
   /// The place itself or, if the tractions are symmetric, its mirror image at alpha >= 0; and whether the shear stress
   /// there has the opposite sign.

@@ -45,6 +45,33 @@ class StressesAtDepth {
   AcrossWaves waves_;
 };
 
+/// What the displacements u along +x and v along +y, over theta1 + theta2, have at a depth 0 <= s <= 1 beyond s times u
+/// and once v of the face at the same alpha. It decays like the stresses: what loads displace far away is a shift along the
+/// sheet and a uniform strain.
+struct FromFace {
+  double u, v;
+};
+struct FromFaceBeside {
+  FromFace normal, shear;
+};
+/// theta1 and theta2 over their sum.
+struct Shares {
+  double theta1, theta2;
+};
+class DisplacementsFromFace {
+ public:
+  DisplacementsFromFace(double depth, const Shares& share);
+  /// Less that of both half-planes, for any finite alpha, see StressesBeside.
+  [[nodiscard]] FromFaceBeside beside(double alpha) const;
+  /// Of far loads, see StressesAtDepth.
+  [[nodiscard]] FromFace far(const FarLoads& loads, double side) const;
+
+ private:
+  double depth_;
+  Shares share_;
+  AcrossWaves waves_, of_face_;
+};
+
 /// The half-planes' contributions to the parts of u and v, in terms of the kernels; see field_functions.hpp.
 struct HalfPlaneParts {
   double first, second;  ///< the factors of theta2/N (or 1) and of theta1/N

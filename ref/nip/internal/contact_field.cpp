@@ -49,6 +49,19 @@ InnerStresses ContactField::at(const SheetPoint& point, bool symmetric, const Fl
           no_shear ? Estimate(exact_zero(digits_)) : estimated(value.shear)};
 }
 
+InnerDisplacements ContactField::displacements_at(const SheetPoint& point, const FloatShares& share,
+                                                  const Float& uncertain, const Float& unit) const {
+  const FloatDisplacements value = fine_.displacements(point.alpha, point.depth, share),
+                           other = coarse_.displacements(point.alpha, point.depth, share);
+  const auto estimated = [&](const Float& x, const Float& y, bool is_zero) -> Estimate {
+    if (is_zero) return exact_zero(digits_);
+    return {unit * x, unit * (2 * abs(x - y) + uncertain), digits_};
+  };
+  const int inwards = point.depth < 0 ? 1 : -1;
+  return {estimated(inwards * value.across, inwards * other.across, point.depth == 0),
+          estimated(value.along, other.along, point.alpha == 0)};
+}
+
 /// The distance over which the field is smooth: to the nearer end, but at most half the contact or half the sheet.
 Float ContactField::smooth_radius(const SheetPoint& point) const {
   const Float to_end = hypot(half_length_ - abs(point.alpha - middle_), 1 - point.depth);

@@ -32,6 +32,10 @@ class ContactField {
   /// The stresses at a point, times the unit of stress. `symmetric`: the pressure is even and the shear odd about
   /// alpha = 0.
   [[nodiscard]] InnerStresses at(const SheetPoint& point, bool symmetric, const Float& unit) const;
+  /// The displacements of an elastic contact, whose pressure is even and whose shear odd about alpha = 0, times their unit.
+  /// The error is twice the difference, plus `uncertain`.
+  [[nodiscard]] InnerDisplacements displacements_at(const SheetPoint& point, const FloatShares& share,
+                                                    const Float& uncertain, const Float& unit) const;
   /// The maximum is located by samples whose spacing scales with the contact, by a search around the best sample, and
   /// by Newton's method for the zero of the gradient, which is computed by differences. `length` is the unit of
   /// length.

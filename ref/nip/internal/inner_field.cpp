@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include <nipref/ref/nip/internal/inner_field.hpp>
@@ -64,6 +65,28 @@ class Substitution {
   Float scale_, first_, last_, span_;
 };
 
+Float largest_change(const FloatStresses& a, const FloatStresses& b) {
+  return std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)});
+}
+Float largest_change(const FloatDisplacements& a, const FloatDisplacements& b) {
+  return std::max(abs(a.across - b.across), abs(a.along - b.along));
+}
+FloatStresses times(const Float& factor, const FloatStresses& s) {
+  return {factor * s.across, factor * s.along, factor * s.shear};
+}
+FloatDisplacements times(const Float& factor, const FloatDisplacements& u) {
+  return {factor * u.across, factor * u.along};
+}
+void add(const FloatStresses& more, FloatStresses& sum) {
+  sum.across += more.across;
+  sum.along += more.along;
+  sum.shear += more.shear;
+}
+void add(const FloatDisplacements& more, FloatDisplacements& sum) {
+  sum.across += more.across;
+  sum.along += more.along;
+}
+
 /// The sign of u = alpha - alpha' for a traction on the left or the right of the point.
 enum Side { left_of_point = 1, right_of_point = -1 };
 
@@ -74,7 +97,18 @@ struct InnerField::FacePoint {
   Float distance;               ///< d >= 0
   int face;                     ///< x = 1 or -1
   bool is_inside;
+  FloatShares shares;
 
+  /// Adds half of pi times the displacements of a traction at |alpha - alpha'| = `gap`, times a weight.
+  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
+           FloatDisplacements& sum) const {
+    const Float u = side == left_of_point ? gap : -gap;
+    const Float square = u * u + distance * distance, part = shares.theta1 * distance / square;
+    const Float logarithm = log(square) / 2, angle = shares.theta2 * atan2(u, distance), half = weight / 2;
+    sum.across +=
+        face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
+    sum.along += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
+  }
   /// Adds the stresses of a traction at |alpha - alpha'| = `gap`, times a weight.
   void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
            FloatStresses& sum) const {
@@ -120,9 +154,13 @@ const std::vector<InnerField::UnitNode>& InnerField::level(int number) const {
 }
 
 /// Adds the integral over a segment, with finer and finer levels until it has converged.
-void InnerField::add_segment(const Segment& segment, const FacePoint& point, FloatStresses& sum) const {
-  const Float enough = fineness_.scale * pow(Float(10), -fineness_.digits);
-  FloatStresses total, before;
+template <class Field>
+void InnerField::add_segment(const Segment& segment, const FacePoint& point, Field& sum) const {
+  // Displacements are smaller than tractions under a short contact.
+  constexpr bool is_displacement = std::is_same_v<Field, FloatDisplacements>;
+  const Float scale = is_displacement ? std::min(Float(1), half_length_) : Float(1);
+  const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits);
+  Field total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitNode& node : level(number)) {
       const Substitution::Point at = segment.range.at(node.from_left, node.from_right);
@@ -139,44 +177,44 @@ void InnerField::add_segment(const Segment& segment, const FacePoint& point, Flo
       }
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
-    const FloatStresses now{factor * total.across, factor * total.along, factor * total.shear};
-    const Float change = std::max(
-        {abs(now.across - before.across), abs(now.along - before.along), abs(now.shear - before.shear)});
+    const Field now = times(factor, total);
+    const Float change = largest_change(now, before);
     before = now;
     if (number >= first_judged_level && change <= enough) break;
   }
-  sum.across += before.across;
-  sum.along += before.along;
-  sum.shear += before.shear;
+  ref::add(before, sum);
 }
 
-FloatStresses InnerField::half_plane(const Float& alpha, const Float& depth, int face) const {
+InnerField::FacePoint InnerField::face_point(const Float& alpha, const Float& depth, int face,
+                                             const FloatShares& share) const {
   const Float from_middle = alpha - middle_;
-  FacePoint point{half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false};
+  return {half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false, share};
+}
+
+template <class Field>
+void InnerField::add_half_plane(FacePoint point, Field& sum) const {
   const Float near = std::min(point.from_left, point.from_right),
               far = std::max(point.from_left, point.from_right);
   const bool more_right = point.from_right > point.from_left;
   point.is_inside = near >= 0;
-  FloatStresses sum;
   const Float size = abs(near);
   const Float scale = point.distance > 0 ? point.distance : size > 0 ? size : far;
   if (!point.is_inside) {
     add_segment({Substitution(size, far - size, scale), !more_right, more_right, 0, 0}, point, sum);
-    return sum;
+    return;
   }
   if (near > 0) {
     add_segment({Substitution(0, near, scale), true, true, point.from_left - near, point.from_right - near},
                 point, sum);
-    if (point.distance == 0) {
-      const FaceTraction here = tractions_(point.from_left, point.from_right);
-      sum.across -= here.pressure;
-      sum.along -= here.pressure;
-      sum.shear += face * here.shear;
+    if constexpr (std::is_same_v<Field, FloatStresses>) {
+      if (point.distance == 0) {
+        const FaceTraction here = tractions_(point.from_left, point.from_right);
+        ref::add({-here.pressure, -here.pressure, point.face * here.shear}, sum);
+      }
     }
   }
   if (far > near)
     add_segment({Substitution(near, far - near, scale), !more_right, more_right, 0, 0}, point, sum);
-  return sum;
 }
 
 /// The tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x) and |Im
@@ -234,42 +272,79 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
   return made;
 }
 
+/// The tractions' transforms with cos and sin of z (alpha - alpha').
+struct InnerField::Transforms {
+  Float p_even, p_odd, q_even, q_odd;
+
+  Transforms(const Wave& wave, const Float& from_middle) {
+    const SineAndCosine at(wave.z * from_middle);
+    const FaceTraction &c = wave.cosine, &i = wave.sine;
+    p_even = at.cosine * c.pressure + at.sine * i.pressure;
+    p_odd = at.sine * c.pressure - at.cosine * i.pressure;
+    q_even = at.cosine * c.shear + at.sine * i.shear;
+    q_odd = at.sine * c.shear - at.cosine * i.shear;
+  }
+};
+
+/// What depends on the depth s: cosh sz, sinh sz, and e^-zd of both half-planes, d = 1 - s and 1 + s, as sum and difference,
+/// and times zd.
+struct InnerField::Across {
+  Float C, S, even, odd, z_even, z_odd;
+
+  Across(const Wave& wave, const Float& s) {
+    const Float growth = exp(s * wave.z), inverse = 1 / growth;
+    C = (growth + inverse) / 2, S = (growth - inverse) / 2;
+    const Float near = wave.fall * growth, far = wave.fall * inverse;
+    const Float z_near = wave.z * (1 - s) * near, z_far = wave.z * (1 + s) * far;
+    even = near + far, odd = near - far, z_even = z_near + z_far, z_odd = z_near - z_far;
+  }
+};
+
 void InnerField::add_sheet_rest(const Float& alpha, const Float& s, FloatStresses& sum) const {
-  const Float from_middle = alpha - middle_;
-  const Float upper = 1 - s, lower = 1 + s;
   for (const Wave& wave : waves(alpha)) {
     const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
-    const Float growth = exp(s * z), inverse = 1 / growth;
-    const Float C = (growth + inverse) / 2, S = (growth - inverse) / 2;
-    // The half-planes of both faces.
-    const Float near = wave.fall * growth, far = wave.fall * inverse;
-    const Float z_near = z * upper * near, z_far = z * lower * far;
-    const Float even = near + far, odd = near - far, z_even = z_near + z_far, z_odd = z_near - z_far;
-    const Float zaC = z * a * C, zbC = z * b * C, szaS = s * z * a * S, szbS = s * z * b * S;
-    const Float zaS = z * a * S, zbS = z * b * S, szaC = s * zaC, szbC = s * zbC;
+    const Across at(wave, s);
+    const Float zaC = z * a * at.C, zbC = z * b * at.C, szaS = s * z * a * at.S, szbS = s * z * b * at.S;
+    const Float zaS = z * a * at.S, zbS = z * b * at.S, szaC = s * zaC, szbC = s * zbC;
+    const Transforms of(wave, alpha - middle_);
+    sum.across += wave.weight * ((at.even + at.z_even - a * at.C - zbC + szaS) * of.p_even +
+                                 (at.z_even - zaC + szbS) * of.q_odd);
+    sum.along += wave.weight * ((zbC - a * at.C - szaS + at.even - at.z_even) * of.p_even +
+                                (zaC - 2 * (b * at.C) - szbS + 2 * at.even - at.z_even) * of.q_odd);
+    sum.shear += wave.weight * ((zbS - szaC - at.z_odd) * of.p_odd +
+                                (b * at.S - zaS + szbC - at.odd + at.z_odd) * of.q_even);
+  }
+}
 
-    const SineAndCosine at(z * from_middle);
-    const FaceTraction &c = wave.cosine, &i = wave.sine;
-    const Float p_even = at.cosine * c.pressure + at.sine * i.pressure;
-    const Float p_odd = at.sine * c.pressure - at.cosine * i.pressure;
-    const Float q_even = at.cosine * c.shear + at.sine * i.shear;
-    const Float q_odd = at.sine * c.shear - at.cosine * i.shear;
-
+void InnerField::add_sheet_rest(const Float& alpha, const Float& s, const FloatShares& share,
+                                FloatDisplacements& sum) const {
+  const auto& [t1, t2] = share;
+  for (const Wave& wave : waves(alpha)) {
+    const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
+    const Across at(wave, s);
+    const Transforms of(wave, alpha - middle_);
+    const Float over = wave.weight / z, t1z = t1 * z;
     sum.across +=
-        wave.weight * ((even + z_even - a * C - zbC + szaS) * p_even + (z_even - zaC + szbS) * q_odd);
-    sum.along += wave.weight * ((zbC - a * C - szaS + even - z_even) * p_even +
-                                (zaC - 2 * (b * C) - szbS + 2 * even - z_even) * q_odd);
-    sum.shear += wave.weight * ((zbS - szaC - z_odd) * p_odd + (b * S - zaS + szbC - odd + z_odd) * q_even);
+        over * ((at.odd - a * at.S + t1 * at.z_odd - t1z * (b * at.S - s * a * at.C)) * of.p_even +
+                (t2 * (at.odd - b * at.S) + t1 * at.z_odd - t1z * (a * at.S - s * b * at.C)) * of.q_odd);
+    sum.along +=
+        over * ((t2 * (at.even - a * at.C) - t1 * at.z_even + t1z * (b * at.C - s * a * at.S)) * of.p_odd +
+                (b * at.C - at.even + t1 * at.z_even - t1z * (a * at.C - s * b * at.S)) * of.q_even);
   }
 }
 
 FloatStresses InnerField::at(const Float& alpha, const Float& depth) const {
-  FloatStresses sum = half_plane(alpha, depth, 1);
-  const FloatStresses lower = half_plane(alpha, depth, -1);
-  sum.across += lower.across;
-  sum.along += lower.along;
-  sum.shear += lower.shear;
+  FloatStresses sum;
+  for (const int face : {1, -1}) add_half_plane(face_point(alpha, depth, face, {}), sum);
   add_sheet_rest(alpha, depth, sum);
+  return sum;
+}
+
+FloatDisplacements InnerField::displacements(const Float& alpha, const Float& depth,
+                                             const FloatShares& share) const {
+  FloatDisplacements sum;
+  for (const int face : {1, -1}) add_half_plane(face_point(alpha, depth, face, share), sum);
+  add_sheet_rest(alpha, depth, share, sum);
   return sum;
 }
 

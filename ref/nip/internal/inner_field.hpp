@@ -18,6 +18,16 @@ struct FloatStresses {
   Float across, along, shear;
 };
 
+/// theta1 and theta2 over their sum N.
+struct FloatShares {
+  Float theta1, theta2;
+};
+
+/// u across the sheet along +x, v along it, over N and in the tractions' unit.
+struct FloatDisplacements {
+  Float across, along;
+};
+
 /// The accuracy of a field: the error of its stresses is about 10^-digits of `scale`. Fields with a different
 /// `fineness`, 1 or more, have no node in common.
 struct FieldFineness {
@@ -40,6 +50,14 @@ struct FieldFineness {
 /// The rest consists of the sheet's symbols less those of both half-planes, which decrease like z^2 e^(-2z), times
 /// the tractions' Fourier transforms. It is integrated by a Gauss rule in z. Neither part uses the kernels of
 /// sheet/field.hpp.
+///
+/// Displacements likewise. A half-plane's are
+///
+///     pi u = +- int p (ln r - theta1 d^2/r^2) - q (theta2 arctan(u/d) + theta1 d u/r^2) d alpha'
+///     pi v = int p (theta1 d u/r^2 - theta2 arctan(u/d)) - q (ln r + theta1 d^2/r^2) d alpha'
+///
+/// and the rests of their symbols are finite at z = 0 but for that of v under shear, whose pole a shear without resultant
+/// cancels.
 class InnerField {
  public:
   /// Tractions that are 0 at the ends and analytic between them, as functions of the distances from the left and the
@@ -50,6 +68,10 @@ class InnerField {
 
   /// The stresses at a point, -1 <= depth <= 1.
   [[nodiscard]] FloatStresses at(const Float& alpha, const Float& depth) const;
+  /// The displacements there, which vanish at alpha = 0 on the middle plane if the pressure is even and the shear odd. The shear
+  /// must have no resultant.
+  [[nodiscard]] FloatDisplacements displacements(const Float& alpha, const Float& depth,
+                                                 const FloatShares& share) const;
 
  private:
   /// A node of the double exponential rule on (0, 1). Each level has only the nodes that the levels before it lack.
@@ -70,11 +92,20 @@ class InnerField {
     Float z, weight, sinh_part, cosh_part, fall;
     FaceTraction cosine, sine;
   };
+  struct Transforms;
+  struct Across;
 
   [[nodiscard]] const std::vector<UnitNode>& level(int number) const;
-  void add_segment(const Segment& segment, const FacePoint& point, FloatStresses& sum) const;
-  [[nodiscard]] FloatStresses half_plane(const Float& alpha, const Float& depth, int face) const;
+  /// Of stresses or displacements.
+  template <class Field>
+  void add_segment(const Segment& segment, const FacePoint& point, Field& sum) const;
+  template <class Field>
+  void add_half_plane(FacePoint point, Field& sum) const;
+  [[nodiscard]] FacePoint face_point(const Float& alpha, const Float& depth, int face,
+                                     const FloatShares& share) const;
   void add_sheet_rest(const Float& alpha, const Float& depth, FloatStresses& sum) const;
+  void add_sheet_rest(const Float& alpha, const Float& depth, const FloatShares& share,
+                      FloatDisplacements& sum) const;
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 

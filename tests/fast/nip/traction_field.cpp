@@ -169,4 +169,46 @@ TEST_CASE("many places have the field of each, by series or not") {
   }
 }
 
+TEST_CASE(
+    "displacements from the face differ between depths as those of line loads do, near the contact and far") {
+  const data::ElasticMaterial material{1, 0.3};
+  const double theta1 = 1 / (2 * (1 - material.poisson));
+  const internal::Shares share{theta1, 1 - theta1};
+  const GaussRule rule = gauss_legendre(300);
+  for (const double half_length : {0.01, 0.7, 12.5}) {
+    const FaceTractions traction = ellipse(half_length, 0.4);
+    const TractionField field(half_length, true, traction);
+    const auto by_loads = [&](double alpha, double depth) {
+      internal::FromFace sum{};
+      for (const bool right : {false, true}) {
+        for (std::size_t j = 0; j < rule.at.size(); ++j) {
+          const double x = rule.at[j], e = half_length * x * x * x * x;
+          const double weight = 4 * half_length * x * x * x * rule.weight[j];
+          const FaceTraction here = traction(right, e);
+          const double from = alpha - (right ? half_length - e : e - half_length);
+          for (const auto& [load, of] : {std::pair{data::SheetLoad::normal, here.pressure},
+                                         std::pair{data::SheetLoad::shear, here.shear}}) {
+            sum.u -= weight * of * sheet_u(from, depth, load, material.poisson);
+            sum.v += weight * of * sheet_v(from, 0, depth, load, material.poisson);
+          }
+        }
+      }
+      return sum;
+    };
+    for (const double alpha : {0.0, 0.3 * half_length, -half_length, half_length + 0.4, half_length + 3}) {
+      CAPTURE(half_length);
+      CAPTURE(alpha);
+      constexpr double deep = 0.25, other = 0.5;
+      const internal::FromFace here = field.from_face({alpha, deep}, share),
+                               there = field.from_face({alpha, -other}, share);
+      const internal::FromFace loads = by_loads(alpha, deep), others = by_loads(alpha, other);
+      CHECK(std::fabs(here.u / deep - there.u / other - (loads.u / deep - others.u / other)) <
+            1e-13 * (1 + half_length));
+      CHECK(std::fabs(here.v - there.v - (loads.v - others.v)) < 1e-13 * (1 + half_length));
+    }
+    CHECK(field.from_face({0.3, 1}, share).u == 0);
+    CHECK(std::fabs(field.from_face({0.3, 1 - 1e-9}, share).v) < 1e-7);
+  }
+}
+
 TEST_SUITE_END();

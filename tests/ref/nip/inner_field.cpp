@@ -52,7 +52,69 @@ FloatStresses summed(const Float& half_length, const Tractions& tractions, doubl
   return sum;
 }
 
+/// The same with a pressure that is even and a shear that is odd.
+ref::FaceTraction symmetric(const Float& left, const Float& right) {
+  const Float root = sqrt(left * right);
+  return {root, root * (left - right)};
+}
+
+ref::FloatDisplacements displaced(const Float& half_length, double alpha, double depth) {
+  // theta1/N = 1/(2 (1 - poisson)).
+  const ref::Exact poisson(mpq_class(2, 7)), at(depth), zero(0.0);
+  ref::FloatDisplacements sum;
+  const ref::UnitRule rule = ref::gauss_rule(40);
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Float angle = ref::pi() * rule.from_left[i], half = sin(angle / 2), other = cos(angle / 2);
+    const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
+    const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
+    const ref::FaceTraction here = symmetric(left, right);
+    const ref::Exact from = ref::to_exact(alpha + half_length - left);
+    for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
+      const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
+      sum.across += force * ref::at_working_precision(ref::sheet_u(from, at, load, poisson, 20).value);
+      sum.along += force * ref::at_working_precision(ref::sheet_v(from, zero, at, load, poisson, 20).value);
+    }
+  }
+  return sum;
+}
+
 }  // namespace
+
+TEST_CASE("displacements are those of line loads, and their differences the strains of the stresses") {
+  const ref::WorkingDigits working(32);
+  const ref::FloatShares exact{Float(7) / 10, Float(3) / 10};
+  const auto near = [](const Float& a, const Float& b, double error) {
+    CHECK(static_cast<double>(abs(a - b)) < error);
+  };
+  for (const double half_length : {0.25, 1.0}) {
+    const InnerField field(0, half_length, symmetric, {18, 1, 1});
+    for (const double alpha : {0.0, 0.3, -3.5}) {
+      CAPTURE(half_length);
+      CAPTURE(alpha);
+      const double middle = half_length < 1 ? 0.25 : 0.0;  // far enough from the faces for forty loads
+      const ref::FloatDisplacements here = field.displacements(alpha, middle, exact),
+                                    sum = displaced(half_length, alpha, middle);
+      near(here.across, sum.across, 1e-16);
+      near(here.along, sum.along, 1e-16);
+      for (const double depth : {0.25, -0.9, 0.99}) {
+        CAPTURE(depth);
+        const Float step = 1e-6;
+        const auto difference = [&](const Float& along, const Float& across) {
+          const auto after = field.displacements(alpha + along, depth + across, exact),
+                     before = field.displacements(alpha - along, depth - across, exact);
+          return ref::FloatDisplacements{(after.across - before.across) / (2 * step),
+                                         (after.along - before.along) / (2 * step)};
+        };
+        const ref::FloatDisplacements by_x = difference(0, step), by_y = difference(step, 0);
+        const FloatStresses stress = field.at(alpha, depth);
+        const Float mean = (exact.theta1 - exact.theta2) / 2 * (stress.across + stress.along);
+        near(by_x.across, exact.theta1 * stress.across - mean, 1e-8);
+        near(by_y.along, exact.theta1 * stress.along - mean, 1e-8);
+        near(by_x.along + by_y.across, 2 * exact.theta1 * stress.shear, 1e-8);
+      }
+    }
+  }
+}
 
 TEST_CASE("it is the sum of the proven fields of its line loads, pressure and shear, on both sides") {
   const ref::WorkingDigits working(32);

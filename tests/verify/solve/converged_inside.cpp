@@ -14,7 +14,7 @@
 using namespace nipref;
 using fast::Estimate;
 
-TEST_SUITE_BEGIN("stresses inside the sheet of a solved contact");
+TEST_SUITE_BEGIN("stresses and displacements inside the sheet of a solved contact");
 
 namespace {
 
@@ -272,6 +272,123 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
     CAPTURE(data::scene_result(id).name);
     CHECK(covered(fast[id], {std::stod(by_ref[id].value_text()), std::stod(by_ref[id].error_text())}));
   }
+}
+
+TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
+  for (const char* const friction : {"none", "full"}) {
+    for (const char* const thickness : {"0.04", "0.25", "5"}) {
+      CAPTURE(friction);
+      CAPTURE(thickness);
+      data::Scene scene =
+          inside_example("inside-displacements", {{"friction.model", friction},
+                                                  {"sheet.thickness", thickness},
+                                                  {"accuracy", "1e-6"},
+                                                  {"field.positions", "[0, 0.067, -0.2]"},
+                                                  {"field.depths", "[0, 0.5, -0.99999, 1, -1]"}});
+      scene.wanted = {data::ResultId::displacement_across, data::ResultId::displacement_along,
+                      data::ResultId::normal_displacement, data::ResultId::tangential_displacement};
+      problem_of(scene).profile = data::Positions{{0, 0.067, -0.2}};
+      const auto fast = verify::solve(scene);
+      const auto by_ref = verify::solve_by_ref(scene, 16);
+      for (const data::ResultId result : scene.wanted) {
+        CAPTURE(data::scene_result(result).name);
+        const auto values = fast.profile(result);
+        const auto truths = by_ref.profile(result);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          CAPTURE(i);
+          CHECK(covered(values[i], {truths[i].to_double(), std::stod(truths[i].error_text())}));
+        }
+      }
+      for (const auto& [inside, surface] :
+           {std::pair{data::ResultId::displacement_across, data::ResultId::normal_displacement},
+            std::pair{data::ResultId::displacement_along, data::ResultId::tangential_displacement}}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          for (const std::size_t face : {9, 12}) {
+            CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
+            // The reference integrates the field to the face, and by other kernels the surface.
+            const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];
+            CHECK(std::fabs((here - there).to_double()) <= std::stod((here - there).error_text()));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("differences of displacements are the strains of the stresses, next to faces and ends too") {
+  const data::ElasticNip nip{60, 1, {1.45e5, 0.37}};
+  const double theta1 = nip.material.theta1(), theta2 = nip.material.theta2(), b = nip.half_thickness();
+  for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
+    for (const double length : {0.03, 0.6, 4.0}) {
+      const auto contact = fast::converged_for_length(nip, friction, length, 1e-12);
+      const double step = length * 1e-4, strain = contact.peak_pressure().value * theta1;
+      for (const double y : {0.0, 0.3 * length, 0.49 * length, -0.7 * length}) {
+        for (const double inwards : {0.02, 0.3}) {
+          CAPTURE(length);
+          CAPTURE(y);
+          const double depth = 1 - inwards * std::min(length, 1.0), across = step / b;
+          const auto there = contact.inner_displacements(std::vector<fast::InnerPoint>{
+              {y + step, depth}, {y - step, depth}, {y, depth + across}, {y, depth - across}});
+          const auto stress = contact.inner_stresses(std::vector<fast::InnerPoint>{{y, depth}}).front();
+          const double by_y = (there[0].along.value - there[1].along.value) / (2 * step),
+                       by_x = -(there[2].across.value - there[3].across.value) / (2 * step),
+                       turned = (there[2].along.value - there[3].along.value -
+                                 (there[0].across.value - there[1].across.value)) /
+                                (2 * step);
+          const double mean = (theta1 - theta2) / 2 * (stress.across.value + stress.along.value);
+          const double enough = 1e-4 * strain;
+          CHECK(std::fabs(by_x - (theta1 * stress.across.value - mean)) < enough);
+          CHECK(std::fabs(by_y - (theta1 * stress.along.value - mean)) < enough);
+          CHECK(std::fabs(turned - 2 * theta1 * stress.shear.value) < enough);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "line loads have the sum of their fields by both paths, and no displacements where these are not known") {
+  for (const char* const friction : {"none", "full"}) {
+    data::Scene scene = inside_example("inside-line-loads", {{"friction.model", friction},
+                                                             {"accuracy", "1e-13"},
+                                                             {"field.positions", "[0, 0.043, -0.3]"},
+                                                             {"field.depths", "[0, 0.5, -0.97, 1]"}});
+    const auto fast = verify::solve(scene);
+    const auto by_ref = verify::solve_by_ref(scene, 16);
+    for (std::size_t r = 1; r < scene.wanted.size(); ++r) {
+      const data::ResultId result = scene.wanted[r];
+      CAPTURE(data::scene_result(result).name);
+      const auto values = fast.profile(result);
+      double size = 0;
+      for (const Estimate& value : values) size = std::max(size, std::fabs(value.value));
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const double truth = by_ref.profile(result)[i].to_double();
+        CHECK(std::fabs(values[i].value - truth) < 1e-11 * size);
+        if (values[i].value != 0) CHECK(values[i].error > 0);
+      }
+    }
+    // On the faces the displacements are the surface's.
+    scene.wanted = {data::ResultId::displacement_along, data::ResultId::tangential_displacement};
+    problem_of(scene).profile = data::Positions{{0, 0.043, -0.3}};
+    const auto surface = verify::solve(scene);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(surface.profile(scene.wanted[0])[9 + i].value ==
+            doctest::Approx(surface.profile(scene.wanted[1])[i].value).epsilon(1e-11));
+  }
+  const auto refused = [](const char* name, const data::SceneOverrides& overrides) {
+    try {
+      static_cast<void>(verify::solve(inside_example(name, overrides)));
+    } catch (const data::BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refused("inside-line-loads", {{"method.residue_terms", "20"}}).find("residue_terms") !=
+        std::string::npos);
+  CHECK(refused("inside-line-loads", {{"load.per_length", "100"}, {"field.depths", "[1]"}}).empty());
+  data::SceneOverrides at_load{{"field.depths", "[0, 1]"}, {"field.positions", "[0.0]"}};
+  at_load.emplace_back("wanted", "[\"displacement_across\"]");
+  CHECK(refused("inside-viscoelastic", at_load).find("remembers its own strains") != std::string::npos);
 }
 
 TEST_SUITE_END();

@@ -17,9 +17,7 @@ namespace {
 
 const std::vector<TableRow> kinds = rows_of_proven("contact");
 
-bool is_inside(const std::string& result) {
-  return data::find_scene_result(result)->needs == data::Needs::inside;
-}
+bool is_inside(const std::string& result) { return data::find_scene_result(result)->is_inside(); }
 
 /// The example solved for these results, but those inside the sheet, which take long.
 verify::SceneSolution<ref::Estimate> solved_for(const std::string& example,

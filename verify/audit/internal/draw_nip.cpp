@@ -42,12 +42,20 @@ std::vector<double> draw_positions(Random& random, double length) {
   return positions;
 }
 
+/// Places of the field in the contact, next to its end and outside, at two depths of the same shares and on a face.
+void set_field(DrawnScene& drawn, const std::vector<double>& positions, double length) {
+  const double half = length / 2;
+  drawn.set("field.positions", std::vector{positions[1], positions[2], positions[4]});
+  drawn.set("field.depths", std::vector{positions[1] / half, positions[2] / half, -1.0});
+}
+
 /// The results of converged nips that need no friction, but for the moments, which the eccentricity has.
 std::vector<ResultId> results_of_every_nip() {
   std::vector<ResultId> wanted;
   for (const data::SceneResult& result : data::scene_results()) {
     const bool is_moment = result.id == ResultId::leading_moment || result.id == ResultId::trailing_moment;
-    const bool is_of_all = result.needs == data::Needs::nothing || result.needs == data::Needs::converged;
+    const bool is_of_all = result.needs == data::Needs::nothing || result.needs == data::Needs::converged ||
+                           result.needs == data::Needs::inside;
     if (result.is_of(data::SceneKind::nip) && is_of_all && !is_moment) wanted.push_back(result.id);
   }
   return wanted;
@@ -59,7 +67,9 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("sheet.thickness", size.thickness);
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
-  drawn.set("profile.positions", draw_positions(random, size.length));
+  const std::vector<double> positions = draw_positions(random, size.length);
+  drawn.set("profile.positions", positions);
+  set_field(drawn, positions, size.length);
   drawn.set_wanted(results_of_every_nip());
   return drawn;
 }
@@ -187,11 +197,10 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
   drawn.set("material.young", material.young);
   drawn.set("material.poisson", material.poisson);
   drawn.set("friction.model", grips ? "full" : "none");
-  if (grips) {
-    auto wanted = drawn.wanted();
-    wanted.insert(wanted.end(), {ResultId::peak_shear_position, ResultId::shear_zeros});
-    drawn.set_wanted(std::move(wanted));
-  }
+  auto wanted = drawn.wanted();
+  wanted.insert(wanted.end(), {ResultId::displacement_across, ResultId::displacement_along});
+  if (grips) wanted.insert(wanted.end(), {ResultId::peak_shear_position, ResultId::shear_zeros});
+  drawn.set_wanted(std::move(wanted));
   if (random.chance(0.5)) {
     // With full friction the sheet cannot widen.
     const double confined =

@@ -144,11 +144,14 @@ std::optional<Variant> mirrored(const DrawnScene& drawn) {
   Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
                     const bool is_odd = what.id == data::ResultId::shear ||
                                         what.id == data::ResultId::tangential_displacement ||
+                                        what.id == data::ResultId::stress_shear ||
+                                        what.id == data::ResultId::displacement_along ||
                                         what.id == data::ResultId::orientation ||
                                         what.id == data::ResultId::centre_across;
                     return Estimate{is_odd ? -number.value : number.value, number.error};
                   }};
-  variant.scene.set("profile.positions", negated(drawn.numbers("profile.positions")));
+  for (const char* const places : {"profile.positions", "field.positions"})
+    if (drawn.has(places)) variant.scene.set(places, negated(drawn.numbers(places)));
   if (drawn.has("sliding.direction"))
     variant.scene.set("sliding.direction", -drawn.number("sliding.direction"));
   if (drawn.has("half_space.stiffness"))

@@ -19,7 +19,7 @@ using Solution = SceneSolution<Estimate>;
 
 constexpr double best_accuracy = 1e-13;
 constexpr int ref_digits = 20;
-constexpr double longest_by_ref = 20;  // L/B
+constexpr double longest_by_ref = 20, longest_inside_by_ref = 1;  // L/B
 /// The share of scenes that are compared with results for which the reference takes a second, or ten where the lines
 /// differ.
 constexpr double costly_share = 1.0 / 16, costliest_share = 1.0 / 64;
@@ -128,10 +128,17 @@ class Comparisons {
     if (ratio <= findings_.largest_ratio) return;
     findings_.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
-    findings_.where = fmt::format(
-        "{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}", result.what->name,
-        result.what->shape == data::Shape::profile ? fmt::format(" at {}", solved_.positions[i]) : "",
-        mine.value, mine.error, name, static_cast<double>(other.value), other.error);
+    findings_.where = fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}",
+                                  result.what->name, place_of(result, i), mine.value, mine.error, name,
+                                  static_cast<double>(other.value), other.error);
+  }
+
+  [[nodiscard]] std::string place_of(const Solution::Result& result, std::size_t i) const {
+    if (result.what->shape == data::Shape::profile) return fmt::format(" at {}", solved_.positions[i]);
+    if (result.what->shape != data::Shape::field) return "";
+    const std::vector<double>& positions = solved_.field.positions;
+    return fmt::format(" at {}, depth {}", positions[i % positions.size()],
+                       solved_.field.depths[i / positions.size()]);
   }
 
   SceneFindings& findings_;
@@ -212,11 +219,17 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
 void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
                       const SceneSolvers& solvers) {
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
-  if (solved[ResultId::contact_length].value > longest_by_ref * drawn.number("sheet.thickness")) return;
-  const std::vector<ResultId> known{
+  const double ratio = solved[ResultId::contact_length].value / drawn.number("sheet.thickness");
+  if (ratio > longest_by_ref) return;
+  std::vector<ResultId> known{
       ResultId::contact_length,         ResultId::load,          ResultId::indentation,
       ResultId::edge_displacement,      ResultId::peak_pressure, ResultId::pressure,
       ResultId::peak_pressure_position, ResultId::surface_strain};
+  if (ratio <= longest_inside_by_ref) {
+    for (const data::SceneResult& result : data::scene_results()) {
+      if (result.shape == data::Shape::field) known.push_back(result.id);
+    }
+  }
   drawn.set_wanted(known);
   try {
     const auto truth = solvers.ref(drawn.scene(), ref_digits);

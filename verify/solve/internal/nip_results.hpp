@@ -1,9 +1,14 @@
 #pragma once
 #include <functional>
+#include <map>
+#include <memory>
+#include <span>
 #include <type_traits>
+#include <vector>
 
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
@@ -57,6 +62,60 @@ void set_nip_results(const auto& set, const auto& zero) {
   if constexpr (requires { &Solution::surface_strain; })
     set(ResultId::surface_strain, &Solution::surface_strain);
   if constexpr (requires { &Solution::slip; }) set(ResultId::slip, &Solution::slip);
+}
+
+/// The fields inside the sheet of a solution of this path: functions of points, computed once for all results of the same
+/// places. A sheet whose displacements inside are not known has none.
+template <class Path>
+struct InnerFields {
+  using Points = std::span<const typename Path::Point>;
+  using Stresses = std::vector<typename Path::Stresses>;
+  using Displacements = std::vector<typename Path::Displacements>;
+
+  std::function<Stresses(Points)> stresses_of;
+  std::function<Displacements(Points)> displacements_of;
+  std::map<Places, Stresses> stresses = {};
+  std::map<Places, Displacements> displacements = {};
+
+  void forget() {
+    stresses.clear();
+    displacements.clear();
+  }
+  static const auto& at(const Places& places, auto& known, const auto& function) {
+    const auto found = known.find(places);
+    if (found != known.end()) return found->second;
+    const auto points = mapped(places, [](const Place& place) {
+      return typename Path::Point{place.y, place.depth};
+    });
+    return known.emplace(places, function(points)).first->second;
+  }
+};
+
+/// Calls set(result, function of places) for these fields.
+template <class Path>
+void set_inner_fields(const auto& set, const std::shared_ptr<InnerFields<Path>>& fields) {
+  using Number = typename Path::Number;
+  using Stresses = typename Path::Stresses;
+  using Displacements = typename Path::Displacements;
+  const auto stress = [&](ResultId id, auto part) {
+    set(id, [=](const Places& places) {
+      return mapped<Number>(fields->at(places, fields->stresses, fields->stresses_of), part);
+    });
+  };
+  stress(ResultId::stress_across, &Stresses::across);
+  stress(ResultId::stress_along, &Stresses::along);
+  stress(ResultId::stress_shear, &Stresses::shear);
+  stress(ResultId::highest_stress, &Stresses::highest);
+  stress(ResultId::lowest_stress, &Stresses::lowest);
+  stress(ResultId::maximum_shear, &Stresses::maximum_shear);
+  if (!fields->displacements_of) return;
+  const auto displacement = [&](ResultId id, auto part) {
+    set(id, [=](const Places& places) {
+      return mapped<Number>(fields->at(places, fields->displacements, fields->displacements_of), part);
+    });
+  };
+  displacement(ResultId::displacement_across, &Displacements::across);
+  displacement(ResultId::displacement_along, &Displacements::along);
 }
 
 inline bool has_full_friction(const data::ElasticNipProblem& problem) {

@@ -13,6 +13,7 @@ struct FastPath {
   using Number = fast::Estimate;
   using Point = fast::InnerPoint;
   using Stresses = fast::InnerStresses;
+  using Displacements = fast::InnerDisplacements;
   using Greatest = fast::GreatestShear;
   using Line = fast::Direction;  ///< of a half-space's surface, from the motion
   using Position = double;
@@ -25,6 +26,7 @@ struct RefPath {
   using Number = ref::Estimate;
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;
+  using Displacements = ref::InnerDisplacements;
   using Greatest = ref::GreatestShear;
   using Line = ref::Exact;  ///< degrees
   using Position = ref::Exact;

@@ -1,0 +1,108 @@
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/nip/line_load_field.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/sheet/field.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::SheetLoad;
+
+constexpr int load_guard = 6;  ///< digits
+
+/// The sums over the loads of one kernel at a point.
+struct LoadSums {
+  std::span<const FaceLoad> loads;
+  mpq_class half_thickness;
+  InnerPoint point;
+  int digits;
+
+  /// kernel(alpha, kind) in units of `unit` at the distance alpha from a load, an Enclosure.
+  [[nodiscard]] Estimate operator()(const Exact& unit, const auto& kernel) const {
+    const Float factor = to_float(unit);
+    Float value = 0, error = 0;
+    for (const FaceLoad& load : loads) {
+      for (const SheetLoad kind : {SheetLoad::normal, SheetLoad::shear}) {
+        const Estimate& force = kind == SheetLoad::normal ? load.normal : load.shear;
+        if (force.value == 0 && force.error == 0) continue;
+        const Estimate here = kernel(distance(load.y.value), kind);
+        const Float size = abs(at_working_precision(here.value));
+        Float unsure = at_working_precision(here.error);
+        if (load.y.error > 0) {
+          const Estimate moved = kernel(distance(at_working_precision(load.y.value) + load.y.error), kind);
+          unsure += 2 * abs(at_working_precision(moved.value) - here.value) + moved.error;
+        }
+        value += at_working_precision(force.value) * here.value;
+        error += abs(at_working_precision(force.value)) * unsure +
+                 at_working_precision(force.error) * (size + unsure);
+      }
+    }
+    value *= factor;
+    error *= abs(factor);
+    return {value, error + ldexp(abs(value), 2 - working_bits()), digits};
+  }
+
+ private:
+  [[nodiscard]] Exact distance(const Float& y) const {
+    const Exact from_load((Exact(point.y).value() - to_exact(y).value()) / half_thickness);
+    if (from_load.sign() == 0 && std::fabs(point.depth) == 1)
+      throw data::BadInput("field.positions", point.y, "must not be the place of a line load on a face");
+    return from_load;
+  }
+};
+
+/// result(sums, |depth|, depth) at each point.
+template <class Result>
+std::vector<Result> at_each(std::span<const FaceLoad> loads, double half_thickness,
+                            std::span<const InnerPoint> points, int digits, const auto& result) {
+  const WorkingDigits working(digits + 2 * load_guard);
+  std::vector<Result> results;
+  for (const InnerPoint& point : points) {
+    checked_point(point, half_thickness);
+    results.push_back(result(LoadSums{loads, Exact(half_thickness).value(), point, digits}, point));
+  }
+  return results;
+}
+
+}  // namespace
+
+std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
+                                              std::span<const InnerPoint> points, int digits) {
+  const Exact unit(1 / Exact(half_thickness).value());
+  const auto stresses = [&](const LoadSums& sum, const InnerPoint& point) -> InnerStresses {
+    const Exact depth(point.depth);
+    const auto of = [&](const auto& kernel) {
+      return sum(unit, [&](const Exact& alpha, SheetLoad kind) {
+        return kernel(alpha, depth, kind, digits + load_guard);
+      });
+    };
+    return {of(sheet_across), of(sheet_along), of(sheet_shear)};
+  };
+  return at_each<InnerStresses>(loads, half_thickness, points, digits, stresses);
+}
+
+std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad> loads,
+                                                        double half_thickness,
+                                                        const data::ElasticMaterial& material,
+                                                        std::span<const InnerPoint> points, int digits) {
+  const Exact poisson(material.poisson);
+  const Exact compliance(2 * (1 - poisson.value() * poisson.value()) / Exact(material.young).value());
+  const Exact inwards(-compliance.value()), middle(0.0);
+  const auto displacements = [&](const LoadSums& sum, const InnerPoint& point) -> InnerDisplacements {
+    const Exact depth(std::fabs(point.depth));
+    const auto u = [&](const Exact& alpha, SheetLoad kind) {
+      return sheet_u(alpha, depth, kind, poisson, digits + load_guard);
+    };
+    // Where v of a single load is counted from cancels between the loads.
+    const auto v = [&](const Exact& alpha, SheetLoad kind) {
+      return sheet_v(alpha, middle, depth, kind, poisson, digits + load_guard);
+    };
+    return {sum(inwards, u), point.y == 0 ? Estimate(exact_zero(digits)) : sum(compliance, v)};
+  };
+  return at_each<InnerDisplacements>(loads, half_thickness, points, digits, displacements);
+}
+
+}  // namespace nipref::ref
