@@ -42,7 +42,7 @@ Extended fading(double rate, Two time) {
 }
 
 /// (1 - e^(-x))/x for x >= 0.
-Extended phi1(Extended x) { return x < 1e-25L ? 1 : -std::expm1(-x) / x; }
+Extended extended_phi1(Extended x) { return x < 1e-25L ? 1 : -std::expm1(-x) / x; }
 
 /// int_0^m e^(-(decay - i b) s) ds.
 Wave integral(Extended decay, double b, Two length) {
@@ -113,7 +113,7 @@ Wave receding(double lambda, double a, double b, double t, double T) {
 /// int_first^last e^(-lambda (t - tau)) dtau.
 Extended faded_time(double lambda, double t, double first, double last) {
   const Extended length = Extended{last} - first;
-  return fading(lambda, internal::two_sum(t, -last)) * length * phi1(lambda * length);
+  return fading(lambda, internal::two_sum(t, -last)) * length * extended_phi1(lambda * length);
 }
 
 double sign_memory(double gamma0, double gamma, double lambda, double t, double T) {

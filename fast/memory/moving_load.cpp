@@ -16,7 +16,7 @@ namespace {
 
 using namespace internal;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void check_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw data::BadInput(name, value, "must be a finite number > 0");

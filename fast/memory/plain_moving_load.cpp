@@ -11,7 +11,7 @@
 namespace nipref::fast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Complex = std::complex<double>;
 constexpr Complex i(0, 1);
 

@@ -3,26 +3,25 @@
 
 #include <nipref/fast/sheet/displacements.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
+#include <nipref/fast/sheet/internal/theta_shares.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {
 namespace {
 
-constexpr double inverse_pi = std::numbers::inv_pi;
+using internal::theta1_share;
+using internal::theta2_share;
+using std::numbers::inv_pi;
 
 /// The ratios theta1/N and theta2/N do not depend on Young's modulus, so that the check uses 1.
 void check_poisson(double poisson) { data::ElasticMaterial{1, poisson}.check(); }
 
-/// theta1/N without the cancellation of 1 - poisson^2.
-double theta1_share(double poisson) { return 1 / (2 * (1 - poisson)); }
-double theta2_share(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
-
 double normal_step(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {
-  return (material.normal_compliance() * I3(alpha, accuracy) - material.theta2() * I2(alpha)) * inverse_pi;
+  return (material.normal_compliance() * I3(alpha, accuracy) - material.theta2() * I2(alpha)) * inv_pi;
 }
 
 double F1_of_checked(double eta, double poisson, Accuracy accuracy) {
-  return (theta2_share(poisson) * I4(eta, accuracy) - theta1_share(poisson) * I5(eta, accuracy)) * inverse_pi;
+  return (theta2_share(poisson) * I4(eta, accuracy) - theta1_share(poisson) * I5(eta, accuracy)) * inv_pi;
 }
 
 }  // namespace
@@ -37,12 +36,12 @@ double F2(double eta, double poisson, Accuracy accuracy) {
   const double i7 = I7(eta, accuracy);
   const int part = static_cast<int>(internal::Component::eta_part_of_I6);
   const double s = internal::sheet_code().scalar[part][accuracy.tier()](eta);
-  return std::fabs(eta) / 4 + (theta1_share(poisson) * i7 - s) * inverse_pi;
+  return std::fabs(eta) / 4 + (theta1_share(poisson) * i7 - s) * inv_pi;
 }
 
 double un(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {
   material.check();
-  return material.normal_compliance() * inverse_pi * I1(alpha, accuracy);
+  return material.normal_compliance() * inv_pi * I1(alpha, accuracy);
 }
 
 double vn(double alpha, double eta, const data::ElasticMaterial& material, Accuracy accuracy) {
@@ -59,14 +58,14 @@ double us(double alpha, const data::ElasticMaterial& material, Accuracy accuracy
 double vs(double alpha, double eta, const data::ElasticMaterial& material, Accuracy accuracy) {
   material.check();
   return (material.normal_compliance() * I6(alpha, eta, accuracy) + material.theta1() * I7(eta, accuracy)) *
-         inverse_pi;
+         inv_pi;
 }
 
 void un(std::span<const double> alpha, const data::ElasticMaterial& material, std::span<double> value,
         Accuracy accuracy) {
   material.check();
   I1(alpha, value, accuracy);
-  const double factor = material.normal_compliance() * inverse_pi;
+  const double factor = material.normal_compliance() * inv_pi;
   for (double& displacement : value) displacement *= factor;
 }
 

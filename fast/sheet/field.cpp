@@ -9,6 +9,7 @@
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
+#include <nipref/fast/sheet/internal/theta_shares.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 // With s the depth, N = theta1 + theta2, functions of w = alpha + i s as in field_functions.hpp:
@@ -28,8 +29,10 @@ using enum internal::FieldFunction;
 using internal::FieldFunctions;
 using internal::HalfPlaneParts;
 using internal::SeenFromLoads;
+using internal::theta1_share;
+using internal::theta2_share;
+using std::numbers::inv_pi;
 
-constexpr double inverse_pi = std::numbers::inv_pi;
 constexpr double quarter_pi = std::numbers::pi / 4;
 constexpr double nearest_on_the_face = 1e-300;
 
@@ -44,20 +47,19 @@ void check(double alpha, double depth) {
 
 using internal::Shares;
 
-double theta1_share(double poisson) { return 1 / (2 * (1 - poisson)); }
-Shares shares_of(double poisson) { return {theta1_share(poisson), (1 - 2 * poisson) / (2 * (1 - poisson))}; }
+Shares shares_of(double poisson) { return {theta1_share(poisson), theta2_share(poisson)}; }
 
 bool is_near(double alpha) { return alpha < internal::near_load_end; }
 
 SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
   if (load == SheetLoad::normal) {
-    return {-(f[I7].re + f[I5_slope].re + s * f[I7_slope].im) * inverse_pi,
-            (f[I5_slope].re - f[I7].re + s * f[I7_slope].im) * inverse_pi,
-            (s * f[I7_slope].re - f[I5_slope].im) * inverse_pi};
+    return {-(f[I7].re + f[I5_slope].re + s * f[I7_slope].im) * inv_pi,
+            (f[I5_slope].re - f[I7].re + s * f[I7_slope].im) * inv_pi,
+            (s * f[I7_slope].re - f[I5_slope].im) * inv_pi};
   }
-  return {(f[I7_slope].re - s * f[I5_slope].im) * inverse_pi,
-          (s * f[I5_slope].im - f[I7_slope].re - 2 * f[I5].re) * inverse_pi,
-          (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inverse_pi};
+  return {(f[I7_slope].re - s * f[I5_slope].im) * inv_pi,
+          (s * f[I5_slope].im - f[I7_slope].re - 2 * f[I5].re) * inv_pi,
+          (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inv_pi};
 }
 
 /// The stresses at alpha >= near_load_end, from the residue series, which decays.
@@ -158,10 +160,10 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   if (is_near(alpha)) {
     const HalfPlaneParts parts =
         internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load);
-    return eta / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
+    return eta / 4 + (held - parts.first - t1 * parts.second) * inv_pi;
   }
   const HalfPlaneParts parts = parts_of_v(internal::decaying(alpha, s), s, load);
-  return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
+  return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inv_pi;
 }
 
 /// A function that is odd in alpha is proportional to it for tiny alpha. Such an alpha is multiplied by 2^64, so that
@@ -270,7 +272,7 @@ double un_slope(double alpha) {
   const double slope = is_near(a)
                            ? internal::near_rest(a, 1, slope_of_I4)[slope_of_I4].im - 4 / a / (4 + a * a)
                            : internal::decaying(a, 1)[slope_of_I4].im;
-  return std::copysign(1, alpha) * slope * inverse_pi;
+  return std::copysign(1, alpha) * slope * inv_pi;
 }
 
 double vn_slope(double alpha) { return sheet_stresses(alpha, 1, SheetLoad::normal).along / 2; }

@@ -97,12 +97,6 @@ Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& 
   return DampedWave{decay, 0, rate, 0, length}.integral(nats).real;
 }
 
-Interval rational(const mpq_class& value, double nats) {
-  Interval result(bits_for(nats));
-  mpfi_set_q(result.get(), value.get_mpq_t());
-  return result;
-}
-
 }  // namespace
 
 Interval sign_memory(const mpq_class& lambda, const mpq_class& t, const mpq_class& T, double nats) {
@@ -143,9 +137,10 @@ Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const
   const mpq_class unfading = at_once + gamma.value() * (2 * turn - t.value());
   if (!forgets && unfading == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
-    if (!forgets) return rational(unfading, nats);
-    return rational(at_once, nats) +
-           rational(gamma.value(), nats) * sign_memory(lambda.value(), t.value(), T.value(), nats);
+    const mpfr_prec_t bits = bits_for(nats);
+    if (!forgets) return Interval(Exact(unfading), bits);
+    return Interval(Exact(at_once), bits) +
+           Interval(gamma, bits) * sign_memory(lambda.value(), t.value(), T.value(), nats);
   });
 }
 

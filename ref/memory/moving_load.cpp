@@ -20,7 +20,7 @@
 namespace nipref::ref {
 namespace {
 
-constexpr double ln2 = std::numbers::ln2;
+using std::numbers::ln2;
 /// For cached results the nats are rounded up to multiples of this.
 constexpr double nats_grain = 16;
 
@@ -68,9 +68,7 @@ Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int res
 }
 
 Interval rational(const mpq_class& value, double nats) {
-  Interval result(working_precision(std::max(nats, 40.0), 1) + 64);
-  mpfi_set_q(result.get(), value.get_mpq_t());
-  return result;
+  return {Exact(value), working_precision(std::max(nats, 40.0), 1) + 64};
 }
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }

@@ -51,7 +51,7 @@ struct HalfSpaceCheck {
   void operator()(const Stiffness& solid) const { check_solid(solid, origin, "half_space"); }
 };
 
-struct GivenCheck {
+struct GivenContactCheck {
   const SceneOrigin& origin;
   double smallest_radius;
 
@@ -119,7 +119,7 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   check_domain(problem.speed, origin, rolls ? "rolling.speed" : "sliding.speed");
   check_domain(problem.direction, origin, "sliding.direction");
   check_domain(problem.friction, origin, "sliding.friction");
-  std::visit(GivenCheck{origin, smallest_radius}, problem.given);
+  std::visit(GivenContactCheck{origin, smallest_radius}, problem.given);
   check_rolling(problem, origin);
   check_rule(problem, origin);
   if (problem.profile) check_profile(*problem.profile, origin);

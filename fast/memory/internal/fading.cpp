@@ -11,8 +11,6 @@
 namespace nipref::fast::internal {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 double one_word(const Fade& fade) { return fade.rate.high; }
 Complex one_word(Complex rate) { return rate; }
 Complex one_word(const OscillatingFade& fade) { return fade.rate; }
@@ -28,7 +26,7 @@ const Waves& nearest_waves(Accuracy accuracy) {
 }
 
 /// The limit of a kernel far ahead of the load; far behind it, the odd kernels have the opposite limit.
-double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : pi / 4; }
+double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : std::numbers::pi / 4; }
 
 /// The memory of what lies ahead of the load, from the waves' distance on: over `length`, and to infinity.
 template <typename Rate>
@@ -132,7 +130,7 @@ auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
 /// kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
 double whole_line(double L) {
   const double sine_ratio = L == 0 ? 1 : std::sin(L) / L;
-  return pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
+  return std::numbers::pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
 }
 
 bool has_smooth_part(Kernel kernel) { return kernel == Kernel::I1 || kernel == Kernel::I3; }

@@ -12,7 +12,7 @@ namespace {
 /// I1 = ln(log_end/w) + a smooth even function that begins with w^2.
 constexpr double log_end = 0x1.68324269695c0p-1;
 /// From here on e^-x < 2^-57 is neglected.
-constexpr double faded = 40;
+constexpr double faded_nats = 40;
 /// A Gauss rule integrates the logarithm over an interval whose ends have distances from it within this ratio.
 constexpr double smooth_ratio = 6;
 
@@ -62,8 +62,8 @@ double inner_behind(double a, double c, double length, double rate, Accuracy acc
 double piece(Kernel kernel, double w, double end, double length, double rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double distance = std::fabs(w);
-  if (rate * length > faded) {
-    length = faded / rate;
+  if (rate * length > faded_nats) {
+    length = faded_nats / rate;
     end = w + length;
   }
   if (kernel != Kernel::I1) return step * by_rule(kernel, distance, step, length, rate, accuracy);
@@ -96,7 +96,7 @@ double panel_length(double w, double rate_size, double tiny) {
 }
 
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
-  length = std::min(length, faded / std::max(rate.real(), 1e-300));
+  length = std::min(length, faded_nats / std::max(rate.real(), 1e-300));
   const double tiny = std::max(nearest_panel(std::abs(rate)), 1e-13 * length);
   Complex sum = 0;
   double done = 0;

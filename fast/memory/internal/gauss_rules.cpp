@@ -77,7 +77,6 @@ const GaussRule& gauss_rule_for(double decays, Accuracy accuracy) {
   return rule(decays <= 2 ? 1 : rule_for(decays, 1, accuracy));
 }
 
-template <>
 double faded_sum(const GaussRule& rule, const Nodes& values, double length, double rate) {
   const std::size_t count = rule.at.size();
   Nodes decay;
@@ -87,7 +86,6 @@ double faded_sum(const GaussRule& rule, const Nodes& values, double length, doub
   return length * sum;
 }
 
-template <>
 Complex faded_sum(const GaussRule& rule, const Nodes& values, double length, Complex rate) {
   Complex sum = 0;
   for (std::size_t i = 0; i < rule.at.size(); ++i)

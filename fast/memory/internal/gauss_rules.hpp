@@ -15,8 +15,8 @@ inline constexpr int most_nodes = 32;
 using Nodes = std::array<double, most_nodes>;
 
 /// int_0^length e^(-rate d) f(d) dd from the values of f at the rule's points.
-template <typename Rate>
-Rate faded_sum(const GaussRule& rule, const Nodes& values, double length, Rate rate);
+double faded_sum(const GaussRule& rule, const Nodes& values, double length, double rate);
+Complex faded_sum(const GaussRule& rule, const Nodes& values, double length, Complex rate);
 
 /// The rule for e^(-decays s) on [0, 1] times a function as smooth as the regular part of I1 on [0, 1/2].
 const GaussRule& gauss_rule_for(double decays, Accuracy accuracy);

@@ -37,11 +37,12 @@ std::complex<Extended> extended_root(int n) {
 
 Root root(int n) {
   const std::complex<Extended> z = extended_root(n), c = std::cosh(z), s = std::sinh(z);
-  const Extended pi = std::numbers::pi_v<Extended>;
-  const std::complex<Extended> amplitude_I1 = std::complex<Extended>(0, pi) * (s * s) / (c * c) / z;
+  const Extended half_turn = std::numbers::pi_v<Extended>;
+  const std::complex<Extended> amplitude_I1 = std::complex<Extended>(0, half_turn) * (s * s) / (c * c) / z;
   return {two_words(z.real()),
           two_words(z.imag()),
-          {Complex(amplitude_I1), Complex(pi / (c * c)), Complex(pi * s / (z * c * c)), Complex(pi / c)}};
+          {Complex(amplitude_I1), Complex(half_turn / (c * c)), Complex(half_turn * s / (z * c * c)),
+           Complex(half_turn / c)}};
 }
 
 const std::array<Root, most_waves>& roots() {

@@ -14,7 +14,7 @@
 namespace nipref::fast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using Complex = std::complex<double>;
 /// Of a half-thickness or of the contact at its end, and of any panel.
 constexpr int halvings_at_end = 72, most_halvings = 10;
 /// The right ends of the panels of one side before they are halved further: they double from the contact's end and then
@@ -38,7 +38,6 @@ const GaussRule& rule_of_panel(int order) {
 template <std::size_t order>
 std::array<std::complex<double>, order> second_kind(std::complex<double> z, std::complex<double> z_plus_1,
                                                     std::complex<double> z_minus_1) {
-  using Complex = std::complex<double>;
   std::array<Complex, order> q;
   // The branch whose imaginary part falls from 0 to -pi/2 on the axis.
   const Complex first = (std::log(z_plus_1) - std::log(z_minus_1)) / 2.0;
@@ -305,9 +304,10 @@ SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const
     Cauchy f{};
     for (const bool right : {false, true}) add_side(right, near, place.alpha, d, Wanted::slopes, f);
     const Complex p = d * f.pressure_slope, q = d * f.shear_slope;
-    sum = sum + SheetStresses{(f.pressure.imag() + p.real() + q.imag()) / pi,
-                              (f.pressure.imag() - p.real() - 2 * f.shear.real() - q.imag()) / pi,
-                              face * (q.real() - f.shear.imag() - p.imag()) / pi};
+    sum =
+        sum + SheetStresses{(f.pressure.imag() + p.real() + q.imag()) / std::numbers::pi,
+                            (f.pressure.imag() - p.real() - 2 * f.shear.real() - q.imag()) / std::numbers::pi,
+                            face * (q.real() - f.shear.imag() - p.imag()) / std::numbers::pi};
   }
   return sum;
 }

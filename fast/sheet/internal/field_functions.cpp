@@ -3,6 +3,7 @@
 #include <complex>
 
 #include <nipref/fast/sheet/internal/field_functions.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
 namespace {
@@ -24,8 +25,6 @@ std::complex<double> wave(double alpha, const double (&root)[2][2]) {
   const double trimmed = size - size * decay.low;
   return {trimmed * (cosine - sine * angle.low), trimmed * (sine + cosine * angle.low)};
 }
-
-constexpr double underflown = 400;  ///< e^{-2.1 alpha} < 2^-1215
 
 /// How many terms are at least 1e-18 of the first.
 int terms_at(double alpha) {

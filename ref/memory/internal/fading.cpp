@@ -10,7 +10,7 @@
 namespace nipref::ref {
 namespace {
 
-constexpr double ln2 = std::numbers::ln2;
+using std::numbers::ln2;
 constexpr double half_strip = 7.0 / 16;
 constexpr double path_angle = 0.5;
 constexpr double path_height = 1.5;  ///< height of Contour::down at t = 0 plus sin(1/2)

@@ -20,7 +20,7 @@ namespace {
 using data::ElasticNip;
 using data::Friction;
 
-constexpr std::array ratios{1e-4, 1e-2, 1.0, 30.0, 1e3};
+constexpr std::array length_ratios{1e-4, 1e-2, 1.0, 30.0, 1e3};
 constexpr std::array poissons{-0.9, 1.0 / 3, 0.5};
 constexpr std::array elements{10, 500};
 constexpr int contact_digits = 20;
@@ -126,9 +126,9 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
 }  // namespace
 
 std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
-  static_assert(hard_case_groups == 2 * poissons.size() * ratios.size());
-  const double ratio = ratios[group % ratios.size()];
-  const double poisson = poissons[group / ratios.size() % poissons.size()];
+  static_assert(hard_case_groups == 2 * poissons.size() * length_ratios.size());
+  const double ratio = length_ratios[group % length_ratios.size()];
+  const double poisson = poissons[group / length_ratios.size() % poissons.size()];
   const Friction friction = group < hard_case_groups / 2 ? Friction::none : Friction::full;
   auto audits = mapped(elements, [&](int m) { return audit_line_loads(friction, ratio, poisson, m); });
   audits.push_back(audit_converged(friction, ratio, poisson));

@@ -17,12 +17,12 @@ using PointOfAngle = std::function<Point(double psi_deg)>;
 
 constexpr auto half_space = "half-space";
 constexpr std::size_t direction_count = 1000, most_evaluations = 100'000'000;
-constexpr double theta_deg = 45, speed = 0.3;
+constexpr double theta_deg = 45, sliding_speed = 0.3;
 
 /// The seed's graphite epoxy, as the catalogue has it.
 Point line_point(double axis, double psi_deg) {
   return point_of(find_quantity("ti.compliance"),
-                  {{"theta_deg", theta_deg}, {"psi_deg", psi_deg}, {"speed", speed}, {"axis", axis}});
+                  {{"theta_deg", theta_deg}, {"psi_deg", psi_deg}, {"speed", sliding_speed}, {"axis", axis}});
 }
 
 /// The response of its surface, symmetry axis normal (0) or in the plane (1).

@@ -28,62 +28,62 @@ const std::vector<Rests>& rests() {
   return all;
 }
 
-enum class Part { sx, sy, txy, u, v, slope };  ///< slope: of a face, d un/d alpha
+enum class Component { sx, sy, txy, u, v, slope };  ///< slope: of a face, d un/d alpha
 
 /// The thesis's integrand without its factor cos or sin of alpha z, with `sine` in place of 2 sinh z/S and `cosine` in
 /// place of 2 cosh z/S. K is a complex type for the residues at poles.
 template <class K>
-K integrand(Part part, bool normal, const Float& s, const Float& t1, const K& z, const K& sine,
+K integrand(Component part, bool normal, const Float& s, const Float& t1, const K& z, const K& sine,
             const K& cosine) {
   const K ch = cosh(s * z), sh = sinh(s * z);
   const Float t2 = 1 - t1;
   switch (part) {
-    case Part::sx:
+    case Component::sx:
       return normal ? K(-(sine + z * cosine) * ch + s * z * sine * sh)
                     : K(-z * sine * ch + s * z * cosine * sh);
-    case Part::sy:
+    case Component::sy:
       return normal ? K((z * cosine - sine) * ch - s * z * sine * sh)
                     : K((z * sine - 2 * cosine) * ch - s * z * cosine * sh);
-    case Part::txy:
+    case Component::txy:
       return normal ? K(z * cosine * sh - s * z * sine * ch)
                     : K((cosine - z * sine) * sh + s * z * cosine * ch);
-    case Part::u:
+    case Component::u:
       return normal ? K(-sine * sh / z - t1 * (cosine * sh - s * sine * ch))
                     : K(-t2 * cosine * sh / z + t1 * (s * cosine * ch - sine * sh));
-    case Part::slope:
+    case Component::slope:
       return K(-sine * sh);
-    case Part::v:
+    case Component::v:
       break;
   }
   return normal ? K(-t2 * sine * ch / z + t1 * (cosine * ch - s * sine * sh))
                 : K(cosine * ch / z - t1 * (sine * ch - s * cosine * sh));
 }
 
-bool is_sine(Part part, bool normal) {
-  const bool odd_for_normal = part == Part::txy || part == Part::v || part == Part::slope;
+bool is_sine(Component part, bool normal) {
+  const bool odd_for_normal = part == Component::txy || part == Component::v || part == Component::slope;
   return odd_for_normal == normal;
 }
 
 /// pi times the fields of two half-planes under the loads: the integral with e^-z in place of sinh z/S and cosh z/S, in
 /// closed form.
-Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1) {
+Float half_planes(Component part, bool normal, const InnerPoint& at, const Float& t1) {
   const Float &a = at.alpha, &s = at.depth;
   const Float d = 1 - s, D = 1 + s, r2 = d * d + a * a, R2 = D * D + a * a, t2 = 1 - t1;
   const Float r4 = r2 * r2, R4 = R2 * R2;
   switch (part) {
-    case Part::sx:
+    case Component::sx:
       return normal ? Float(-2 * (d * d * d / r4 + D * D * D / R4))
                     : Float(-2 * a * (d * d / r4 + D * D / R4));
-    case Part::sy:
+    case Component::sy:
       return normal ? Float(-2 * a * a * (d / r4 + D / R4)) : Float(-2 * a * a * a * (1 / r4 + 1 / R4));
-    case Part::txy:
+    case Component::txy:
       return normal ? Float(2 * a * (d * d / r4 - D * D / R4)) : Float(2 * a * a * (d / r4 - D / R4));
-    case Part::u:
+    case Component::u:
       return normal ? Float(-log(R2 / r2) / 2 - t1 * (d * d / r2 - D * D / R2))
                     : Float(-t2 * (atan2(a, d) - atan2(a, D)) + t1 * a * (D / R2 - d / r2));
-    case Part::slope:
+    case Component::slope:
       return -a * (1 / r2 - 1 / R2);
-    case Part::v:
+    case Component::v:
       break;
   }
   return normal ? Float(-t2 * (atan2(a, d) + atan2(a, D)) + t1 * a * (d / r2 + D / R2))
@@ -91,8 +91,8 @@ Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1)
 }
 
 /// pi times the quantity; for v the part that does not depend on eta.
-Split near_sum(Part part, bool normal, const InnerPoint& at, const Float& t1) {
-  const bool sine = is_sine(part, normal), twofold = part == Part::v && !normal;
+Split near_sum(Component part, bool normal, const InnerPoint& at, const Float& t1) {
+  const bool sine = is_sine(part, normal), twofold = part == Component::v && !normal;
   Split sum = integral(rests(), [&](const Rests& node) -> Float {
     const Float angle = at.alpha * node.z;
     Float value = integrand<Float>(part, normal, at.depth, t1, node.z, node.sine, node.cosine) *
@@ -106,7 +106,7 @@ Split near_sum(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   return sum;
 }
 
-Split far_sum(Part part, bool normal, const InnerPoint& at, const mpq_class& alpha, const Float& t1) {
+Split far_sum(Component part, bool normal, const InnerPoint& at, const mpq_class& alpha, const Float& t1) {
   const bool sine = is_sine(part, normal);
   Complex sum = 0;
   for (std::size_t n = poles; n >= 1; --n) {
@@ -115,21 +115,21 @@ Split far_sum(Part part, bool normal, const InnerPoint& at, const mpq_class& alp
            exp(Complex(-pole_n.z.imag() * at.alpha, pole_n.z.real() * at.alpha));
   }
   Split value{0, 2 * pi<Float>() * (sine ? sum.real() : -sum.imag()), 0};
-  if (normal && part == Part::v) value.rest += pi<Float>() / 4 * (2 * t1 - 1);
-  if (!normal && part == Part::sy) value.rest -= pi<Float>() / 2;
-  if (!normal && part == Part::u) value.rest += pi<Float>() / 4 * (2 * t1 - 1) * at.depth;
-  if (!normal && part == Part::v) value.quarters = -alpha;
+  if (normal && part == Component::v) value.rest += pi<Float>() / 4 * (2 * t1 - 1);
+  if (!normal && part == Component::sy) value.rest -= pi<Float>() / 2;
+  if (!normal && part == Component::u) value.rest += pi<Float>() / 4 * (2 * t1 - 1) * at.depth;
+  if (!normal && part == Component::v) value.quarters = -alpha;
   value.error = 2000 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * at.alpha) +
                 abs(value.rest) * Float("1e-90");
   return value;
 }
 
-Split sum_of(Part part, bool normal, const mpq_class& alpha, const mpq_class& depth,
+Split sum_of(Component part, bool normal, const mpq_class& alpha, const mpq_class& depth,
              const mpq_class& poisson) {
   const InnerPoint at{to_number<Float>(abs(alpha)), to_number<Float>(abs(depth))};
   const Float t1 = 1 / to_number<Float>(2 * (1 - poisson));
   Split value = abs(alpha) < far ? near_sum(part, normal, at, t1) : far_sum(part, normal, at, abs(alpha), t1);
-  const bool odd_in_depth = part == Part::txy || part == Part::u;
+  const bool odd_in_depth = part == Component::txy || part == Component::u;
   const int sign = (is_sine(part, normal) ? sgn(alpha) : 1) * (odd_in_depth ? sgn(depth) : 1);
   return Split{}.add(sign, value);
 }
@@ -142,16 +142,16 @@ Confirmation over_pi(const Split& sum) {
 
 bool is_normal(Arguments x) { return x["load"] == 0; }
 
-Confirmation stress(Part part, Arguments x) {
+Confirmation stress(Component part, Arguments x) {
   const bool on_face = x["depth"] == 1 || x["depth"] == -1;
-  if (on_face && part != Part::sy) return over_pi({});
+  if (on_face && part != Component::sy) return over_pi({});
   return over_pi(sum_of(part, is_normal(x), x["alpha"], x["depth"], 0));
 }
 
 Confirmation v(Arguments x) {
   const mpq_class eta(x["eta"]), poisson(x["poisson"]), t1 = 1 / (2 * (1 - poisson));
   const bool normal = is_normal(x);
-  Split sum = sum_of(Part::v, normal, x["alpha"], x["depth"], poisson);
+  Split sum = sum_of(Component::v, normal, x["alpha"], x["depth"], poisson);
   if (normal) {
     sum.add(1 - t1, kernel_I4(eta)).add(-t1, kernel_I5(eta));
   } else {
@@ -161,24 +161,24 @@ Confirmation v(Arguments x) {
 }
 
 Confirmation u(Arguments x) {
-  return over_pi(sum_of(Part::u, is_normal(x), x["alpha"], x["depth"], mpq_class(x["poisson"])));
+  return over_pi(sum_of(Component::u, is_normal(x), x["alpha"], x["depth"], mpq_class(x["poisson"])));
 }
 
 /// The slope of a face, or half of the stress along it.
-Confirmation on_face(Part part, bool normal, Arguments x) {
-  return over_pi(
-      Split{}.add(part == Part::sy ? mpq_class(1, 2) : mpq_class(1), sum_of(part, normal, x["alpha"], 1, 0)));
+Confirmation on_face(Component part, bool normal, Arguments x) {
+  return over_pi(Split{}.add(part == Component::sy ? mpq_class(1, 2) : mpq_class(1),
+                             sum_of(part, normal, x["alpha"], 1, 0)));
 }
 
 }  // namespace
 
 const Methods& field_methods() {
-  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(Part::slope, true, x); }},
-                               {"vn.slope", [](Arguments x) { return on_face(Part::sy, true, x); }},
-                               {"vs.slope", [](Arguments x) { return on_face(Part::sy, false, x); }},
-                               {"sheet.sx", [](Arguments x) { return stress(Part::sx, x); }},
-                               {"sheet.sy", [](Arguments x) { return stress(Part::sy, x); }},
-                               {"sheet.txy", [](Arguments x) { return stress(Part::txy, x); }},
+  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(Component::slope, true, x); }},
+                               {"vn.slope", [](Arguments x) { return on_face(Component::sy, true, x); }},
+                               {"vs.slope", [](Arguments x) { return on_face(Component::sy, false, x); }},
+                               {"sheet.sx", [](Arguments x) { return stress(Component::sx, x); }},
+                               {"sheet.sy", [](Arguments x) { return stress(Component::sy, x); }},
+                               {"sheet.txy", [](Arguments x) { return stress(Component::txy, x); }},
                                {"sheet.u", u},
                                {"sheet.v", v}};
   return methods;

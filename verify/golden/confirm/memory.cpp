@@ -22,16 +22,14 @@ struct SolidTerms {
   SolidFunction theta1, theta2;
 };
 
-using Coefficients = Polynomial<Long>;
-
-constexpr int thesis = 1, prony = 2, operators = 3, two_moduli = 4;
+enum class MovingModel { thesis = 1, prony, operators, two_moduli };
 
 SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
   return {at_once, {{LongComplex(at_once * rate), LongComplex(rate * rate_factor)}}};
 }
 
 /// function: theta1 or theta2.
-SolidFunction series(Arguments x, const std::string& function) {
+SolidFunction terms_of(Arguments x, const std::string& function) {
   SolidFunction sum{Long(x[function + "_instantaneous"]), {}};
   for (const char* term : {"", "_2"}) {
     if (const double amplitude = x[function + "_amplitude" + term]; amplitude != 0)
@@ -40,7 +38,7 @@ SolidFunction series(Arguments x, const std::string& function) {
   return sum;
 }
 
-SolidFunction fraction(const Coefficients& above, const Coefficients& below) {
+SolidFunction fraction(const Polynomial<Long>& above, const Polynomial<Long>& below) {
   const Long last = below.data().back();
   const bool at_once = above.size() == below.size();
   SolidFunction function{at_once ? Long(above.data().back() / last) : Long(0), {}};
@@ -55,51 +53,52 @@ SolidFunction fraction(const Coefficients& above, const Coefficients& below) {
 
 /// The material of a moving load. Roots of the operators by the method of Durand and Kerner.
 SolidTerms solid_terms(Arguments x) {
-  const int model = static_cast<int>(x["material"]);
-  if (model == prony) return {series(x, "theta1"), series(x, "theta2")};
-  if (model == operators) {
+  const auto model = static_cast<MovingModel>(static_cast<int>(x["material"]));
+  if (model == MovingModel::prony) return {terms_of(x, "theta1"), terms_of(x, "theta2")};
+  if (model == MovingModel::operators) {
     const auto of = [&](const std::string& name) {
-      Coefficients polynomial{Long(x[name + "_0"]), Long(x[name + "_1"]), Long(x[name + "_2"])};
+      Polynomial<Long> polynomial{Long(x[name + "_0"]), Long(x[name + "_1"]), Long(x[name + "_2"])};
       polynomial.normalize();
       return polynomial;
     };
-    const Coefficients p = of("P"), q = of("Q"), p_bulk = of("P_dilatation"), q_bulk = of("Q_dilatation");
+    const Polynomial<Long> p = of("P"), q = of("Q"), p_bulk = of("P_dilatation"), q_bulk = of("Q_dilatation");
     const SolidFunction theta1 = fraction(p, Long(2) * q);
     // A common factor of p and p_bulk would be a double root of their product.
     if (p == p_bulk) return {theta1, fraction(Long(3) * p, Long(6) * q_bulk + Long(2) * q)};
     return {theta1, fraction(Long(3) * p * p_bulk, Long(6) * q_bulk * p + Long(2) * q * p_bulk)};
   }
   const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
-  const Long shear = model == two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);
+  const Long shear = model == MovingModel::two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);
   return {relaxing(1 / (2 * shear), rate, 1),
-          relaxing(3 / (6 * bulk + 2 * shear), rate, model == thesis ? 2 : 1)};
+          relaxing(3 / (6 * bulk + 2 * shear), rate, model == MovingModel::thesis ? 2 : 1)};
 }
 
-using Wide = Number<250>;
-using WideComplex = ComplexNumber<250>;
+using Closed = Number<250>;
+using ClosedComplex = ComplexNumber<250>;
 
-Confirmation closed_form(const Wide& value) {
-  return confirmation<Wide>("closed form", value, abs(value) * Wide("1e-100"));
+Confirmation closed_form(const Closed& value) {
+  return confirmation<Closed>("closed form", value, abs(value) * Closed("1e-100"));
 }
 
 /// e^shift int_from^to e^(rate w) dw by its antiderivative.
-WideComplex exponential(const WideComplex& rate, const Wide& shift, const Wide& from, const Wide& to) {
-  if (rate == WideComplex(0)) return exp(shift) * (to - from);
-  return (exp(WideComplex(rate * to + shift)) - exp(WideComplex(rate * from + shift))) / rate;
+ClosedComplex exponential(const ClosedComplex& rate, const Closed& shift, const Closed& from,
+                          const Closed& to) {
+  if (rate == ClosedComplex(0)) return exp(shift) * (to - from);
+  return (exp(ClosedComplex(rate * to + shift)) - exp(ClosedComplex(rate * from + shift))) / rate;
 }
 
 /// J2 + i J1 as an integral over the distances w = T - tau ahead of the load.
-WideComplex ahead(Arguments x) {
-  const Wide lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
+ClosedComplex ahead(Arguments x) {
+  const Closed lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (T <= 0) return 0;
-  return exponential(WideComplex(-lambda - a, b), lambda * (T - t), std::max<Wide>(T - t, 0), T);
+  return exponential(ClosedComplex(-lambda - a, b), lambda * (T - t), std::max<Closed>(T - t, 0), T);
 }
 
 /// J4 - i J3 as an integral over the distances w = tau - T behind the load.
-WideComplex behind(Arguments x) {
-  const Wide lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
+ClosedComplex behind(Arguments x) {
+  const Closed lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (t <= T) return 0;
-  return exponential(WideComplex(lambda - a, b), -lambda * (t - T), std::max<Wide>(-T, 0), t - T);
+  return exponential(ClosedComplex(lambda - a, b), -lambda * (t - T), std::max<Closed>(-T, 0), t - T);
 }
 
 /// int_from^to e^(-lambda v) dv by Gauss's rule on panels, until the integrand is negligible.

@@ -43,17 +43,17 @@ Confirmation by_stroh(const Wave& value, const Wave& scale) {
   return confirmation<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
 }
 
-LineAnswerByFormula line_at(Arguments x) {
+LineAnswerByFormula line_by_stroh(Arguments x) {
   return answer<150>(transverse_solid<150>(x), x["psi_deg"], x["theta_deg"], x["speed"]);
 }
 
 Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
-  const LineAnswerByFormula line = line_at(x);
+  const LineAnswerByFormula line = line_by_stroh(x);
   return by_stroh(line.*member, line.compliance);
 }
 
 /// d ln K/d ln speed by a central difference.
-Confirmation condition(Arguments x) {
+Confirmation condition_by_difference(Arguments x) {
   constexpr unsigned digits = 240;
   using Float = Number<digits>;
   const StrohSolid<digits> solid = transverse_solid<digits>(x);
@@ -249,7 +249,7 @@ const Methods& transverse_methods() {
       {"ti.compliance", [](Arguments x) { return of_line(x, &LineAnswerByFormula::compliance); }},
       {"ti.coupling", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling); }},
       {"ti.coupling_across", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling_across); }},
-      {"ti.condition", condition},
+      {"ti.condition", condition_by_difference},
       {"ti.rayleigh", rayleigh},
       {"ti.branch", branch},
       {"ti.critical", critical},

@@ -172,24 +172,24 @@ std::string method_text(const data::ElasticNip& nip, data::Friction friction, in
       elements_per_side, nip.material.young, nip.material.poisson);
 }
 
-constexpr auto full = data::Friction::full;
-constexpr auto none = data::Friction::none;
-constexpr std::array<LineLoadTable, 8> tables{{{"thesis-III", full, 2},
-                                               {"thesis-IV", full, 3},
-                                               {"thesis-V", full, 5, 3},
-                                               {"thesis-VI", full, 10},
-                                               {"thesis-VII", none, 2},
-                                               {"thesis-VIII", none, 5},
-                                               {"thesis-IX", none, 8},
-                                               {"thesis-X", none, 10}}};
+constexpr std::array<LineLoadTable, 8> replayed_tables{{
+    {"thesis-III", data::Friction::full, 2},
+    {"thesis-IV", data::Friction::full, 3},
+    {"thesis-V", data::Friction::full, 5, 3},
+    {"thesis-VI", data::Friction::full, 10},
+    {"thesis-VII", data::Friction::none, 2},
+    {"thesis-VIII", data::Friction::none, 5},
+    {"thesis-IX", data::Friction::none, 8},
+    {"thesis-X", data::Friction::none, 10},
+}};
 
 }  // namespace
 
-std::span<const LineLoadTable> line_load_tables() { return tables; }
+std::span<const LineLoadTable> line_load_tables() { return replayed_tables; }
 
 const LineLoadTable& line_load_table(const std::string& id) {
-  const auto* known = std::ranges::find(tables, id, &LineLoadTable::id);
-  if (known == tables.end()) {
+  const auto* known = std::ranges::find(replayed_tables, id, &LineLoadTable::id);
+  if (known == replayed_tables.end()) {
     throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-III to thesis-X");
   }
   return *known;
