@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
@@ -28,11 +30,11 @@ std::vector<const Quantity*> quantities_of(const CommandLine& line) {
   return select_quantities({line.words.begin() + 1, line.words.end()});
 }
 
-/// Where new values go: one file, or a folder with a file for each quantity and the checksums of all.
+/// Where new values go: one file, or a folder with a file for each quantity or kind of contacts and the checksums of all.
 class Destination {
  public:
   /// BadInput if the command line says nothing of it.
-  Destination(const CommandLine& line, std::size_t quantities) : in_place_(line.has("in-place")) {
+  Destination(const CommandLine& line, std::size_t files) : in_place_(line.has("in-place")) {
     const auto output = line.option("output");
     if (in_place_) {
       path_ = own_;
@@ -44,38 +46,38 @@ class Destination {
           "output", output ? "" : "(missing)",
           fmt::format("must be a file or a folder, or --in-place given, which writes to {}", own_.string()));
     path_ = fs::absolute(*output);
-    is_file_ = quantities == 1 && path_.has_filename() && !fs::is_directory(path_, none);
+    is_file_ = files == 1 && path_.has_filename() && !fs::is_directory(path_, none);
     if (!is_file_ && fs::exists(path_, none) && !fs::is_directory(path_, none))
       throw BadInput("output", *output, "must be a folder: there are several quantities");
   }
 
-  [[nodiscard]] fs::path file_of(const Quantity& quantity) const {
-    return is_file_ ? path_ : path_ / (quantity.name + ".csv");
+  [[nodiscard]] fs::path file_of(const std::string& name) const {
+    return is_file_ ? path_ : path_ / (name + ".csv");
   }
 
   /// BadInput if the file is there and is none of the quantity's or has more rows, or is nipref's own and is not to be
   /// written.
-  void check(const Quantity& quantity, std::size_t rows) const {
-    const fs::path file = file_of(quantity);
+  void check(const std::string& name, std::size_t rows) const {
+    const fs::path file = file_of(name);
     std::error_code none;
     if (!in_place_ && fs::weakly_canonical(file, none).parent_path() == fs::weakly_canonical(own_, none))
       throw BadInput("output", file.string(), "must be elsewhere: --in-place writes to nipref's own files");
     if (!fs::is_regular_file(file, none)) return;
-    const GoldenFile there = read_golden(file);
-    if (there.entry("quantity") != quantity.name)
+    const data::CsvFile there = data::read_csv(file);
+    const std::string of = header_of(there).entry("quantity");
+    if (of != name)
       throw BadInput("golden file", file.string(),
-                     fmt::format("must be one of {}, or none yet: it has values of {}", quantity.name,
-                                 there.entry("quantity")));
-    if (there.rows.size() > rows)
-      throw BadInput("golden file", file.string(),
-                     fmt::format("must not lose rows: it has {} and would get {}", there.rows.size(), rows));
+                     fmt::format("must be one of {}, or none yet: it has values of {}", name, of));
+    if (there.records.size() - 1 > rows)
+      throw BadInput(
+          "golden file", file.string(),
+          fmt::format("must not lose rows: it has {} and would get {}", there.records.size() - 1, rows));
   }
 
   /// A single file's checksum is kept only where there is one.
-  void write(const Quantity& quantity, const GoldenFile& values) const {
-    const fs::path file = file_of(quantity), folder = file.parent_path();
-    const std::string text = golden_text(quantity, values);
-    check(quantity, values.rows.size());
+  void write(const std::string& name, const std::string& text, std::size_t rows) const {
+    const fs::path file = file_of(name), folder = file.parent_path();
+    check(name, rows);
     std::error_code error;
     fs::create_directories(folder, error);  // writing says what is wrong
     Checksums sums = Checksums::of(folder);
@@ -111,34 +113,81 @@ Json refused_json(const Quantity& quantity, const std::vector<RefusedRow>& refus
   });
 }
 
+/// What was made of one quantity, or of one kind of contacts.
+struct MadeFile {
+  std::string text;
+  std::size_t rows;
+  bool is_complete;  ///< nothing was refused
+  Json refused;
+};
+
+MadeFile made_of(const std::string& name, const CommandLine& line, const OnProgress& progress) {
+  if (is_contact_kind(name)) {
+    const MadeContacts made =
+        make_contacts(name, digits_option(line).value_or(contact_digits), provenance(), progress);
+    const auto refused = [](const RefusedContact& row) -> Json {
+      Json arguments = Json::object();
+      for (const auto& [key, value] : row.keys) arguments.set(key, value);
+      return {{"arguments", arguments}, {"reason", row.reason}};
+    };
+    return {contacts_text(made.file), made.file.rows.size(), made.refused.empty(),
+            json_list(made.refused, refused)};
+  }
+  const Quantity& quantity = find_quantity(name);
+  GoldenOptions options = options_for(quantity, line);
+  options.progress = progress;
+  const MadeGolden made = make_golden(quantity, options, provenance());
+  return {golden_text(quantity, made.file), made.file.rows.size(), made.refused.empty(),
+          refused_json(quantity, made.refused)};
+}
+
+/// The names after the action; without any those of all quantities and kinds of contacts.
+std::vector<std::string> names_of(const CommandLine& line) {
+  std::vector<std::string> names(line.words.begin() + 1, line.words.end());
+  for (const std::string& name : names) {
+    if (!is_contact_kind(name)) static_cast<void>(find_quantity(name));
+  }
+  if (!names.empty()) return names;
+  for (const Quantity& quantity : catalogue()) {
+    if (quantity.family.empty()) names.push_back(quantity.name);
+  }
+  std::ranges::copy(contact_kinds(), std::back_inserter(names));
+  return names;
+}
+
 int make(const CommandLine& line, std::ostream& out) {
-  const auto quantities = quantities_of(line);
-  const Destination destination(line, quantities.size());
-  for (const Quantity* quantity : quantities)
-    destination.check(*quantity, options_for(*quantity, line).points);
+  const auto names = names_of(line);
+  const Destination destination(line, names.size());
+  for (const std::string& name : names)
+    destination.check(name, is_contact_kind(name) ? swept_by(contact_scene(name)).size()
+                                                  : options_for(find_quantity(name), line).points);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   std::vector<Json> files;
   std::size_t rows = 0;
   bool kept = true;
-  progress.each("golden make", quantities, &Quantity::name, [&](const Quantity* quantity) {
-    GoldenOptions options = options_for(*quantity, line);
-    options.progress = [&](double part) { progress.at(part); };
-    MadeGolden made = make_golden(*quantity, options, provenance());
-    kept = kept && made.refused.empty();
-    destination.write(*quantity, made.file);
-    rows += made.file.rows.size();
-    files.push_back({{"quantity", quantity->name},
-                     {"file", destination.file_of(*quantity).string()},
-                     {"rows", made.file.rows.size()},
-                     {"refused", refused_json(*quantity, made.refused)}});
+  progress.each("golden make", names, std::identity(), [&](const std::string& name) {
+    MadeFile made = made_of(name, line, [&](double part) { progress.at(part); });
+    kept = kept && made.is_complete;
+    destination.write(name, made.text, made.rows);
+    rows += made.rows;
+    files.push_back({{"quantity", name},
+                     {"file", destination.file_of(name).string()},
+                     {"rows", made.rows},
+                     {"refused", made.refused}});
   });
   return answer(line, out, {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept);
 }
 
-/// A word is a quantity, or a file.
+/// A word is a quantity, a kind of contacts, or a file.
 fs::path file_of(const std::string& word) {
-  if (const Quantity* const quantity = known_quantity(word)) return golden_path(*quantity);
+  if (is_contact_kind(word)) return contacts_path(word);
+  if (const Quantity* const quantity = known_quantity(word)) {
+    if (quantity->family.empty()) return golden_path(*quantity);
+    throw BadInput(
+        "quantity", word,
+        fmt::format("must be one of {}, which hold whole contacts", fmt::join(contact_kinds(), ", ")));
+  }
   std::error_code none;
   const bool is_file =
       fs::exists(word, none) || word.find('/') != std::string::npos || word.ends_with(".csv");
@@ -172,11 +221,12 @@ int check(const CommandLine& line, std::ostream& out) {
   for (std::size_t i = 1; i < line.words.size(); ++i) paths.push_back(file_of(line.words[i]));
   if (paths.empty()) {
     folder = check_folder(data::golden_directory());
-    for (const Quantity& quantity : catalogue()) {
-      if (fs::exists(golden_path(quantity))) {
-        paths.push_back(golden_path(quantity));
+    for (const std::string& name : names_of(line)) {
+      const fs::path path = data::golden_directory() / (name + ".csv");
+      if (fs::exists(path)) {
+        paths.push_back(path);
       } else {
-        folder.push_back({GoldenFault::missing, {}, quantity.name + " has no golden values"});
+        folder.push_back({GoldenFault::missing, {}, name + " has no golden values"});
       }
     }
   }
@@ -236,8 +286,8 @@ int update(const CommandLine& line, std::ostream& out) {
     const fs::path path = golden_path(*quantity);
     if (!fs::exists(path) && line.words.size() == 1) return;
     const GoldenFile before = read_golden(path);
-    destination.check(*quantity, before.rows.size());
-    files.push_back({*quantity, destination.file_of(*quantity).string(),
+    destination.check(quantity->name, before.rows.size());
+    files.push_back({*quantity, destination.file_of(quantity->name).string(),
                      update_golden(*quantity, before, line.has("all"), made_with,
                                    [&](double part) { progress.at(part); })});
   });
@@ -248,7 +298,9 @@ int update(const CommandLine& line, std::ostream& out) {
   const int status =
       answer(line, out, {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept);
   for (const UpdatedFile& file : files) {
-    if (!file.updated.changed.empty()) destination.write(file.quantity, file.updated.file);
+    if (!file.updated.changed.empty())
+      destination.write(file.quantity.name, golden_text(file.quantity, file.updated.file),
+                        file.updated.file.rows.size());
   }
   return status;
 }
@@ -256,20 +308,18 @@ int update(const CommandLine& line, std::ostream& out) {
 int list(const CommandLine& line, std::ostream& out) {
   std::vector<Json> files, missing;
   std::size_t rows = 0;
-  for (const Quantity* quantity : quantities_of(line)) {
-    const fs::path path = golden_path(*quantity);
+  for (const std::string& name : names_of(line)) {
+    const fs::path path = data::golden_directory() / (name + ".csv");
     if (!fs::exists(path)) {
-      missing.emplace_back(quantity->name);
+      missing.emplace_back(name);
       continue;
     }
-    const GoldenFile file = read_golden(path);
+    const data::CsvFile csv = data::read_csv(path);
     Json header = Json::object();
-    for (const auto& [key, text] : file.header) header.set(key, text);
-    rows += file.rows.size();
-    files.push_back({{"quantity", quantity->name},
-                     {"file", path.string()},
-                     {"rows", file.rows.size()},
-                     {"header", header}});
+    for (const auto& [key, text] : header_of(csv).header) header.set(key, text);
+    rows += csv.records.size() - 1;
+    files.push_back(
+        {{"quantity", name}, {"file", path.string()}, {"rows", csv.records.size() - 1}, {"header", header}});
   }
   return answer(line, out, {{"action", "list"}, {"files", files}, {"missing", missing}, {"_rows", rows}},
                 true);

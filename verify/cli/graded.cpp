@@ -77,7 +77,7 @@ constexpr int kept_digits = 50;
 GoldenFile kept_file(const std::string& path, const Quantity& quantity) {
   std::error_code none;
   if (!std::filesystem::exists(path, none))
-    return {{{"quantity", quantity.name}, {"unit", quantity.unit}, {"digits", std::to_string(kept_digits)}},
+    return {{{{"quantity", quantity.name}, {"unit", quantity.unit}, {"digits", std::to_string(kept_digits)}}},
             {}};
   GoldenFile file = read_golden(path);
   if (file.entry("quantity") != quantity.name)

@@ -86,8 +86,10 @@ std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draw
          report.witness = outside_witness();
        }},
       {"golden values", {"golden"}, [&] {
-         progress.each("golden", catalogue(), &Quantity::name,
-                       [&](const Quantity& quantity) { report.golden.push_back(sample_golden(quantity)); });
+         progress.each("golden", catalogue(), &Quantity::name, [&](const Quantity& quantity) {
+           // Whole nips are golden contacts.
+           if (quantity.family.empty()) report.golden.push_back(sample_golden(quantity));
+         });
        }}};
   if (draws)
     parts.push_back({"figures", {}, [&] {

@@ -9,6 +9,7 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -39,7 +40,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
       const Gap gap(golden, now);
       if (!is_small(gap.allowed, row.scale)) {
         fail(GoldenFault::too_wide, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
-                                               now.error_text(), row.scale));
+                                                now.error_text(), row.scale));
       } else if (!gap.is_covered()) {
         fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
                                              now.value_text(), now.error_text(), row.value, row.bound));
@@ -55,11 +56,6 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
                                          fast, ulps, row.value, quantity.promise));
   }
   return failures;
-}
-
-/// Whether the i-th of `count` items is among `wanted` evenly spaced ones.
-bool is_taken(std::size_t i, std::size_t count, std::size_t wanted) {
-  return wanted >= count || (i * wanted) / count != ((i + 1) * wanted) / count;
 }
 
 }  // namespace
@@ -108,8 +104,12 @@ CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
         GoldenFault::text_changed, {}, fmt::format("{} is not what {} says", path.string(), checksums_name)};
   CheckedGolden checked;
   try {
-    const GoldenFile file = read_golden(path);
-    checked = check_rows(file.quantity(), file, options);
+    if (is_contact_kind(header_of(data::read_csv(path)).entry("quantity"))) {
+      checked = check_contacts(read_contacts(path), options);
+    } else {
+      const GoldenFile file = read_golden(path);
+      checked = check_rows(file.quantity(), file, options);
+    }
   } catch (const data::BadInput& unreadable) {
     if (!changed) throw;
     changed->what += fmt::format(", and cannot be read: {}", unreadable.what());

@@ -70,12 +70,17 @@ struct CheckedGolden {
 /// thousandth of a unit in the last place of the scale.
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options);
 
-/// The same for a file, whose checksum in the folder's SHA256SUMS is compared first, if there is one. If the file
+/// The same for a file of a quantity or of contacts, whose checksum in the folder's SHA256SUMS is compared first, if there is one. If the file
 /// cannot be read, the result is text-changed where the checksum is wrong; otherwise BadInput.
 CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions& options);
 
 /// The files that the folder's SHA256SUMS lists but that do not exist, and the golden files that it does not list.
 std::vector<GoldenFailure> check_folder(const std::filesystem::path& folder);
+
+/// Whether the i-th of `count` items is among `wanted` evenly spaced ones.
+inline bool is_taken(std::size_t i, std::size_t count, std::size_t wanted) {
+  return wanted >= count || (i * wanted) / count != ((i + 1) * wanted) / count;
+}
 
 Json failure_json(const GoldenFailure& failure);
 Json checked_file_json(const CheckedGolden& file);

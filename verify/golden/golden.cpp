@@ -81,8 +81,7 @@ class Reader {
     row.scale = number(fields[at++]);
     if (row.scale < 0) refuse(fields[at - 1], "a scale must not be negative");
     const CsvField& status = fields[at++];
-    if (status.text != "proven" && status.text != "estimated") refuse(status, "must be proven or estimated");
-    row.proven = status.text == "proven";
+    row.proven = is_proven(path_, status);
     row.confirmed_by = fields[at++].text;
     row.origin = fields[at++].text;
     return row;
@@ -122,8 +121,7 @@ class Reader {
   }
 
   [[nodiscard]] std::string decimal(const CsvField& field) const {
-    ref::Float value = ref::zero_of_bits(bits_for(field.text));
-    if (!read_decimal(field.text, value, MPFR_RNDN)) refuse(field, "must be a finite decimal number");
+    check_decimal(path_, field);
     return field.text;
   }
 
@@ -131,13 +129,6 @@ class Reader {
   const Quantity& quantity_;
   std::vector<Argument> named_;
 };
-
-/// The bound includes the rounding of the value to its text. The text of the value 0 is not rounded.
-std::string bound_text(const ref::Estimate& reference) {
-  if (!mpfr_zero_p(ref::raw(reference.value)) || mpfr_zero_p(ref::raw(reference.error)))
-    return reference.error_text();
-  return upward_text(reference.error);
-}
 
 }  // namespace
 
@@ -165,14 +156,20 @@ std::string upward_text(const ref::Float& number) {
   return result;
 }
 
-ref::Estimate GoldenRow::number() const {
+std::string bound_text(const ref::Estimate& reference) {
+  if (!mpfr_zero_p(ref::raw(reference.value)) || mpfr_zero_p(ref::raw(reference.error)))
+    return reference.error_text();
+  return upward_text(reference.error);
+}
+
+ref::Estimate number_of(const std::string& value, const std::string& bound) {
   ref::Float number = ref::zero_of_bits(bits_for(value)), error = ref::zero_of_bits(64);
   read_decimal(value, number, MPFR_RNDN);
   read_decimal(bound, error, MPFR_RNDU);
   return {std::move(number), std::move(error), digits_beyond_double};
 }
 
-const std::string& GoldenFile::entry(const std::string& key) const {
+const std::string& GoldenHeader::entry(const std::string& key) const {
   const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
   if (found == header.end()) throw BadInput(key, "(missing)", "must stand in the header of a golden file");
   return found->second;
@@ -180,15 +177,55 @@ const std::string& GoldenFile::entry(const std::string& key) const {
 
 const Quantity& GoldenFile::quantity() const { return find_quantity(entry("quantity")); }
 
-int GoldenFile::digits() const { return static_cast<int>(parse_integer("digits", entry("digits"))); }
+int GoldenHeader::digits() const { return static_cast<int>(parse_integer("digits", entry("digits"))); }
 
-void GoldenFile::set(const std::string& key, const std::string& text) {
+void GoldenHeader::set(const std::string& key, const std::string& text) {
   const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
   if (found == header.end()) {
     header.emplace_back(key, text);
   } else {
     found->second = text;
   }
+}
+
+std::string GoldenHeader::header_text() const {
+  std::string text;
+  for (const auto& [key, value] : header) text += fmt::format("# {}: {}\n", key, value);
+  return text;
+}
+
+GoldenHeader header_of(const data::CsvFile& csv) {
+  GoldenHeader read;
+  for (const CsvField& comment : csv.comments) {
+    const std::size_t colon = comment.text.find(": ");
+    if (colon == std::string::npos) data::refuse(csv.path, comment.position, "must be '# key: text'");
+    read.header.emplace_back(comment.text.substr(0, colon), comment.text.substr(colon + 2));
+  }
+  return read;
+}
+
+void check_columns(const std::filesystem::path& path, const std::vector<CsvField>& names,
+                   const std::vector<std::string>& columns) {
+  for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
+    if (i >= columns.size())
+      data::refuse(path, names[i].position, "must not be there: a row ends with the " + columns.back());
+    if (i >= names.size())
+      data::refuse(path, names.back().position, "must be followed by the column " + columns[i]);
+    if (names[i].text != columns[i])
+      data::refuse(path, names[i].position, "must be the column " + columns[i]);
+  }
+}
+
+void check_decimal(const std::filesystem::path& path, const CsvField& field) {
+  ref::Float value = ref::zero_of_bits(bits_for(field.text));
+  if (!read_decimal(field.text, value, MPFR_RNDN))
+    data::refuse(path, field.position, "must be a finite decimal number");
+}
+
+bool is_proven(const std::filesystem::path& path, const CsvField& status) {
+  if (status.text != "proven" && status.text != "estimated")
+    data::refuse(path, status.position, "must be proven or estimated");
+  return status.text == "proven";
 }
 
 GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference) {
@@ -202,8 +239,7 @@ GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Es
 }
 
 std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
-  std::string text;
-  for (const auto& [key, value] : file.header) text += fmt::format("# {}: {}\n", key, value);
+  std::string text = file.header_text();
   const std::vector<std::string> columns = columns_of(written_arguments(quantity));
   for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
   text += '\n';
@@ -219,23 +255,13 @@ std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
 
 GoldenFile read_golden(const std::filesystem::path& path) {
   const data::CsvFile csv = data::read_csv(path);
-  GoldenFile file;
-  for (const CsvField& comment : csv.comments) {
-    const std::size_t colon = comment.text.find(": ");
-    if (colon == std::string::npos) data::refuse(path, comment.position, "must be '# key: text'");
-    file.header.emplace_back(comment.text.substr(0, colon), comment.text.substr(colon + 2));
-  }
+  GoldenFile file{header_of(csv), {}};
   const Quantity& quantity = file.quantity();
   static_cast<void>(file.digits());
   const std::vector<CsvField>& names = csv.records.front();
   const std::vector<Argument> named = arguments_in(quantity, names);
   const Reader reader(path, quantity, named);
-  const std::vector<std::string> columns = columns_of(named);
-  for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
-    if (i >= columns.size()) reader.refuse(names[i], "must not be there: a row ends with the origin");
-    if (i >= names.size()) reader.refuse(names.back(), "must be followed by the column " + columns[i]);
-    if (names[i].text != columns[i]) reader.refuse(names[i], "must be the column " + columns[i]);
-  }
+  check_columns(path, names, columns_of(named));
   for (std::size_t i = 1; i < csv.records.size(); ++i) file.rows.push_back(reader.row(csv.records[i]));
   return file;
 }

@@ -4,10 +4,17 @@
 #include <utility>
 #include <vector>
 
+#include <nipref/data/table/csv.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 
 namespace nipref::verify {
+
+/// The number that these decimal texts are. The text of a value that is none is a NaN.
+ref::Estimate number_of(const std::string& value, const std::string& bound);
+
+/// The bound of the value that is written, with the rounding to its text. The text of the value 0 is not rounded.
+std::string bound_text(const ref::Estimate& reference);
 
 /// A stored value of a quantity, which a second method has confirmed.
 struct GoldenRow {
@@ -20,20 +27,37 @@ struct GoldenRow {
   std::string origin;        ///< hard, worst:fast@COMMIT, dense or user
 
   /// The value and its bound as a number.
-  [[nodiscard]] ref::Estimate number() const;
+  [[nodiscard]] ref::Estimate number() const { return number_of(value, bound); }
 };
 
-/// A file of golden values of one quantity.
-struct GoldenFile {
+/// What stands above the values of a file.
+struct GoldenHeader {
   std::vector<std::pair<std::string, std::string>> header;  ///< keys and their texts, in their order
-  std::vector<GoldenRow> rows;
 
   /// BadInput naming the key if it is not there.
   [[nodiscard]] const std::string& entry(const std::string& key) const;
-  /// The quantity whose values the file holds. BadInput if the catalogue has none of that name.
-  [[nodiscard]] const Quantity& quantity() const;
   [[nodiscard]] int digits() const;
   void set(const std::string& key, const std::string& text);
+  [[nodiscard]] std::string header_text() const;
+};
+
+/// The header of a file that was read. BadInput with line and column of what is no entry.
+GoldenHeader header_of(const data::CsvFile& csv);
+
+// What both kinds of files hold. BadInput with line and column of what is not there.
+
+void check_columns(const std::filesystem::path& path, const std::vector<data::CsvField>& names,
+                   const std::vector<std::string>& columns);
+void check_decimal(const std::filesystem::path& path, const data::CsvField& field);
+/// Whether the field is "proven" and not "estimated".
+bool is_proven(const std::filesystem::path& path, const data::CsvField& status);
+
+/// A file of golden values of one quantity.
+struct GoldenFile : GoldenHeader {
+  std::vector<GoldenRow> rows;
+
+  /// The quantity whose values the file holds. BadInput if the catalogue has none of that name.
+  [[nodiscard]] const Quantity& quantity() const;
 };
 
 /// A golden value from the reference's estimate, without a confirmation and an origin.

@@ -138,6 +138,14 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   return "";
 }
 
+void add_provenance(GoldenHeader& header, const Provenance& provenance) {
+  header.set("nipref", provenance.nipref);
+  header.set("compiler", provenance.compiler);
+  header.set("mpfr", provenance.mpfr);
+  header.set("commit", provenance.commit);
+  header.set("tree", provenance.clean ? "clean" : "dirty");
+}
+
 bool is_slow(const Quantity& quantity) { return quantity.audit_points < 10 || !quantity.family.empty(); }
 
 MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, const Provenance& provenance) {
@@ -175,12 +183,8 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
                       {"scale", quantity.scale},
                       {"command", fmt::format("nipref golden make {} --points {} --digits {} --seed {}",
                                               quantity.name, options.points, options.digits, options.seed)},
-                      {"digits", std::to_string(options.digits)},
-                      {"nipref", provenance.nipref},
-                      {"compiler", provenance.compiler},
-                      {"mpfr", provenance.mpfr},
-                      {"commit", provenance.commit},
-                      {"tree", provenance.clean ? "clean" : "dirty"}};
+                      {"digits", std::to_string(options.digits)}};
+  add_provenance(made.file, provenance);
   if (!made.file.rows.empty())
     made.file.header.emplace_back("example", decimal_example(quantity, made.file.rows.front().arguments));
   return made;

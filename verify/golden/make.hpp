@@ -15,6 +15,9 @@ struct Provenance {
   bool clean;          ///< whether no file differed from the commit
 };
 
+/// Adds the entries nipref, compiler, mpfr, commit and tree.
+void add_provenance(GoldenHeader& header, const Provenance& provenance);
+
 /// Whether the reference takes seconds for a value of many digits.
 bool is_slow(const Quantity& quantity);
 
@@ -25,10 +28,8 @@ struct GoldenOptions {
   OnProgress progress = {};
 };
 
-/// 50 digits at 250 points; for a slow quantity 30 digits at 200 points; for a quantity of a whole contact, whose
-/// solution takes seconds, 21 digits at 30 points.
+/// 50 digits at 250 points; for a slow quantity 30 digits at 200 points.
 inline GoldenOptions golden_options(const Quantity& quantity) {
-  if (!quantity.family.empty()) return {30, 21};
   return is_slow(quantity) ? GoldenOptions{200, 30} : GoldenOptions{250, 50};
 }
 

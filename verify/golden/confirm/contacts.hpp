@@ -35,6 +35,35 @@ class RolledContact {
   std::vector<Solved> nodes_, values_;
 };
 
+/// Longer contacts, L/B, without friction, with full friction, and rolling ones need too many points and are not confirmed.
+inline constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5, longest_rolling_confirmed = 0.5;
+
+/// The sheet of a contact that rolls without friction, in half-thicknesses.
+struct RollingSheet {
+  /// A term of the memory: its amplitudes are divided by its rate and by the instantaneous normal compliance N.
+  struct Memory {
+    mpq_class rate, of_normal, of_theta2;
+  };
+
+  mpq_class half_length;
+  mpq_class theta2;  ///< instantaneous, over N
+  std::vector<Memory> memories;
+
+  /// Joins terms of equal rate.
+  void remember(const Memory& term) {
+    for (Memory& memory : memories) {
+      if (memory.rate != term.rate) continue;
+      memory.of_normal += term.of_normal;
+      memory.of_theta2 += term.of_theta2;
+      return;
+    }
+    memories.push_back(term);
+  }
+};
+
+/// rolling_nip.resistance, .leading_share, .load, .indentation, .creep.
+std::vector<Confirmation> rolling_numbers(const RollingSheet& sheet);
+
 using Smooth = Interpolant<Solved>;
 
 /// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -9,7 +10,6 @@
 namespace nipref::verify::confirm {
 namespace {
 
-/// All results of a contact, in the order of their names.
 using Numbers = std::vector<Confirmation>;
 
 Solved rounded(const Float& x) { return Solved(x); }
@@ -45,9 +45,6 @@ std::vector<Solved> without_friction(Arguments x, double digits) {
           contact.middle_pressure() / (4 * half_length), 0};
 }
 
-/// Longer contacts without friction, or with full friction, need too many points and are not confirmed.
-constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5;
-
 Numbers elastic_numbers(Arguments x) {
   if (x["L_over_B"] > (x["friction"] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
     const Solved unknown = std::numeric_limits<double>::infinity();
@@ -74,56 +71,41 @@ Solved remembered_sign(const Solved& x, const Solved& rate) {
   return x > 0 ? Solved(1 - 2 * exp(-rate * x)) : Solved(-1);
 }
 
-std::vector<Solved> rolling(Arguments x, bool coarse) {
-  const Solved half_length = x["L_over_B"];
-  // The constants of the material are doubles.
-  const double time = x["memory_over_L"] * x["L_over_B"], theta1 = 1 + x["poisson"],
-               theta2 = theta1 * (1 - 2 * x["poisson"]), more_soft = x["softening"] - 1;
-  const double rates[] = {1 / time, (x["material"] == 0 ? 1 : 2) / time};
-  const double amplitudes[] = {theta1 * more_soft / time, theta2 * more_soft / time};
-  const Solved compliance = Solved(theta1) + Solved(theta2);
-  struct Memory {
-    mpq_class rate;    ///< for lengths in half-thicknesses
-    Solved amplitude;  ///< divided by the rate and the instantaneous compliance
-  };
-  std::vector<Memory> memories;  // the last one belongs to theta2
-  for (int k = 0; k < 2; ++k) {
-    memories.push_back({mpq_class(rates[k]) / 2, Solved(amplitudes[k]) / Solved(rates[k]) / compliance});
-  }
-  const Solved theta2_memory = memories.back().amplitude;
-  if (rates[0] == rates[1]) {
-    memories.front().amplitude += theta2_memory;
-    memories.pop_back();
-  }
-  const auto rate = [](const Memory& memory) { return to_number<Solved>(memory.rate); };
+std::vector<Solved> rolling(const RollingSheet& sheet, bool coarse) {
+  const auto number = [](const mpq_class& x) { return to_number<Solved>(x); };
+  const Solved half_length = number(sheet.half_length);
   const auto share = [&](const Solved& w) {
     Solved sum = 1;
-    for (const Memory& memory : memories) sum -= memory.amplitude * expm1(Solved(-rate(memory) * w));
+    for (const auto& memory : sheet.memories)
+      sum -= number(memory.of_normal) * expm1(Solved(-number(memory.rate) * w));
     return sum;
   };
   const auto normal = [&](const Solved& w) {
     Solved sum = rounded(kernel_I1(exactly(w)).value());
-    for (const Memory& memory : memories)
-      sum += memory.amplitude * rate(memory) * remembered(remembered_I1, w, memory.rate, coarse);
+    for (const auto& memory : sheet.memories)
+      sum += number(memory.of_normal * memory.rate) * remembered(remembered_I1, w, memory.rate, coarse);
     return sum;
   };
   // More points, an even number, for the growing exponentials.
-  const double growth = 3 * x["L_over_B"] * static_cast<double>(rate(memories.back()));
-  const int more = (coarse ? 8 : 16) + 2 * static_cast<int>(growth / 2);
-  const Smooth rest(-2 * half_length, 2 * half_length, smooth_points(2 * x["L_over_B"], 11) + more,
+  const double reach = sheet.half_length.get_d(),
+               fastest =
+                   std::ranges::max(sheet.memories, {}, [](auto&m) { return m.rate.get_d(); }).rate.get_d();
+  const int more = (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * fastest / 2);
+  const Smooth rest(-2 * half_length, 2 * half_length, smooth_points(2 * reach, 11) + more,
                     [&](const Solved& w) { return Solved(normal(w) + share(w) * log(abs(w))); });
   const RolledContact contact(
-      half_length, share, [&](const Solved& w) { return rest(w); }, smooth_points(x["L_over_B"], 11) + more);
+      half_length, share, [&](const Solved& w) { return rest(w); }, smooth_points(reach, 11) + more);
   // The kernel theta2 * I2 - N * I3.
-  const Solved beta = Solved(theta2) / compliance;
   const auto tangential = [&](const Solved& w) {
     const Solved quarter = pi<Solved>() / 4;
-    Solved sum = 2 * quarter * beta * (w > 0 ? 1 : -1) - rounded(kernel_I3(exactly(w)).value());
-    for (const Memory& memory : memories) {
-      sum -= memory.amplitude * (rate(memory) * remembered(remembered_I3, w, memory.rate, coarse) +
-                                 quarter * remembered_sign(w, rate(memory)));
+    Solved sum =
+        2 * quarter * number(sheet.theta2) * (w > 0 ? 1 : -1) - rounded(kernel_I3(exactly(w)).value());
+    for (const auto& memory : sheet.memories) {
+      const Solved rate = number(memory.rate), step = quarter * remembered_sign(w, rate);
+      sum -= number(memory.of_normal) * (rate * remembered(remembered_I3, w, memory.rate, coarse) + step);
+      sum += 2 * number(memory.of_theta2) * step;
     }
-    return sum + 2 * quarter * theta2_memory * remembered_sign(w, rate(memories.back()));
+    return sum;
   };
   const Solved stretched = contact.integral(
       [&](const Solved& at) { return Solved(tangential(at - half_length) - tangential(at + half_length)); });
@@ -133,9 +115,30 @@ std::vector<Solved> rolling(Arguments x, bool coarse) {
           contact.indentation() / (8 * square), stretched / pi<Solved>() / (8 * square)};
 }
 
-Numbers rolling_numbers(Arguments x) {
-  return compared("Kress's rule in Chebyshev's singular weight", rolling(x, false), rolling(x, true));
+}  // namespace
+
+Numbers rolling_numbers(const RollingSheet& sheet) {
+  return compared("Kress's rule in Chebyshev's singular weight", rolling(sheet, false), rolling(sheet, true));
 }
+
+namespace {
+
+/// The sheet of rolling_nip.*, whose constants are doubles.
+RollingSheet rolling_sheet(Arguments x) {
+  const double time = x["memory_over_L"] * x["L_over_B"], theta1 = 1 + x["poisson"],
+               theta2 = theta1 * (1 - 2 * x["poisson"]), more_soft = x["softening"] - 1;
+  const mpq_class compliance = mpq_class(theta1) + mpq_class(theta2);
+  RollingSheet sheet{x["L_over_B"], mpq_class(theta2) / compliance, {}};
+  const auto remember = [&](double at_once, double rate, bool is_theta2) {
+    const mpq_class amplitude = mpq_class(at_once * more_soft / time) / rate / compliance;
+    sheet.remember({mpq_class(rate) / 2, amplitude, is_theta2 ? amplitude : mpq_class(0)});
+  };
+  remember(theta1, 1 / time, false);
+  remember(theta2, (x["material"] == 0 ? 1 : 2) / time, true);
+  return sheet;
+}
+
+Numbers rolling_nip_numbers(Arguments x) { return rolling_numbers(rolling_sheet(x)); }
 
 /// The quantities of a family, in the order of their numbers.
 void add_family(Methods& methods, std::string_view family, Numbers (*solve)(Arguments)) {
@@ -156,7 +159,7 @@ const Methods& nip_methods() {
   static const Methods methods = [] {
     Methods all;
     add_family(all, "nip", elastic_numbers);
-    add_family(all, "rolling_nip", rolling_numbers);
+    add_family(all, "rolling_nip", rolling_nip_numbers);
     return all;
   }();
   return methods;

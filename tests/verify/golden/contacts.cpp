@@ -1,0 +1,115 @@
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/data/input_file.hpp>
+#include <nipref/verify/golden/confirm/scene.hpp>
+#include <nipref/verify/golden/contacts.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+using verify::ContactsFile;
+using verify::GoldenFault;
+
+namespace {
+
+ContactsFile contacts(const char* kind) { return verify::read_contacts(verify::contacts_path(kind)); }
+
+/// The contact that has these values of its keys.
+ContactsFile one_of(ContactsFile file, const verify::Assignments& keys) {
+  std::erase_if(file.rows, [&](const verify::GoldenContact& row) { return row.keys != keys; });
+  REQUIRE(file.rows.size() == 1);
+  return file;
+}
+
+ContactsFile unit_contact() {
+  return one_of(contacts("contacts-frictionless"), {{"contact.length", "1"}, {"material.poisson", "0.2"}});
+}
+
+}  // namespace
+
+TEST_CASE("golden contacts: at least 200 of each kind, from L/B = 1e-4 to 1000, each confirmed, none twice") {
+  std::map<std::string, std::size_t> rows;
+  for (const std::string& kind : verify::contact_kinds()) {
+    CAPTURE(kind);
+    const ContactsFile file = contacts(kind.c_str());
+    CHECK(file.entry("quantity") == kind);
+    CHECK(file.entry("tree") == "clean");
+    CHECK(file.entry("commit").size() == 40);
+    std::set<verify::Assignments> keys;
+    std::size_t by_second_method = 0;
+    for (const verify::GoldenContact& row : file.rows) {
+      keys.insert(row.keys);
+      CHECK(row.confirmed_by.starts_with("fast to "));
+      by_second_method += row.confirmed_by.find("; ") != std::string::npos ? 1 : 0;
+    }
+    CHECK(keys.size() == file.rows.size());
+    // Some contacts are not known to all digits.
+    CHECK(keys.size() >= 0.95 * static_cast<double>(verify::swept_by(verify::contact_scene(kind)).size()));
+    CHECK(10 * by_second_method >= file.rows.size());
+    rows[kind.substr(0, kind.find('-', std::string("contacts-").size()))] += file.rows.size();
+    CHECK(verify::contacts_text(file) == data::text_of_input_file(verify::contacts_path(kind), "file"));
+  }
+  for (const auto& [kind, count] : rows) CHECK_MESSAGE(count >= 200, kind);
+}
+
+TEST_CASE("golden contacts are what they were: every 20th by fast, one of each kind by the reference") {
+  for (const std::string& kind : verify::contact_kinds()) {
+    CAPTURE(kind);
+    CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(kind + ".csv") ==
+          verify::sha256(data::text_of_input_file(verify::contacts_path(kind), "file")));
+    ContactsFile file = contacts(kind.c_str());
+    for (const auto& found : verify::check_contacts(file, {false, 20}).failures) FAIL_CHECK(found.what);
+  }
+}
+
+TEST_CASE(
+    "a golden contact that is changed in its 17th digit is found by the reference, in its 12th by fast") {
+  ContactsFile file = unit_contact();
+  REQUIRE(verify::check_contacts(file, {}).kept());
+  std::string& load = file.rows[0].results[0].value;
+  const std::string right = load;
+  const auto faults_at = [&](std::size_t digit) {
+    load = right;
+    load[digit + 1] = load[digit + 1] == '9' ? '8' : static_cast<char>(load[digit + 1] + 1);
+    return verify::check_contacts(file, {}).failures.size();
+  };
+  CHECK(faults_at(17) == 1);
+  CHECK(faults_at(11) == 2);
+  load = right;
+  file.rows[0].results[0].bound = "1e-20";
+  CHECK(verify::check_contacts(file, {}).failures.at(0).fault == GoldenFault::too_wide);
+}
+
+TEST_CASE("second methods solve contacts as the reference does, and say where they do not reach") {
+  const auto is_reached = [](const char* kind, const verify::Assignments& keys) {
+    return static_cast<bool>(verify::second_solver(data::load_scene(verify::contact_scene(kind), keys)));
+  };
+  CHECK(is_reached("contacts-frictionless", {{"contact.length", "3"}, {"material.poisson", "0.2"}}));
+  CHECK_FALSE(is_reached("contacts-frictionless", {{"contact.length", "5"}, {"material.poisson", "0.2"}}));
+}
+
+TEST_CASE("a file of golden contacts that is none is refused with line and column") {
+  const std::string text = verify::contacts_text(unit_contact());
+  const auto refusal = [&](const std::string& from, const std::string& to) -> std::string {
+    std::string changed = text;
+    REQUIRE(changed.find(from) != std::string::npos);
+    const ScratchFile file(changed.replace(changed.find(from), from.size(), to));
+    try {
+      static_cast<void>(verify::read_contacts(file.path()));
+    } catch (const data::BadInput& refused) {
+      return refused.what();
+    }
+    return "";
+  };
+  CHECK(refusal("load,", "load,") == "");
+  CHECK(refusal("quantity: contacts-frictionless", "quantity: contacts-soft").find("must be one of") !=
+        std::string::npos);
+  CHECK(refusal(",load,", ",force,").find("must be the column load") != std::string::npos);
+  CHECK(refusal(",proven,", ",certain,").find("must be proven or estimated") != std::string::npos);
+  CHECK(refusal("e-", "f-").find("must be a finite decimal number") != std::string::npos);
+}

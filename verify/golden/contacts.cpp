@@ -1,0 +1,324 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/data/scene/sweep.hpp>
+#include <nipref/data/table/csv.hpp>
+#include <nipref/verify/golden/confirm/scene.hpp>
+#include <nipref/verify/golden/contacts.hpp>
+#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/mapped.hpp>
+
+namespace nipref::verify {
+namespace {
+
+namespace fs = std::filesystem;
+using data::BadInput;
+using ByRef = SceneSolution<ref::Estimate>;
+
+constexpr std::string_view prefix = "contacts-";
+constexpr std::size_t nips_for_each_confirmed = 10;
+constexpr std::size_t axis_points = 100;  ///< of a range that a kind's sweep has
+
+/// What a result's error is measured against.
+template <class Number>
+long double size_of(const SceneSolution<Number>& solution, std::size_t result) {
+  return solution.results[result].allowed.front() / solution.accuracy;
+}
+
+long double as_real(const ref::Float& x) { return mpfr_get_ld(ref::raw(x), MPFR_RNDU); }
+
+/// A confirmation that is under way: the largest distance that it leaves open, over the size of the result.
+struct Confirmed {
+  long double open = 0;
+  std::string contradicted;  ///< what it contradicts, empty if nothing
+
+  void compare(std::string_view name, long double distance, long double allowed, long double open_distance,
+               long double size) {
+    if (!(distance <= allowed)) contradicted += fmt::format(" {} by {:.1e}", name, distance);
+    if (open_distance > 0) open = std::max(open, open_distance / size);
+  }
+};
+
+Confirmed confirmed_by_fast(const ByRef& reference, const SceneSolution<fast::Estimate>& fast) {
+  Confirmed confirmed;
+  for (std::size_t i = 0; i < reference.results.size(); ++i) {
+    const ref::Estimate& truth = reference.results[i].numbers.front();
+    const fast::Estimate& number = fast.results[i].numbers.front();
+    const long double distance = std::fabs(truth.error_of(number.value)),
+                      allowed = number.error + as_real(truth.error);
+    confirmed.compare(reference.results[i].what->name, distance, allowed, allowed, size_of(reference, i));
+  }
+  return confirmed;
+}
+
+Confirmed confirmed_by_second(const ByRef& reference, const SecondSolution& second) {
+  Confirmed confirmed;
+  for (std::size_t i = 0; i < reference.results.size(); ++i) {
+    for (const auto& [id, number] : second.numbers) {
+      if (id != reference.results[i].what->id) continue;
+      const Gap gap(reference.results[i].numbers.front(), number);
+      const long double distance = as_real(gap.distance);
+      confirmed.compare(reference.results[i].what->name, distance, as_real(gap.allowed),
+                        distance + as_real(number.error), size_of(reference, i));
+    }
+  }
+  return confirmed;
+}
+
+/// A combination of the sweep, while it is made.
+struct UnmadeContact {
+  Assignments keys;
+  std::optional<data::Scene> scene;
+  ByRef reference;
+  std::string confirmed_by, refused;
+
+  void take(const std::string& method, const Confirmed& by) {
+    if (!by.contradicted.empty()) {
+      refused = fmt::format("{} differs:{}", method, by.contradicted);
+      return;
+    }
+    confirmed_by += fmt::format("{}{} to {:.1e}", confirmed_by.empty() ? "" : "; ", method, by.open);
+  }
+
+  void solve(const data::SceneText& text, int digits) {
+    try {
+      scene = data::load_scene(text, keys);
+      reference = solve_by_ref(*scene, digits);
+      if (reference.met() == true) {
+        take("fast", confirmed_by_fast(reference, verify::solve(*scene)));
+      } else {
+        refused = "the reference is less accurate than that: " + std::string(reference.missed().front());
+      }
+    } catch (const BadInput& error) {
+      refused = error.what();
+    }
+  }
+  void confirm() {
+    const SecondSolution second = second_solver(*scene)();
+    std::string of;
+    for (const auto& [id, number] : second.numbers) {
+      if (std::ranges::find(scene->wanted, id) != scene->wanted.end())
+        of += fmt::format(" {}", data::scene_result(id).name);
+    }
+    take(fmt::format("{} for{}", second.method, of), confirmed_by_second(reference, second));
+  }
+  [[nodiscard]] GoldenContact row() const {
+    GoldenContact row{keys, {}, true, confirmed_by};
+    for (const auto& result : reference.results) {
+      const ref::Estimate& number = result.numbers.front();
+      row.results.push_back({number.value_text(), bound_text(number)});
+      row.proven = row.proven && number.proven;
+    }
+    return row;
+  }
+};
+
+/// Those that a second method is to confirm.
+std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts) {
+  std::vector<UnmadeContact*> reached, taken;
+  for (UnmadeContact& contact : contacts) {
+    if (contact.refused.empty() && second_solver(*contact.scene)) reached.push_back(&contact);
+  }
+  if (reached.empty() || reached.front()->scene->kind() == data::SceneKind::half_space) return reached;
+  const std::size_t wanted =
+      std::min(reached.size(), (contacts.size() + nips_for_each_confirmed - 1) / nips_for_each_confirmed);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (is_taken(i, reached.size(), wanted)) taken.push_back(reached[i]);
+  }
+  return taken;
+}
+
+std::vector<std::string> columns_of(const std::vector<std::string>& keys,
+                                    const std::vector<std::string>& results) {
+  std::vector<std::string> columns = keys;
+  for (const std::string& result : results) {
+    columns.push_back(result);
+    columns.push_back(result + "_bound");
+  }
+  columns.insert(columns.end(), {"status", "confirmed_by"});
+  return columns;
+}
+
+std::vector<std::string> result_names(const data::Scene& scene) {
+  return mapped(scene.wanted, [](data::ResultId id) { return std::string(data::scene_result(id).name); });
+}
+
+}  // namespace
+
+std::vector<std::string> contact_kinds() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(data::golden_directory())) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() == ".toml" && stem.starts_with(prefix)) names.push_back(stem);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+bool is_contact_kind(std::string_view name) {
+  return name.starts_with(prefix) && std::ranges::count(contact_kinds(), name) > 0;
+}
+
+fs::path contacts_path(std::string_view kind) {
+  return data::golden_directory() / (std::string(kind) + ".csv");
+}
+
+data::SceneText contact_scene(std::string_view kind) {
+  if (!is_contact_kind(kind))
+    throw BadInput("contacts", kind, fmt::format("must be one of {}", fmt::join(contact_kinds(), ", ")));
+  return data::read_scene(data::golden_directory() / (std::string(kind) + ".toml"));
+}
+
+AxesProduct swept_by(const data::SceneText& scene) {
+  const data::SceneSweep sweep = data::scene_sweep(scene);
+  return AxesProduct(
+      mapped(sweep.keys, [](const auto& key) { return axis_of(key.first, key.second, axis_points); }));
+}
+
+MadeContacts make_contacts(const std::string& kind, int digits, const Provenance& provenance,
+                           const OnProgress& progress) {
+  const data::SceneText text = contact_scene(kind);
+  const AxesProduct product = swept_by(text);
+  std::vector<UnmadeContact> contacts(product.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    contacts[i].keys = product.assignments(i, &AxisValue::shown);
+  const auto part = [&](double from) {
+    return [=](double done) {
+      if (progress) progress(from + done / 2);
+    };
+  };
+  parallel_for(
+      contacts.size(), [&](std::size_t i) { contacts[i].solve(text, digits); }, part(0));
+  const std::vector<UnmadeContact*> confirmed = to_be_confirmed(contacts);
+  parallel_for(
+      confirmed.size(), [&](std::size_t i) { confirmed[i]->confirm(); }, part(0.5));
+  MadeContacts made;
+  const data::Scene example = data::load_scene(text, contacts.front().keys);
+  made.file.header = {{"quantity", kind},
+                      {"definition", example.title.substr(0, example.title.find(", with "))},
+                      {"command", fmt::format("nipref golden make {} --digits {}", kind, digits)},
+                      {"digits", std::to_string(digits)}};
+  made.file.results = result_names(example);
+  add_provenance(made.file, provenance);
+  for (const UnmadeContact& contact : contacts) {
+    if (contact.refused.empty()) {
+      made.file.rows.push_back(contact.row());
+    } else {
+      made.refused.push_back({contact.keys, contact.refused});
+    }
+  }
+  return made;
+}
+
+std::string contacts_text(const ContactsFile& file) {
+  std::string text = file.header_text();
+  if (file.rows.empty()) return text;
+  const auto names = mapped(file.rows.front().keys, &Assignments::value_type::first);
+  text += fmt::format("{}\n", fmt::join(columns_of(names, file.results), ","));
+  for (const GoldenContact& row : file.rows) {
+    for (const auto& [key, value] : row.keys) text += value + ",";
+    for (const auto& [value, bound] : row.results) text += fmt::format("{},{},", value, bound);
+    text += fmt::format("{},{}\n", row.proven ? "proven" : "estimated", row.confirmed_by);
+  }
+  return text;
+}
+
+ContactsFile read_contacts(const fs::path& path) {
+  const data::CsvFile csv = data::read_csv(path);
+  ContactsFile file{header_of(csv), {}, {}};
+  static_cast<void>(file.digits());
+  const data::SceneText text = contact_scene(file.entry("quantity"));
+  const AxesProduct product = swept_by(text);
+  const std::vector<std::string> keys = mapped(product.axes(), &Axis::name);
+  file.results = result_names(data::load_scene(text, product.assignments(0, &AxisValue::shown)));
+  const std::vector<std::string> columns = columns_of(keys, file.results);
+  check_columns(path, csv.records.front(), columns);
+  for (std::size_t i = 1; i < csv.records.size(); ++i) {
+    const std::vector<data::CsvField>& fields = csv.records[i];
+    GoldenContact row{};
+    for (std::size_t k = 0; k < keys.size(); ++k) row.keys.emplace_back(keys[k], fields[k].text);
+    for (std::size_t at = keys.size(); at < columns.size() - 2; at += 2) {
+      check_decimal(path, fields[at]);
+      check_decimal(path, fields[at + 1]);
+      row.results.push_back({fields[at].text, fields[at + 1].text});
+    }
+    row.proven = is_proven(path, fields[columns.size() - 2]);
+    row.confirmed_by = fields.back().text;
+    file.rows.push_back(std::move(row));
+  }
+  return file;
+}
+
+namespace {
+
+/// The faults of a contact.
+std::vector<GoldenFailure> check_contact(const data::SceneText& text, const ContactsFile& file,
+                                         std::size_t number, bool by_ref) {
+  const GoldenContact& row = file.rows[number - 1];
+  std::vector<GoldenFailure> failures;
+  const auto fail = [&](GoldenFault fault, std::string_view name, const std::string& what) {
+    std::string at;
+    for (const auto& [key, value] : row.keys) at += fmt::format("{} = {}, ", key, value);
+    failures.push_back({fault, number, fmt::format("{}{}: {}", at, name, what)});
+  };
+  try {
+    const data::Scene scene = data::load_scene(text, row.keys);
+    const auto fast = solve(scene);
+    const auto reference = by_ref ? std::optional(solve_by_ref(scene, file.digits())) : std::nullopt;
+    for (std::size_t i = 0; i < file.results.size(); ++i) {
+      const ref::Estimate golden = row.results[i].number();
+      const fast::Estimate quick = fast.results[i].numbers.front();
+      const long double width = as_real(golden.error),
+                        widest = std::pow(10.0L, -file.digits()) *
+                                 std::max<long double>(size_of(fast, i), std::fabs(golden.to_double()));
+      if (!(width <= widest))
+        fail(GoldenFault::too_wide, file.results[i],
+             fmt::format("the bound {} is too wide", row.results[i].bound));
+      if (!(std::fabs(golden.error_of(quick.value)) <= quick.error + width))
+        fail(GoldenFault::wrong, file.results[i],
+             fmt::format("fast is {:.17g} +- {:.1e}, golden is {}", quick.value, quick.error,
+                         row.results[i].value));
+      if (!reference) continue;
+      const ref::Estimate& now = reference->results[i].numbers.front();
+      if (!Gap(golden, now).is_covered())
+        fail(GoldenFault::wrong, file.results[i],
+             fmt::format("the reference is {} +- {}, golden is {} +- {}", now.value_text(), now.error_text(),
+                         row.results[i].value, row.results[i].bound));
+    }
+  } catch (const BadInput& refused) {
+    fail(GoldenFault::wrong, "all", fmt::format("it is refused: {}", refused.what()));
+  }
+  return failures;
+}
+
+}  // namespace
+
+CheckedGolden check_contacts(const ContactsFile& file, const CheckOptions& options) {
+  const data::SceneText text = contact_scene(file.entry("quantity"));
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < file.rows.size(); i += options.every) rows.push_back(i);
+  CheckedGolden checked;
+  checked.quantity = file.entry("quantity");
+  checked.rows = rows.size();
+  checked.recomputed =
+      options.all ? rows.size() : (rows.size() + nips_for_each_confirmed - 1) / nips_for_each_confirmed;
+  std::vector<std::vector<GoldenFailure>> failures(rows.size());
+  parallel_for(
+      rows.size(),
+      [&](std::size_t i) {
+        failures[i] = check_contact(text, file, rows[i] + 1, is_taken(i, rows.size(), checked.recomputed));
+      },
+      options.progress);
+  for (auto& found : failures) std::ranges::move(found, std::back_inserter(checked.failures));
+  return checked;
+}
+
+}  // namespace nipref::verify
