@@ -107,12 +107,12 @@ HalfPlaneParts operator-(const HalfPlaneParts& a, const HalfPlaneParts& b) {
 double u_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
   const double sum = load == SheetLoad::normal ? -parts.first - share.theta1 * parts.second
                                                : share.theta1 * parts.second - share.theta2 * parts.first;
-  return sum * inverse_pi;
+  return sum * inv_pi;
 }
 double v_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
   const double sum = load == SheetLoad::normal ? share.theta1 * parts.second - share.theta2 * parts.first
                                                : -parts.first - share.theta1 * parts.second;
-  return sum * inverse_pi;
+  return sum * inv_pi;
 }
 
 internal::FromFace from_face(const FieldFunctions& f, const FieldFunctions& face, double s, SheetLoad load,

@@ -303,7 +303,7 @@ TEST_CASE("both paths have the same displacements inside, on the faces the surfa
            {std::pair{data::ResultId::displacement_across, data::ResultId::normal_displacement},
             std::pair{data::ResultId::displacement_along, data::ResultId::tangential_displacement}}) {
         for (std::size_t i = 0; i < 3; ++i) {
-          for (const std::size_t face : {9, 12}) {
+          for (const std::size_t face : {9u, 12u}) {
             CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
             // The reference integrates the field to the face, and by other kernels the surface.
             const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];
