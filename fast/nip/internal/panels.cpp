@@ -34,6 +34,7 @@ double log_fall(double left, double right, double half_length, bool is_whole) {
 /// The degree from which on the coefficients of e^(-rate x) on a panel, e^(-rate middle) I_n(rate half), are below e^-nats
 /// and fall as the error statement takes it, or are less than rounding: by the leading term of their uniform expansion in n.
 int degree_of_exponential(Complex rate, double left, double right, double nats) {
+  if (rate.real() * left > nats_of_double) return 1;
   const Complex z = rate * (right - left) / 2.0;
   const double middle = rate.real() * (left + right) / 2;
   for (int n = 1; n < 4 * most_terms; ++n) {
