@@ -43,7 +43,7 @@ std::vector<Interval> results_of(const ref::ProvenRolling& contact) {
 
 TEST_CASE(
     "ref rolling contact: random ones are proven, fewer digits meet more, and double is within its errors") {
-  constexpr int nips = 3;  // 200 were run once
+  constexpr int nips = 3;
   std::mt19937_64 random(5);
   const auto between = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
