@@ -59,7 +59,7 @@ AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options) {
   const Evaluator none;
-  const Comparator comparator(quantity, none, options, true);
+  const Comparator comparator(quantity, none, options);
   std::vector<std::optional<Finding>> findings(points.size());
   parallel_for(
       points.size(), [&](std::size_t i) { findings[i] = comparator(points[i], values[i]); },
@@ -88,6 +88,8 @@ Json point_json(const Quantity& quantity, const Point& point) {
 Json audit_row_json(const AuditResult& result) {
   return {{"quantity", result.quantity->name},
           {"points", result.points},
+          {"left_out", result.left_out},
+          {"_left_out", result.left_out > 0 ? Json(result.left_out) : Json()},
           {"max_error_ulp", result.max_error_ulp},
           {"mean_error_ulp", result.spread.mean},
           {"median_error_ulp", result.spread.median},

@@ -51,7 +51,7 @@ struct AuditOptions {
 struct AuditResult {
   const Quantity* quantity;
   std::size_t points;         ///< points compared
-  std::size_t left_out;       ///< points of the ranges at which the quantity is not defined
+  std::size_t left_out;       ///< points at which the reference has no value of 21 digits
   double promise;             ///< units in the last place of the scale
   double max_error_ulp;       ///< largest error found, in those units
   double max_relative_error;  ///< largest |error| / |value| found

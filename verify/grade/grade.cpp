@@ -84,14 +84,12 @@ Json grade_json(const Grade& grade) {
   const std::size_t decades = found.spread.decades.size();
   Json row{{"graded", grade.what}, {"where", grade.where}};
   row.append(audit_row_json(found));
-  row.append({{"left_out", found.left_out},
-              {"worst_value", grade.worst_value},
+  row.append({{"worst_value", grade.worst_value},
               {"worst_condition", grade.condition},
               {"wrong", found.spread.wrong ? wrong_json(*found.quantity, *found.spread.wrong) : Json()},
               {"along", found.quantity->arguments[found.spread.along].name},
               {"decades", json_list(found.spread.decades, decade_json)},
               {"_scale", found.quantity->scale},
-              {"_left_out", found.left_out > 0 ? Json(found.left_out) : Json()},
               {"_worst_decades", json_list(worst, decade_json)},
               {"_left_out_decades",
                worst.size() < decades ? Json{{"worst", worst.size()}, {"of", decades}} : Json()}});

@@ -163,6 +163,20 @@ TEST_CASE("points of the ranges that have no such quantity are left out, unless 
   CHECK_THROWS_AS(static_cast<void>(verify::audit(quantity, options)), data::BadInput);
 }
 
+TEST_CASE(
+    "points of the whole domain for which the reference has no value are counted, not a fault of the audit") {
+  Quantity quantity = verify::find_quantity("I1");
+  const auto sound = quantity.by_ref;
+  quantity.by_ref = [sound](std::span<const ref::Exact> x, int digits) {
+    if (std::fabs(x[0].approximate()) < 1) throw data::BadInput("alpha", x[0].approximate(), "too near");
+    return sound(x, digits);
+  };
+  const AuditResult found = verify::audit(quantity, {300, {}, {}});
+  CHECK(found.kept());
+  CHECK(found.left_out > 0);
+  CHECK(verify::audit_row_json(found).at("left_out").as_count() == found.left_out);
+}
+
 TEST_CASE("zeros are looked for where the reference has values") {
   static constexpr double farthest = 60;
   Quantity quantity = verify::find_quantity("I1");

@@ -60,10 +60,10 @@ class AuditPlan {
 /// Compares an evaluator's values with the reference.
 class Comparator {
  public:
-  /// Quantity and evaluator must outlive the comparator. If `may_refuse`, the reference may refuse points. If
-  /// `is_fast`, the error that fast states for a value, where it states one, must cover the error found.
+  /// Quantity and evaluator must outlive the comparator. If `is_fast`, the error that fast states for a value, where it
+  /// states one, must cover the error found.
   Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-             bool may_refuse, bool is_fast = false);
+             bool is_fast = false);
 
   /// Finds the errors at a batch of points; a point that the reference refuses has none.
   void operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const;
@@ -81,7 +81,6 @@ class Comparator {
   const Evaluator& evaluator_;
   fast::Accuracy accuracy_;
   double promise_;
-  bool may_refuse_;
   bool checks_own_error_;
 };
 
@@ -95,7 +94,7 @@ struct Compared {
 /// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks.
 struct AuditTally {
   std::uint64_t points = 0;    ///< points compared
-  std::uint64_t left_out = 0;  ///< points of the ranges at which the quantity is not defined
+  std::uint64_t left_out = 0;  ///< points at which the reference has no value of 21 digits
   double max_ulp = 0, max_relative = 0;
   double allowance_used = -1;  ///< the largest; -1 without points
   std::uint64_t worst_block = 0;

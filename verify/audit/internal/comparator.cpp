@@ -7,12 +7,11 @@
 namespace nipref::verify {
 
 Comparator::Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-                       bool may_refuse, bool is_fast)
+                       bool is_fast)
     : quantity_(quantity),
       evaluator_(evaluator),
       accuracy_(options.accuracy),
       promise_(options.promise_of(quantity)),
-      may_refuse_(may_refuse),
       checks_own_error_(is_fast && quantity.fast_error) {}
 
 void Comparator::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
@@ -44,7 +43,6 @@ std::optional<ref::Estimate> Comparator::truth(const Point& point) const {
   try {
     return ref_value(quantity_, point, digits_beyond_double);
   } catch (const data::BadInput&) {
-    if (!may_refuse_) throw;
     return std::nullopt;
   }
 }

@@ -27,7 +27,7 @@ QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, Evalu
     : quantity_(quantity),
       options_(std::move(options)),
       evaluator_(std::move(evaluator)),
-      comparator_(quantity, evaluator_, options_, !options_.ranges.empty(), is_fast),
+      comparator_(quantity, evaluator_, options_, is_fast),
       keeps_points_(keeps_points) {}
 
 const AuditPlan& QuantityWork::plan() const {
