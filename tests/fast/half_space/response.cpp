@@ -1,15 +1,11 @@
-// Half-spaces under loads that move steadily: multiprecision, Stroh's eigenvalue problem, limits, critical
-// speeds.
+// Half-spaces under loads that move steadily: multiprecision, the reference, limits, critical speeds.
 #include <doctest/doctest.h>
-#include <gsl/gsl_eigen.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
-#include <complex>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -21,6 +17,9 @@
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/response.hpp>
+
+#include "support/refusal.hpp"
 
 using namespace nipref;
 using data::IsotropicSolid;
@@ -80,160 +79,41 @@ Direction random_direction(std::mt19937_64& generator) {
   return Direction::of_angle(std::uniform_real_distribution<double>(-4, 4)(generator));
 }
 
-/// Components of the stiffness with the axis of symmetry along x3 or x2.
-double stiffness(const TransverselyIsotropicSolid& solid, SymmetryAxis axis, int i, int j, int k, int l) {
-  const int symmetry = axis == SymmetryAxis::normal ? 2 : 1;
-  if (i == j && k == l) {
-    if (i == symmetry && k == symmetry) return solid.c33;
-    if (i == symmetry || k == symmetry) return solid.c13;
-    return i == k ? solid.c11 : solid.c11 - 2 * solid.c66;
-  }
-  if ((i == k && j == l) || (i == l && j == k)) {
-    return i == symmetry || j == symmetry ? solid.c44 : solid.c66;
-  }
-  return 0;
+/// With what answers to pressure, and to shear along the lines.
+ref::ExactStiffness exactly(const TransverselyIsotropicSolid& solid, SymmetryAxis axis) {
+  return axis == SymmetryAxis::normal ? ref::sagittal_stiffness(solid) : ref::exact_stiffness(solid, axis);
 }
 
-template <class Number>
-using Square = std::array<std::array<Number, 3>, 3>;
-using Complex = std::complex<double>;
-
-Square<double> contraction(const TransverselyIsotropicSolid& solid, SymmetryAxis axis,
-                           const std::array<double, 3>& left, const std::array<double, 3>& right) {
-  Square<double> sum{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l)
-          sum[std::size_t(i)][std::size_t(k)] +=
-              stiffness(solid, axis, i, j, k, l) * left[std::size_t(j)] * right[std::size_t(l)];
-  return sum;
-}
-
-/// By cofactors.
-template <class Number>
-Square<Number> inverse(const Square<Number>& a) {
-  const auto cofactor = [&](std::size_t i, std::size_t k) {
-    const std::size_t p = (i + 1) % 3, q = (i + 2) % 3, r = (k + 1) % 3, s = (k + 2) % 3;
-    return a[p][r] * a[q][s] - a[p][s] * a[q][r];
-  };
-  const Number determinant = a[0][0] * cofactor(0, 0) + a[0][1] * cofactor(0, 1) + a[0][2] * cofactor(0, 2);
-  Square<Number> result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) result[k][i] = cofactor(i, k) / determinant;
-  return result;
-}
-
-/// sum_k left[i][k] right[k][j]
-double product(const Square<double>& left, const Square<double>& right, std::size_t i, std::size_t j) {
-  return left[i][0] * right[0][j] + left[i][1] * right[1][j] + left[i][2] * right[2][j];
-}
-
-struct Mode {
-  Complex s;
-  std::array<Complex, 3> displacement;
-};
-
-/// All s and u with (Q + s (R + R^T) + s^2 T) u = 0, the fastest decaying first: eigenvectors of the companion matrix.
-std::vector<Mode> modes(const Square<double>& Q, const Square<double>& R, const Square<double>& T) {
-  const Square<double> flexibility = inverse(T);
-  Square<double> sum{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) sum[i][k] = R[i][k] + R[k][i];
-  std::array<double, 36> companion{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    companion[6 * i + 3 + i] = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      companion[6 * (i + 3) + k] = -product(flexibility, Q, i, k);
-      companion[6 * (i + 3) + 3 + k] = -product(flexibility, sum, i, k);
-    }
-  }
-  std::array<double, 12> values{};
-  std::array<double, 72> vectors{};
-  auto matrix = gsl_matrix_view_array(companion.data(), 6, 6);
-  auto eigenvalues = gsl_vector_complex_view_array(values.data(), 6);
-  auto eigenvectors = gsl_matrix_complex_view_array(vectors.data(), 6, 6);
-  gsl_eigen_nonsymmv_workspace* const workspace = gsl_eigen_nonsymmv_alloc(6);
-  gsl_eigen_nonsymmv(&matrix.matrix, &eigenvalues.vector, &eigenvectors.matrix, workspace);
-  gsl_eigen_nonsymmv_free(workspace);
-  std::vector<Mode> result;
-  for (std::size_t mode = 0; mode < 6; ++mode) {
-    const auto component = [&](std::size_t i) {
-      return Complex(vectors[2 * (6 * i + mode)], vectors[2 * (6 * i + mode) + 1]);
-    };
-    result.push_back({{values[2 * mode], values[2 * mode + 1]}, {component(0), component(1), component(2)}});
-  }
-  std::ranges::sort(result,
-                    [](const Mode& left, const Mode& right) { return left.s.imag() > right.s.imag(); });
-  return result;
-}
-
-struct StrohResponse {
-  double compliance, coupling, coupling_across;
-  int decaying;  ///< fields that fade in depth
-};
-
-/// u ~ exp(iq(n.x + s x3)) with Im s > 0: displacements and tractions of the three such fields.
-StrohResponse stroh(const TransverselyIsotropicSolid& solid, SymmetryAxis axis, double line_speed,
-                    Direction psi) {
-  const std::array<double, 3> n{psi.cosine, psi.sine, 0}, m{0, 0, 1};
-  Square<double> Q = contraction(solid, axis, n, n);
-  for (std::size_t i = 0; i < 3; ++i) Q[i][i] -= solid.density * line_speed * line_speed;
-  const Square<double> R = contraction(solid, axis, n, m), T = contraction(solid, axis, m, m);
-  // A third field that travels, polarised across the line, has no normal displacement.
-  const std::vector<Mode> fields = modes(Q, R, T);
-  Square<Complex> displacement{}, traction{};
-  int decaying = 0;
-  for (std::size_t kept = 0; kept < 3; ++kept) {
-    const auto& [s, u] = fields[kept];
-    if (s.imag() > 1e-7) ++decaying;
-    for (std::size_t i = 0; i < 3; ++i) {
-      displacement[i][kept] = u[i];
-      for (std::size_t k = 0; k < 3; ++k) traction[i][kept] += (R[k][i] + s * T[i][k]) * u[k];
-    }
-  }
-  const Square<Complex> by_traction = inverse(traction);
-  const auto answer = [&](std::size_t k) {  // u3 to the traction k
-    return displacement[2][0] * by_traction[0][k] + displacement[2][1] * by_traction[1][k] +
-           displacement[2][2] * by_traction[2][k];
-  };
-  const Complex to_x1 = answer(0), to_x2 = answer(1);
-  return {-answer(2).imag(), -(psi.cosine * to_x1 + psi.sine * to_x2).real(),
-          -(psi.cosine * to_x2 - psi.sine * to_x1).real(), decaying};
+ref::SurfaceDirection ref_direction(double degrees) {
+  return ref::SurfaceDirection::of_degrees(ref::Exact(degrees));
 }
 
 bool near(double value, double expected, double scale, double tolerance) {
   return std::fabs(value - expected) <= tolerance * std::fabs(scale);
 }
 
-void check_against_stroh(SymmetryAxis axis) {
+/// Answers of lines of random solids, in any direction, against the reference's.
+void check_against_ref(SymmetryAxis axis) {
   std::mt19937_64 generator(7);
-  for (int sample = 0; sample < 60; ++sample) {
+  std::uniform_real_distribution<double> degrees(-200, 200), share(0, 0.95);
+  for (int sample = 0; sample < 30; ++sample) {
+    CAPTURE(sample);
     const TransverselyIsotropicSolid solid = random_solid(generator);
-    const Direction motion = random_direction(generator);
-    const double speed = std::sqrt(std::uniform_real_distribution<double>(0, 0.95)(generator)) *
-                         fast::critical_speed(solid, axis, motion).speed;
+    const double theta = degrees(generator);
+    const Direction motion = Direction::of_degrees(theta);
+    const double speed = std::sqrt(share(generator)) * fast::critical_speed(solid, axis, motion).speed;
     const TransverselyIsotropicHalfSpace surface(solid, axis, motion, speed);
-    for (int line = 0; line < 5; ++line) {
-      const Direction psi = random_direction(generator);
-      const double cosine = psi.cosine * motion.cosine + psi.sine * motion.sine;
-      const StrohResponse expected = stroh(solid, axis, speed * cosine, psi);
-      const LineResponse found = surface.along(psi);
-      INFO("sample ", sample, " line ", line);
-      CHECK(near(found.compliance, expected.compliance, expected.compliance, 1e-8));
-      CHECK(near(found.coupling, expected.coupling, expected.compliance, 1e-8));
-      CHECK(near(surface.along(psi).coupling_across, expected.coupling_across, expected.compliance, 1e-8));
+    for (int line = 0; line < 3; ++line) {
+      const double psi = degrees(generator);
+      const auto truth = ref::line_response(exactly(solid, axis), ref::Exact(speed), ref_direction(theta),
+                                            ref_direction(psi), 20);
+      const LineResponse found = surface.along(Direction::of_degrees(psi));
+      for (const double error :
+           {truth.compliance.error_of(found.compliance), truth.coupling.error_of(found.coupling),
+            truth.coupling_across.error_of(found.coupling_across)})
+        CHECK(std::fabs(error) <= 1e-12 * found.compliance);
     }
   }
-}
-
-std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -330,12 +210,9 @@ TEST_CASE("transversely isotropic half-space: isotropic moduli answer isotropica
   }
 }
 
-TEST_CASE("transversely isotropic half-space, normal axis: Stroh's eigenvalue problem") {
-  check_against_stroh(SymmetryAxis::normal);
-}
-
-TEST_CASE("transversely isotropic half-space, axis in the surface: Stroh's eigenvalue problem") {
-  check_against_stroh(SymmetryAxis::in_plane);
+TEST_CASE("transversely isotropic half-space: lines of random solids by the reference") {
+  check_against_ref(SymmetryAxis::normal);
+  check_against_ref(SymmetryAxis::in_plane);
 }
 
 TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it") {
@@ -376,20 +253,20 @@ TEST_CASE("critical speed: graphite epoxy against steel's unit of speed") {
         doctest::Approx(0.4989960517).epsilon(1e-9));
 }
 
-TEST_CASE("critical speed: there the first line meets a Rayleigh wave or a bulk wave, no line before") {
+TEST_CASE("critical speed: there the first line is critical, and none before") {
   std::mt19937_64 generator(11);
   for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
-    const int fields = axis == SymmetryAxis::normal ? 2 : 3;  // of those with normal displacement
     for (int sample = 0; sample < 20; ++sample) {
       const TransverselyIsotropicSolid solid = random_solid(generator);
-      const Direction motion = random_direction(generator);
-      const auto [speed, angle] = fast::critical_speed(solid, axis, motion);
-      const Direction psi = Direction::of_angle(angle);
-      const double line_speed = speed * (psi.cosine * motion.cosine + psi.sine * motion.sine);
-      const StrohResponse below = stroh(solid, axis, line_speed * (1 - 1e-6), psi),
-                          above = stroh(solid, axis, line_speed * (1 + 1e-6), psi);
-      CHECK((below.decaying >= fields && below.compliance > 0));
-      CHECK((above.decaying < fields || above.compliance < 0));
+      const double theta = std::uniform_real_distribution<double>(-200, 200)(generator);
+      const Direction motion = Direction::of_degrees(theta);
+      const auto [speed, psi] = fast::critical_speed(solid, axis, motion);
+      const auto check_line = [&](double share) {
+        ref::check_subcritical(exactly(solid, axis), ref::Exact(share * speed), ref_direction(theta),
+                               ref_direction(psi / degree));
+      };
+      CHECK_NOTHROW(check_line(1 - 1e-6));
+      CHECK_THROWS_AS(check_line(1 + 1e-6), data::BadInput);
 
       const TransverselyIsotropicHalfSpace surface(solid, axis, motion, (1 - 1e-9) * speed);
       for (int line = 0; line < 20; ++line) {
@@ -408,8 +285,8 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
   const auto check = [](const TransverselyIsotropicSolid& solid, double theta, double shallow_psi) {
     const Direction motion = Direction::of_degrees(theta);
     const double speed = fast::critical_speed(solid, SymmetryAxis::in_plane, motion).speed;
-    const auto truth = ref::critical_speed(ref::exact_stiffness(solid, SymmetryAxis::in_plane),
-                                           ref::SurfaceDirection::of_degrees(ref::Exact(theta)), 20);
+    const auto truth =
+        ref::critical_speed(ref::exact_stiffness(solid, SymmetryAxis::in_plane), ref_direction(theta), 20);
     CHECK(std::fabs(truth.speed.error_of(speed)) <= 4 * ulp * speed);
     // Where a coarser search ends, it is higher.
     CHECK(fast::rayleigh_speed(solid, SymmetryAxis::in_plane, motion, Direction::of_degrees(shallow_psi)) >
@@ -432,18 +309,14 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
 }
 
 TEST_CASE("critical speed: refused where moduli are too far apart for the lines, or for the search of them") {
-  const auto message = [](const TransverselyIsotropicSolid& solid) -> std::string {
-    try {
-      (void)fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50));
-    } catch (const data::BadInput& refusal) {
-      return refusal.what();
-    }
-    return "";
+  const auto refusal = [](const TransverselyIsotropicSolid& solid) {
+    return refusal_of(
+        [&] { return fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50)); });
   };
-  CHECK(message({1, 1, 0, 1e7, 1e-3, 1}).find("to search its lines") != std::string::npos);
-  CHECK(message({1, 1, 0, 1e13, 0.5, 1}).find("no eigenvalue of its matrix more than 1e+12") !=
+  CHECK(refusal({1, 1, 0, 1e7, 1e-3, 1}).find("to search its lines") != std::string::npos);
+  CHECK(refusal({1, 1, 0, 1e13, 0.5, 1}).find("no eigenvalue of its matrix more than 1e+12") !=
         std::string::npos);
-  CHECK(message({1, 1, 0, 1e3, 1e-1, 1}).empty());
+  CHECK(refusal({1, 1, 0, 1e3, 1e-1, 1}) == "accepted");
   CHECK_THROWS_AS((void)fast::rayleigh_speed({1, 1, 0, 1e13, 0.5, 1}, SymmetryAxis::normal, {1, 0}, {1, 0}),
                   data::BadInput);
 }
@@ -451,16 +324,18 @@ TEST_CASE("critical speed: refused where moduli are too far apart for the lines,
 TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and beyond the critical speed") {
   for (const double theta : {0.0, 30.0, 45.0, 70.0, 90.0, 135.0}) {
     const Direction motion = Direction::of_angle(theta * degree);
-    const std::array<double, 3> n{motion.cosine, motion.sine, 0};
     // The squares of the speeds of bulk waves along n are the eigenvalues of its acoustic matrix.
-    Square<double> acoustic = contraction(graphite_epoxy, SymmetryAxis::in_plane, n, n);
-    auto matrix = gsl_matrix_view_array(acoustic[0].data(), 3, 3);
-    std::array<double, 3> stiffnesses{};
-    auto eigenvalues = gsl_vector_view_array(stiffnesses.data(), 3);
-    gsl_eigen_symm_workspace* const workspace = gsl_eigen_symm_alloc(3);
-    gsl_eigen_symm(&matrix.matrix, &eigenvalues.vector, workspace);
-    gsl_eigen_symm_free(workspace);
-    std::ranges::sort(stiffnesses);
+    const auto voigt = data::Stiffness::of(graphite_epoxy, SymmetryAxis::in_plane).voigt;
+    constexpr std::size_t index[3][2] = {{0, 5}, {5, 1}, {4, 3}};
+    const double n[] = {motion.cosine, motion.sine};
+    Eigen::Matrix3d acoustic = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < 36; ++i) {
+      const std::size_t row = i / 12, column = i / 4 % 3, j = i / 2 % 2, l = i % 2;
+      acoustic(static_cast<int>(row), static_cast<int>(column)) +=
+          n[j] * n[l] * voigt[index[row][j]][index[column][l]];
+    }
+    const Eigen::Vector3d stiffnesses =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(acoustic).eigenvalues();
     std::vector<double> speeds;
     for (const auto wave : {fast::BranchWave::transverse, fast::BranchWave::quasi_transverse,
                             fast::BranchWave::quasi_longitudinal}) {
@@ -468,7 +343,8 @@ TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and b
       CHECK(speeds.back() >= fast::critical_speed(graphite_epoxy, SymmetryAxis::in_plane, motion).speed);
     }
     for (std::size_t i = 0; i < 3; ++i)
-      CHECK(speeds[i] == doctest::Approx(std::sqrt(stiffnesses[i] / graphite_epoxy.density)).epsilon(1e-12));
+      CHECK(speeds[i] == doctest::Approx(std::sqrt(stiffnesses[static_cast<int>(i)] / graphite_epoxy.density))
+                             .epsilon(1e-12));
   }
   CHECK(fast::branch_speed(fast::BranchWave::transverse, graphite_epoxy, Direction::of_angle(45 * degree)) /
             unit_speed ==
@@ -519,7 +395,7 @@ TEST_CASE("transversely isotropic half-space: the condition is the slope of K ov
     const TransverselyIsotropicHalfSpace last = surface(std::nextafter(limit, 0));
     const Direction critical = Direction::of_angle(fast::critical_speed(solid, axis, motion).psi);
     double found = 0;
-    const bool refused = refusal([&] { found = last.condition(critical); }).starts_with("speed = ");
+    const bool refused = refusal_of([&] { return found = last.condition(critical); }).starts_with("speed = ");
     CHECK(refused != (found > 1e3));
   }
 }
@@ -527,23 +403,24 @@ TEST_CASE("transversely isotropic half-space: the condition is the slope of K ov
 TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
   const auto isotropic_at = [](double poisson, double speed, double cosine) {
     const Direction psi{cosine, std::sqrt(1 - cosine * cosine)};
-    return refusal([=] { static_cast<void>(fast::isotropic_response({1, poisson, 1}, speed, psi)); });
+    return refusal_of([=] { return fast::isotropic_response({1, poisson, 1}, speed, psi); });
   };
   CHECK(isotropic_at(0.5, 0.1, 1).starts_with("poisson = "));
   CHECK(isotropic_at(0.3, not_a_number, 1).starts_with("speed = nan"));
   CHECK(isotropic_at(0.3, -0.1, 1).starts_with("speed = "));
   CHECK(isotropic_at(0.3, 0.95, 1).starts_with("speed = "));
   CHECK(isotropic_at(0.3, 1.5, 1).starts_with("speed = "));
-  CHECK(isotropic_at(0.3, 0.95, 0.5).empty());
+  CHECK(isotropic_at(0.3, 0.95, 0.5) == "accepted");
   CHECK(isotropic_at(0.3, 0.1, not_a_number).starts_with("psi = nan"));
   CHECK_THROWS_AS(fast::isotropic_rayleigh_speed(not_a_number), data::BadInput);
 
   const Direction motion = Direction::of_angle(45 * degree);
   const auto surface = [&](const TransverselyIsotropicSolid& solid, Direction along, double speed) {
-    return refusal(
-        [&] { TransverselyIsotropicHalfSpace(solid, SymmetryAxis::in_plane, along, speed * unit_speed); });
+    return refusal_of([&] {
+      return TransverselyIsotropicHalfSpace(solid, SymmetryAxis::in_plane, along, speed * unit_speed);
+    });
   };
-  CHECK(surface(graphite_epoxy, motion, 0.498).empty());
+  CHECK(surface(graphite_epoxy, motion, 0.498) == "accepted");
   const std::string critical = surface(graphite_epoxy, motion, 0.5);
   CHECK(critical.starts_with("speed = "));
   CHECK(critical.find("1563.8478") != std::string::npos);
@@ -557,5 +434,5 @@ TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
   soft.c13 = 1e12;
   CHECK(surface(soft, motion, 0.1).starts_with("c13 = "));
   const TransverselyIsotropicHalfSpace good(graphite_epoxy, SymmetryAxis::normal, motion, 0.1 * unit_speed);
-  CHECK(refusal([&] { static_cast<void>(good.along({not_a_number, 0})); }).starts_with("psi = "));
+  CHECK(refusal_of([&] { return good.along({not_a_number, 0}); }).starts_with("psi = "));
 }

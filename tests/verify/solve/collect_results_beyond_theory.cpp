@@ -7,10 +7,11 @@
 #include <string>
 #include <variant>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/solve.hpp>
+
+#include "support/refusal.hpp"
 
 using namespace nipref;
 
@@ -36,15 +37,6 @@ std::map<std::string, double> warned_of(const auto& solution) {
     values.emplace(one.quantity, one.value);
   }
   return values;
-}
-
-std::string refusal_of(const auto& solving) {
-  try {
-    (void)solving();
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 void check_meeting(const std::string& refusal, const std::string& key) {

@@ -9,6 +9,8 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/covered.hpp"
+#include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
 
 using namespace nipref;
@@ -22,10 +24,6 @@ data::ElasticNip nip_of(double thickness) { return {6, thickness, {1.45e5, 0.3}}
 
 data::Scene inside_example(const char* name, const data::SceneOverrides& overrides) {
   return data::load_scene(data::example_scene(name), overrides);
-}
-
-bool covered(const Estimate& mine, const Estimate& truth) {
-  return std::fabs(mine.value - truth.value) <= mine.error + truth.error;
 }
 
 }  // namespace
@@ -70,13 +68,7 @@ TEST_CASE("errors of the field cover a contact solved to 1e-13, on the faces too
       const auto mine = verify::solve(inside_example("inside-full-friction", overrides));
       overrides[2].second = "1e-13";
       const auto truth = verify::solve(inside_example("inside-full-friction", overrides));
-      for (std::size_t r = 0; r < mine.results.size(); ++r) {
-        CAPTURE(mine.results[r].what->name);
-        for (std::size_t i = 0; i < mine.results[r].numbers.size(); ++i) {
-          CAPTURE(i);
-          CHECK(covered(mine.results[r].numbers[i], truth.results[r].numbers[i]));
-        }
-      }
+      check_covered(mine, truth);
     }
   }
 }
@@ -110,19 +102,14 @@ TEST_CASE(
 
 TEST_CASE("scenes refuse what has no stresses inside the sheet") {
   const auto says = [](const data::SceneOverrides& overrides) {
-    try {
-      static_cast<void>(verify::solve(inside_example("inside-full-friction", overrides)));
-    } catch (const data::BadInput& error) {
-      return std::string(error.argument());
-    }
-    return std::string();
+    return refusal_of([&] { return verify::solve(inside_example("inside-full-friction", overrides)); });
   };
-  CHECK(says({{"field.depths", "[0, 1.5]"}}).ends_with("field.depths[1]"));
-  CHECK(says({{"field.positions", "[]"}}).ends_with("field.positions"));
+  CHECK(says({{"field.depths", "[0, 1.5]"}}).find("field.depths[1] = ") != std::string::npos);
+  CHECK(says({{"field.positions", "[]"}}).find("field.positions = ") != std::string::npos);
   CHECK(says({{"method.kind", "line-loads"},
               {"method.leading_elements", "5"},
               {"method.trailing_elements", "5"}})
-            .ends_with("wanted[2]"));
+            .find("wanted[2] = ") != std::string::npos);
   data::Scene far = inside_example("inside-full-friction", {{"field.positions", "[1e4]"}});
   far.wanted = {data::ResultId::stress_across};
   CHECK_THROWS_AS(static_cast<void>(verify::solve_by_ref(far, 16)), data::BadInput);
@@ -140,7 +127,7 @@ TEST_CASE("the largest shear of a contact with full friction is found where it i
       CHECK(here.value <= found.value.value + found.value.error + here.error);
     }
     const std::vector<fast::InnerPoint> there{{found.y.value, found.depth.value}};
-    CHECK(covered(found.value, contact.inner_stresses(there).front().maximum_shear()));
+    check_covered(found.value, contact.inner_stresses(there).front().maximum_shear());
   }
 }
 
@@ -171,7 +158,7 @@ TEST_CASE("in the middle of a face, where the shear changes its sign, coarse sol
     for (const double accuracy : {1e-4, 1e-5, 1e-6, 1e-7}) {
       CAPTURE(accuracy);
       const auto mine = solved(accuracy);
-      for (std::size_t i = 0; i < middle.size(); ++i) CHECK(covered(mine[i].along, truth[i].along));
+      for (std::size_t i = 0; i < middle.size(); ++i) check_covered(mine[i].along, truth[i].along);
     }
   }
 }
@@ -185,7 +172,7 @@ TEST_CASE("many places have the stresses of each, and errors that cover a contac
     const auto many = contact.inner_stresses(points), exact = truth.inner_stresses(points);
     const double peak = contact.peak_pressure().value;
     const auto compare = [&](Estimate fast::InnerStresses::*part) {
-      for (std::size_t k = 0; k < points.size(); ++k) CHECK(covered(many[k].*part, exact[k].*part));
+      for (std::size_t k = 0; k < points.size(); ++k) check_covered(many[k].*part, exact[k].*part);
       for (std::size_t k = 0; k < points.size(); k += 29) {
         const auto one = truth.inner_stresses(std::span(points).subspan(k, 1)).front();
         CHECK(std::fabs((one.*part).value - (exact[k].*part).value) < 2e-14 * peak);
@@ -209,39 +196,6 @@ TEST_CASE("many places have the stresses of each, and errors that cover a contac
 }
 
 TEST_CASE(
-    "fast's stresses inside are within its errors of the reference's, beside the ends and on the faces too") {
-  struct Example {
-    const char *name, *friction, *thickness;
-  };
-  for (const auto& [name, friction, thickness] :
-       {Example{"inside-full-friction", "none", "0.1"}, Example{"inside-full-friction", "full", "0.1"},
-        Example{"inside-full-friction", "full", "5"}, Example{"inside-viscoelastic", "none", "0.25"}}) {
-    CAPTURE(name);
-    CAPTURE(thickness);
-    data::Scene scene = inside_example(name, {{"friction.model", friction},
-                                              {"sheet.thickness", thickness},
-                                              {"field.positions", "[0.067, -0.2]"},
-                                              {"field.depths", "[-0.99999, 1]"}});
-    scene.wanted = {data::ResultId::stress_across, data::ResultId::stress_along, data::ResultId::stress_shear,
-                    data::ResultId::highest_stress, data::ResultId::maximum_shear};
-    const auto fast = verify::solve(scene);
-    const auto by_ref = verify::solve_by_ref(scene, 16);
-    for (const data::ResultId result : scene.wanted) {
-      CAPTURE(data::scene_result(result).name);
-      const auto values = fast.profile(result);
-      const auto truths = by_ref.profile(result);
-      REQUIRE(truths.size() == values.size());
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        CAPTURE(i);
-        CHECK(covered(values[i], {std::stod(truths[i].value_text()), std::stod(truths[i].error_text())}));
-        CHECK(std::stod(truths[i].error_text()) < 1e-13 * 1000);
-        CHECK_FALSE(truths[i].proven);
-      }
-    }
-  }
-}
-
-TEST_CASE(
     "a field is proven only where each of its numbers is: the exact zeros of the shear do not make it so") {
   data::Scene scene = inside_example("inside-thick-frictionless",
                                      {{"field.positions", "[0.035]"}, {"field.depths", "[0, 0.5]"}});
@@ -256,7 +210,7 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
   scene.wanted = {data::ResultId::contact_length, data::ResultId::peak_pressure,
                   data::ResultId::greatest_shear, data::ResultId::greatest_shear_position,
                   data::ResultId::greatest_shear_depth};
-  const auto by_ref = verify::solve_by_ref(scene, 16);
+  const auto by_ref = by_both_paths(scene).ref;
   const auto value = [&](data::ResultId id) { return std::stold(by_ref[id].value_text()); };
   // tau = d (1 - d/sqrt(1 + d^2)) p0 below the middle: 0.30028 p0 at 0.78615 half widths.
   const long double root = std::sqrt((std::sqrt(5.0L) - 1) / 2);
@@ -267,11 +221,6 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
                             value(data::ResultId::contact_length)) ==
         doctest::Approx(static_cast<double>(root)).epsilon(1e-6));
   CHECK(by_ref[data::ResultId::greatest_shear_position].value_text() == "0");
-  const auto fast = verify::solve(scene);
-  for (const data::ResultId id : scene.wanted) {
-    CAPTURE(data::scene_result(id).name);
-    CHECK(covered(fast[id], {std::stod(by_ref[id].value_text()), std::stod(by_ref[id].error_text())}));
-  }
 }
 
 TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
@@ -288,17 +237,7 @@ TEST_CASE("both paths have the same displacements inside, on the faces the surfa
       scene.wanted = {data::ResultId::displacement_across, data::ResultId::displacement_along,
                       data::ResultId::normal_displacement, data::ResultId::tangential_displacement};
       problem_of(scene).profile = data::Positions{{0, 0.067, -0.2}};
-      const auto fast = verify::solve(scene);
-      const auto by_ref = verify::solve_by_ref(scene, 16);
-      for (const data::ResultId result : scene.wanted) {
-        CAPTURE(data::scene_result(result).name);
-        const auto values = fast.profile(result);
-        const auto truths = by_ref.profile(result);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          CAPTURE(i);
-          CHECK(covered(values[i], {truths[i].to_double(), std::stod(truths[i].error_text())}));
-        }
-      }
+      const auto [fast, by_ref] = by_both_paths(scene);
       for (const auto& [inside, surface] :
            {std::pair{data::ResultId::displacement_across, data::ResultId::normal_displacement},
             std::pair{data::ResultId::displacement_along, data::ResultId::tangential_displacement}}) {
@@ -376,16 +315,11 @@ TEST_CASE(
             doctest::Approx(surface.profile(scene.wanted[1])[i].value).epsilon(1e-11));
   }
   const auto refused = [](const char* name, const data::SceneOverrides& overrides) {
-    try {
-      static_cast<void>(verify::solve(inside_example(name, overrides)));
-    } catch (const data::BadInput& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refusal_of([&] { return verify::solve(inside_example(name, overrides)); });
   };
   CHECK(refused("inside-line-loads", {{"method.residue_terms", "20"}}).find("residue_terms") !=
         std::string::npos);
-  CHECK(refused("inside-line-loads", {{"load.per_length", "100"}, {"field.depths", "[1]"}}).empty());
+  CHECK(refused("inside-line-loads", {{"load.per_length", "100"}, {"field.depths", "[1]"}}) == "accepted");
   data::SceneOverrides at_load{{"field.depths", "[0, 1]"}, {"field.positions", "[0.0]"}};
   at_load.emplace_back("wanted", "[\"displacement_across\"]");
   CHECK(refused("inside-viscoelastic", at_load).find("remembers its own strains") != std::string::npos);

@@ -235,31 +235,6 @@ TEST_CASE("motions and methods that cannot be are refused at their keys") {
   check_refused(with("[load]", "[profile]\npoints = 3\nlag = 1\n[load]"), "profile.lag = 1: unknown key");
 }
 
-TEST_CASE(
-    "the reference's rolling contact lies within the estimates of the one in double, and is estimated") {
-  const ScratchFile file(scene_text(
-      solid, by_convergence + "[profile]\npositions = [-0.2, -0.03, 0.02, 0.1]\n",
-      R"("contact_length", "leading_length", "trailing_length", "load", "indentation", "edge_displacement",
-         "trailing_displacement", "rolling_resistance", "creep_ratio", "peak_pressure", "peak_shear", "pressure",
-         "shear", "normal_displacement", "tangential_displacement")"));
-  const data::Scene scene = data::load_scene(file.path());
-  const auto computed = verify::solve(scene);
-  const auto truth = verify::solve_by_ref(scene, 16);
-  REQUIRE(truth.results.size() == computed.results.size());
-  for (std::size_t r = 0; r < truth.results.size(); ++r) {
-    CAPTURE(std::string(truth.results[r].what->name));
-    REQUIRE(truth.results[r].numbers.size() == computed.results[r].numbers.size());
-    for (std::size_t i = 0; i < truth.results[r].numbers.size(); ++i) {
-      const fast::Estimate& number = computed.results[r].numbers[i];
-      CHECK(std::fabs(number.value - std::stod(truth.results[r].numbers[i].value_text())) <= number.error);
-    }
-  }
-  CHECK(truth.missed().empty());
-  CHECK(truth["rolling_resistance"].value_text().size() > 16);
-  CHECK(truth["rolling_resistance"].proven);
-  CHECK(truth.work.unknowns > 0);
-}
-
 TEST_CASE("what the reference's rolling contact does not have is refused by its key") {
   const std::string wanted = R"("contact_length")";
   check_refused(

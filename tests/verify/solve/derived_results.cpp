@@ -92,21 +92,9 @@ TEST_CASE("the reference has the moments of rolling line loads, whose sum is the
     CHECK(std::stod(by_ref[name].error_text()) < 1e-15 * static_cast<double>(value("leading_moment")));
 }
 
-TEST_CASE(
-    "the reference has the products, to its digits, and says that it has no moments of the continuous contact") {
-  data::Scene scene = resisting("viscoelastic-comparable-memory");
-  CHECK_THROWS_WITH_AS((void)verify::solve_by_ref(scene, 16),
+TEST_CASE("the reference says that it has no moments of the continuous contact") {
+  CHECK_THROWS_WITH_AS((void)verify::solve_by_ref(resisting("viscoelastic-comparable-memory"), 16),
                        doctest::Contains("leading_moment: must be wanted of the fast"), data::BadInput);
-  const auto fast = verify::solve(scene);
-  scene.wanted = {data::ResultId::eccentricity, data::ResultId::resistance_force, data::ResultId::power_loss};
-  const auto by_ref = verify::solve_by_ref(scene, 16);
-  for (const data::ResultId id : scene.wanted) {
-    CAPTURE(data::scene_result(id).name);
-    check_agree(fast[id].value, fast[id].error + std::stod(by_ref[id].error_text()),
-                std::stod(by_ref[id].value_text()));
-    CHECK(std::stod(by_ref[id].error_text()) < 1e-13 * std::fabs(std::stod(by_ref[id].value_text())));
-    CHECK(by_ref[id].proven);
-  }
 }
 
 namespace {
@@ -184,26 +172,6 @@ TEST_CASE("nothing slips where it sticks, and without friction the mean slip in 
     }
     CHECK(size > 1e-4);
     CHECK(std::fabs(sum) < 2e-3 * size);
-  }
-}
-
-TEST_CASE("the reference has strain and slip, proven without friction, and fast is within its errors") {
-  for (const char* name :
-       {"intermediate-frictionless", "intermediate-full-friction", "viscoelastic-comparable-memory"}) {
-    CAPTURE(name);
-    data::Scene scene = stretching(name, 2);
-    set_positions(scene, {-0.3, 0.05});
-    const auto fast = verify::solve(scene);
-    const auto by_ref = verify::solve_by_ref(scene, 16);
-    for (const char* result : {"surface_strain", "slip"}) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        const fast::Estimate number = fast.profile(result)[i];
-        const ref::Estimate& truth = by_ref.profile(result)[i];
-        check_agree(number.value, number.error + std::stod(truth.error_text()), truth.to_double());
-        CHECK(truth.proven == (std::string(name) == "intermediate-frictionless"));
-        CHECK(std::stod(truth.error_text()) < 1e-13);
-      }
-    }
   }
 }
 

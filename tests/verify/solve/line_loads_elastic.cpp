@@ -13,6 +13,8 @@
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/reference_values.hpp"
+#include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
 #include "support/thesis_nips.hpp"
 
@@ -142,11 +144,9 @@ TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and s
     both += solution.error_work;
     return both;
   };
-  const std::vector<data::ResultId> normal{
-      data::ResultId::contact_length, data::ResultId::load,
-      data::ResultId::indentation,    data::ResultId::edge_displacement,
-      data::ResultId::peak_pressure,  data::ResultId::pressure,
-      data::ResultId::shear,          data::ResultId::normal_displacement};
+  using enum data::ResultId;
+  const std::vector normal{contact_length, load,     indentation, edge_displacement,
+                           peak_pressure,  pressure, shear,       normal_displacement};
   CHECK(first_kernel_beside(work_of(data::Friction::none, normal), {1}) == 0);
   CHECK(first_kernel_beside(work_of(data::Friction::none, all_results()), {1, 3}) == 0);
   CHECK(first_kernel_beside(work_of(data::Friction::none, {data::ResultId::creep_ratio}), {1}) == 3);
@@ -180,12 +180,8 @@ TEST_CASE("line loads have the same allowed contacts as the continuous one") {
   data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 2);
   for (const double load : {1e-200, 1e10}) {
     problem.given = data::GivenLoad{load};
-    try {
-      (void)verify::solve(scene_of(problem, {data::ResultId::load}));
-      FAIL("accepted");
-    } catch (const data::BadInput& error) {
-      CHECK(std::string(error.what()).starts_with("load.per_length = "));
-    }
+    const auto solve = [&] { return verify::solve(scene_of(problem, {data::ResultId::load})); };
+    CHECK(refusal_of(solve).starts_with("load.per_length = "));
   }
 }
 
@@ -205,8 +201,7 @@ TEST_CASE("where no creep meets the thesis's conditions, the refusal says so and
   CHECK_NOTHROW((void)verify::solve(scene_of(problem, {data::ResultId::load})));
 }
 
-TEST_CASE(
-    "the range of the thesis's creep is the reference's, which proves it, and holds the creep of the solution") {
+TEST_CASE("the range of the thesis's creep is the reference's, and holds the creep of the solution") {
   for (const double load : {25.0, 100.0, 200.0}) {
     CAPTURE(load);
     data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
@@ -218,13 +213,8 @@ TEST_CASE(
     REQUIRE(range.size() == 3);
     CHECK(range[0].value < range[1].value);
     CHECK(range[2].value == solution[data::ResultId::creep_ratio].value);
-    for (std::size_t i = 0; i < 3; ++i) {
-      CHECK(range[i].value ==
-            doctest::Approx(std::stod(by_ref.profile(data::ResultId::creep_range)[i].value_text()))
-                .scale(0)
-                .epsilon(1e-9));
-      CHECK(by_ref.profile(data::ResultId::creep_range)[i].proven);
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(relative_error(by_ref.profile(data::ResultId::creep_range)[i], range[i].value) <= 1e-9);
   }
 }
 

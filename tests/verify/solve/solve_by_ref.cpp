@@ -14,6 +14,7 @@
 #include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
 
 using namespace nipref;
@@ -39,55 +40,19 @@ data::Scene line_load_scene() {
 
 void check_unsolvable(const data::Scene& scene, const std::string& start, int digits = 16) {
   CAPTURE(start);
-  try {
-    (void)verify::solve_by_ref(scene, digits);
-    FAIL("accepted");
-  } catch (const data::BadInput& error) {
-    CAPTURE(error.what());
-    CHECK(std::string(error.what()).starts_with(start));
-  }
+  CHECK(refusal_of([&] { return verify::solve_by_ref(scene, digits); }).starts_with(start));
 }
 
 }  // namespace
 
-TEST_CASE("the reference's converged contact lies within the error estimates of the one in double") {
-  const std::vector<data::ResultId> wanted{data::ResultId::contact_length,
-                                           data::ResultId::leading_length,
-                                           data::ResultId::trailing_length,
-                                           data::ResultId::load,
-                                           data::ResultId::indentation,
-                                           data::ResultId::edge_displacement,
-                                           data::ResultId::trailing_displacement,
-                                           data::ResultId::rolling_resistance,
-                                           data::ResultId::creep_ratio,
-                                           data::ResultId::peak_pressure,
-                                           data::ResultId::peak_shear,
-                                           data::ResultId::pressure,
-                                           data::ResultId::shear,
-                                           data::ResultId::normal_displacement,
-                                           data::ResultId::tangential_displacement};
-  for (const auto& [thickness, friction] :
-       {std::pair(1.0, data::Friction::none), std::pair(0.25, data::Friction::none),
-        std::pair(0.25, data::Friction::full)}) {
-    data::Scene scene = scene_of(thickness, wanted);
+TEST_CASE("the reference counts its work, of the kernels that it needs") {
+  for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
+    data::Scene scene = scene_of(0.25, {data::ResultId::load, data::ResultId::tangential_displacement});
     problem_of(scene).friction = friction;
-    const auto fast = verify::solve(scene);
-    const auto reference = verify::solve_by_ref(scene, 20);
-    REQUIRE(reference.results.size() == wanted.size());
-    for (std::size_t r = 0; r < wanted.size(); ++r) {
-      CAPTURE(wanted[r]);
-      REQUIRE(reference.results[r].numbers.size() == fast.results[r].numbers.size());
-      for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
-        const fast::Estimate& number = fast.results[r].numbers[i];
-        const ref::Estimate& truth = reference.results[r].numbers[i];
-        const double rounding = 1e-15 * std::fabs(number.value);
-        CHECK(std::fabs(number.value - truth.to_double()) <= number.error + rounding);
-        CHECK(std::stod(truth.error_text()) <= 1e-19 * std::fmax(std::fabs(number.value), 1e-6));
-      }
-    }
-    for (const std::size_t kernel : {0U, 2U}) CHECK(reference.work.kernel_evaluations[kernel] > 0);
-    CHECK((reference.work.kernel_evaluations[5] > 0) == (friction == data::Friction::full));
-    CHECK(reference.work.unknowns > 0);
+    const fast::Work work = verify::solve_by_ref(scene, 20).work;
+    for (const std::size_t kernel : {0U, 2U}) CHECK(work.kernel_evaluations[kernel] > 0);
+    CHECK((work.kernel_evaluations[5] > 0) == (friction == data::Friction::full));
+    CHECK(work.unknowns > 0);
   }
 }
 
@@ -154,18 +119,9 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
 
 TEST_CASE("the reference's line loads carry a given load, all of their results as in double") {
   data::Scene scene = line_load_scene();
-  scene.wanted = {data::ResultId::contact_length,
-                  data::ResultId::leading_length,
-                  data::ResultId::trailing_displacement,
-                  data::ResultId::rolling_resistance,
-                  data::ResultId::creep_ratio,
-                  data::ResultId::peak_pressure,
-                  data::ResultId::peak_shear,
-                  data::ResultId::load,
-                  data::ResultId::pressure,
-                  data::ResultId::shear,
-                  data::ResultId::normal_displacement,
-                  data::ResultId::tangential_displacement};
+  scene.wanted = all_results();
+  for (const auto id : {data::ResultId::leading_moment, data::ResultId::trailing_moment})
+    std::erase(scene.wanted, id);
   problem_of(scene).given = data::GivenLoad{100};
   problem_of(scene).method = data::LineLoads{3, 3, 100};
   for (const bool friction : {false, true}) {
@@ -178,33 +134,8 @@ TEST_CASE("the reference's line loads carry a given load, all of their results a
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const double value = fast.results[r].numbers[i].value;
         const ref::Estimate& truth = reference.results[r].numbers[i];
-        CHECK(std::fabs(truth.to_double() - value) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
+        CHECK(std::fabs(truth.error_of(value)) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
         CHECK(truth.proven);
-      }
-    }
-  }
-}
-
-TEST_CASE("every example that takes the reference less than about a second is solved by it") {
-  for (const char* name :
-       {"half-space-near-critical", "half-space-rolling-sphere", "half-space-sliding-die",
-        "half-space-sliding-die-exact", "half-space-sphere-in-plane-axis", "half-space-sphere-normal-axis",
-        "intermediate-frictionless", "intermediate-full-friction", "intermediate-full-friction-line-loads",
-        "thick-frictionless", "thick-frictionless-line-loads", "thick-full-friction",
-        "thin-frictionless-line-loads"}) {
-    CAPTURE(name);
-    const data::Scene scene = data::load_scene(data::example_scene(name));
-    const auto fast = verify::solve(scene);
-    const auto reference = verify::solve_by_ref(scene, 16);
-    CHECK(reference.missed().empty());
-    for (std::size_t r = 0; r < scene.wanted.size(); ++r) {
-      CAPTURE(scene.wanted[r]);
-      for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
-        const fast::Estimate& number = fast.results[r].numbers[i];
-        const ref::Estimate& truth = reference.results[r].numbers[i];
-        const double rounding = 1e-15 * std::fabs(number.value);
-        CHECK(std::fabs(number.value - truth.to_double()) <=
-              number.error + std::stod(truth.error_text()) + rounding);
       }
     }
   }

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+
+/// What refuses the call; "accepted" if nothing does.
+template <class Call>
+std::string refusal_of(const Call& call) {
+  try {
+    static_cast<void>(call());
+  } catch (const nipref::data::BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}

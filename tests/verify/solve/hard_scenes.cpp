@@ -1,0 +1,82 @@
+// The scenes of data/scenes/hard, which were once solved wrongly: each begins with what was wrong.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/likely_time.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+#include "support/covered.hpp"
+
+using namespace nipref;
+
+namespace {
+
+std::vector<std::filesystem::path> hard_scenes() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(data::scenes_directory() / "hard"))
+    files.push_back(entry.path());
+  REQUIRE(files.size() >= 25);
+  return files;
+}
+
+/// Whether each number that misses what it is allowed has an error at most twice that of the coarser solution.
+bool is_best(const verify::SceneSolution<fast::Estimate>& found,
+             const verify::SceneSolution<fast::Estimate>& coarser) {
+  const auto is_met_or_best = [&](std::size_t r) {
+    return found.results[r].met() == true ||
+           std::ranges::equal(
+               found.results[r].numbers, coarser.results[r].numbers,
+               [](const auto& fine, const auto& coarse) { return fine.error <= 2 * coarse.error; });
+  };
+  for (std::size_t r = 0; r < found.results.size(); ++r) {
+    if (!is_met_or_best(r)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "hard scenes are within their errors of their solutions to 1e-13, at every accuracy, and meet 1e-8") {
+  for (const auto& file : hard_scenes()) {
+    CAPTURE(file.stem().string());
+    data::Scene scene = data::load_scene(file);
+    std::vector<double> accuracies{scene.accuracy, 1e-2, 1e-3, 1e-4,  1e-5, 1e-6,
+                                   1e-7,           1e-8, 1e-9, 1e-10, 1e-11};
+    std::ranges::sort(accuracies, std::greater());
+    scene.accuracy = 1e-13;
+    const auto truth = verify::solve(scene);
+    auto coarser = truth;
+    for (const double accuracy : accuracies) {
+      CAPTURE(accuracy);
+      scene.accuracy = accuracy;
+      const auto found = verify::solve(scene);
+      check_covered(found, truth);
+      CHECK((accuracy >= 1e-8 ? found.missed().empty() : is_best(found, coarser)));
+      coarser = found;
+    }
+  }
+}
+
+TEST_CASE("hard scenes are within their errors of the reference where it solves them within seconds") {
+  int solved = 0;
+  for (const auto& file : hard_scenes()) {
+    CAPTURE(file.stem().string());
+    const data::Scene scene = data::load_scene(file);
+    if (verify::likely_seconds_by_ref(scene, 16) > 6) continue;
+    try {
+      static_cast<void>(by_both_paths(scene));
+      ++solved;
+    } catch (const data::BadInput&) {
+      // It is beyond the reference.
+    }
+  }
+  CHECK(solved >= 11);
+}
