@@ -1,19 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/cli/house.hpp>
 
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 // The order of the house: which room, and inside a room which subject, may include which; and that the same path stands
 // for the same thing in ref, fast, the catalogue and the tests.

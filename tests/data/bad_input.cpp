@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
+#include "support/test.hpp"
 
 using nipref::data::BadInput;
 

@@ -1,13 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <optional>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;

@@ -1,13 +1,9 @@
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

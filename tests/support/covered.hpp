@@ -1,12 +1,9 @@
 #pragma once
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/reference_values.hpp"
+#include "support/test.hpp"
 
 /// Whether two numbers differ by no more than the sum of their errors.
 inline bool is_covered(const nipref::fast::Estimate& a, const nipref::fast::Estimate& b) {

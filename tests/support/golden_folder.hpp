@@ -1,12 +1,9 @@
 #pragma once
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
 #include <nipref/data/directory.hpp>
+
+#include "support/test.hpp"
 
 /// A data folder of its own with an empty folder of golden values, which the program and this process take for theirs
 /// while it lives.

@@ -1,8 +1,7 @@
 #pragma once
-#include <cmath>
-#include <functional>
-
 #include <nipref/fast/half_space/response.hpp>
+
+#include "support/test.hpp"
 
 namespace nipref::test {
 

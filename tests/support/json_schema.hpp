@@ -1,10 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
-#include <string_view>
+
+#include "support/test.hpp"
 
 /// A JSON Schema (draft 2020-12) of which only a few keywords are known; one that uses others is refused with
 /// std::invalid_argument, so that nothing in it goes unchecked. $ref leads to #/$defs alone.

@@ -3,16 +3,9 @@
 // What the tests of fast's sheet kernels share: the kernels of one argument as a list, the scale their errors
 // are measured by, and a plain residue sum in long double that takes nothing from the code under test.
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <random>
-#include <span>
-#include <string>
-#include <vector>
-
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 namespace fast_tests {
 

@@ -1,18 +1,14 @@
 #pragma once
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 #include "support/paths.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 /// Bare chroots have no pseudo-terminals; a test that needs one is skipped then, and says so.
 inline bool has_terminals() {

@@ -1,12 +1,8 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 // The tables of what is proven, in ref/README.md.
 

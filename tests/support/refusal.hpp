@@ -1,7 +1,5 @@
 #pragma once
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
+#include "support/test.hpp"
 
 /// What refuses the call; "accepted" if nothing does.
 template <class Call>

@@ -1,9 +1,7 @@
 #pragma once
-#include <algorithm>
-#include <map>
-#include <string>
-
 #include <nipref/verify/replay/replay.hpp>
+
+#include "support/test.hpp"
 
 /// verify::replay_table, once for each table in all tests.
 inline const nipref::verify::Replay& replayed(const std::string& id) {

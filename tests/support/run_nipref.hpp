@@ -1,13 +1,11 @@
 #pragma once
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 
-#include <array>
 #include <cstdio>
-#include <string>
 
 #include "support/paths.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 struct Outcome {
   int status;

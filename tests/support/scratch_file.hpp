@@ -1,11 +1,7 @@
 #pragma once
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "support/test.hpp"
 
 /// A file in the temporary folder, gone at the end of the test.
 class ScratchFile {

@@ -1,10 +1,7 @@
 #pragma once
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <string>
+#include "support/test.hpp"
 
 /// An empty folder in the temporary one, gone at the end of the test.
 class ScratchFolder {

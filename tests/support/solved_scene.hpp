@@ -1,13 +1,10 @@
 #pragma once
-#include <string>
-#include <variant>
-#include <vector>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 /// The scene of this text, solved.
 inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::string& text) {

@@ -1,14 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/table/index.hpp>
+
+#include "support/test.hpp"
 
 // The constants of the seeds are those that stand above the seeds' tables.
 

@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::ViscoelasticMaterial;

@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <variant>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,18 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/keys.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,9 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/origin.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <string_view>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/data/table/known_misses.hpp>
+
+#include "support/test.hpp"
 
 // What the tables hold as a whole: none is missing, none has lost a row, and the errata fit them.
 

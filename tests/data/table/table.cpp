@@ -1,16 +1,10 @@
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
+
+#include "support/test.hpp"
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
 

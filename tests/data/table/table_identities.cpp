@@ -1,14 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <nipref/data/table/index.hpp>
+
+#include "support/test.hpp"
 
 // The redundancy of the thesis's tables, identity by identity: each is an equation between the cells of a
 // row, and the rounding intervals of the cells have to admit it.

@@ -1,14 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <stdexcept>
-#include <string>
-
 #include <nipref/data/table/index.hpp>
+
+#include "support/test.hpp"
 
 // The redundancy of the thesis's tables, row by row: is there a contact (d0, L1, L2) that rounds to all cells
 // of the row at once? This decides between repairs that single identities leave open, and shows that each

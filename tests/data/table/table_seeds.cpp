@@ -1,16 +1,9 @@
-#include <doctest/doctest.h>
-
 #include <cctype>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <string_view>
 
 #include <nipref/data/table/index.hpp>
 
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 // The cells are the seed's own text: each is looked for between the words that stand before and after its
 // table.

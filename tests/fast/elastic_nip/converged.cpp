@@ -1,18 +1,9 @@
 // The converged contact: its own equations, its error estimates, its work.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::ElasticNip;

@@ -1,16 +1,11 @@
 // Limits of the converged contact, each derived apart from the solver, and approached at the rate of the
 // first term left out. Dimensionless as in fast/nip/internal/solved_nip.hpp.
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/math/quadrature/exp_sinh.hpp>
-#include <cmath>
-#include <complex>
-#include <memory>
-#include <numbers>
 
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::Friction;

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::LineLoadSolution;

@@ -1,15 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
 
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 
 #include "support/line_load_sums.hpp"
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

@@ -1,15 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

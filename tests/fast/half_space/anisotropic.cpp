@@ -1,12 +1,8 @@
 // Half-spaces of any anisotropy: special solids, turned axes, critical speeds.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::AnisotropicHalfSpace;

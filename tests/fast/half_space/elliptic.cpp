@@ -1,23 +1,17 @@
 // The exact frictionless contact: Hertz, its displacements by the point load, symmetry, slender ellipses,
 // critical lines.
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/half_space.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Direction;

@@ -1,18 +1,8 @@
 // Half-spaces under loads that move steadily: multiprecision, the reference, limits, critical speeds.
-#include <doctest/doctest.h>
-
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <random>
-#include <string>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
@@ -20,6 +10,7 @@
 #include <nipref/ref/half_space/response.hpp>
 
 #include "support/refusal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::IsotropicSolid;

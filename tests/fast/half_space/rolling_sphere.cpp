@@ -1,17 +1,11 @@
 // The paper's rolling sphere: its integral equations, its force, its contour, its limits.
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 
 #include "support/half_space.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Direction;

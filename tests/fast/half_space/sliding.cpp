@@ -1,20 +1,12 @@
 // The papers' sliding contact: its integral equation, its force, its contour, its limits.
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 
 #include "support/half_space.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Direction;

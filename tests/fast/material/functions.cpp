@@ -1,15 +1,8 @@
 // Compliances of materials whose rates are roots of polynomials.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <string>
-#include <utility>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/functions.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::StandardLinearSolid;

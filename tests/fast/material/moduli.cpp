@@ -1,13 +1,10 @@
-#include <doctest/doctest.h>
-
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <cmath>
-#include <complex>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/moduli.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::SpringModel;

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <numbers>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/rational_solid.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using data::DifferentialOperators;

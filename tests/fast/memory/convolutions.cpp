@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
-
 #include <boost/multiprecision/mpfr.hpp>
-#include <cmath>
-#include <random>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory/convolutions.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::fast;
 

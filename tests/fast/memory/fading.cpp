@@ -1,8 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <nipref/fast/memory/internal/fading.hpp>
+
+#include "support/test.hpp"
 
 namespace nipref::fast::internal {
 namespace {

@@ -1,10 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 
 #include "support/kernels.hpp"
+#include "support/test.hpp"
 
 using namespace fast_tests;
 using namespace nipref::fast;

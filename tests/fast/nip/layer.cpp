@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include <nipref/fast/nip/internal/layer.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::fast;
 using Complex = std::complex<double>;

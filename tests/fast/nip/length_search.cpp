@@ -1,11 +1,9 @@
 // The search for the length that carries a load, on loads whose lengths are known.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <initializer_list>
-#include <limits>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
+
+#include "support/test.hpp"
 
 using nipref::fast::LengthSearch;
 using nipref::fast::LengthSearchRule;

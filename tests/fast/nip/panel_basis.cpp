@@ -1,9 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <nipref/fast/nip/internal/panel_basis.hpp>
 #include <nipref/fast/number/internal/double_exponential.hpp>
+
+#include "support/test.hpp"
 
 namespace nipref::fast {
 namespace {

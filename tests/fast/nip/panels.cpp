@@ -1,8 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <numbers>
-
 #include <nipref/fast/nip/internal/panels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::fast;
 

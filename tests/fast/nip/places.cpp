@@ -1,10 +1,7 @@
 // Places of maxima and of sure changes of sign, of functions whose places are known.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include <nipref/fast/nip/internal/places.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

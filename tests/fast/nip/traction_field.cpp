@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 #include <nipref/fast/nip/internal/traction_field.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::fast;

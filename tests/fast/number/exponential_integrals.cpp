@@ -1,9 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+
+#include "support/test.hpp"
 
 namespace nipref::fast::internal {
 

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/branch_points.hpp>
 
 #include "support/kernels.hpp"
+#include "support/test.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

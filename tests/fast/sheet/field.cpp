@@ -1,16 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/displacements.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::fast;

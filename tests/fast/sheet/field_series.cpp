@@ -1,11 +1,8 @@
 // The stresses of one load as power series about places of the middle plane.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/internal/field_series.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::fast;

@@ -1,8 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <nipref/data/bad_input.hpp>
-
 #include "support/kernels.hpp"
+#include "support/test.hpp"
 
 using namespace fast_tests;
 using namespace nipref::fast;

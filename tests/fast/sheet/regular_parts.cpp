@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include <nipref/fast/sheet/internal/regular_parts.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

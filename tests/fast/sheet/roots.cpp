@@ -1,10 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
 
 #include "support/kernels.hpp"
+#include "support/test.hpp"
 
 using namespace fast_tests;
 using namespace nipref::fast;

@@ -1,22 +1,13 @@
 // The converged viscoelastic nip: its limits, its energy, two discretisations, its error estimates, its work.
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <limits>
-#include <numbers>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 
 #include "support/softening_sheet.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::test;

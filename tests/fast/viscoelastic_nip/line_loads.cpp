@@ -1,13 +1,7 @@
 // The thesis's own way through the viscoelastic nip: its plain sums against exact displacements, its line
 // loads against the elastic ones, its search for m2.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
 #include <tuple>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
@@ -15,6 +9,7 @@
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 #include "support/softening_sheet.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::test;

@@ -1,13 +1,11 @@
 // The sheet under line loads: plain sums or exact, each in its own units, and the surface they leave.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <initializer_list>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::MovingLoad;

@@ -1,14 +1,10 @@
-#include <doctest/doctest.h>
-
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <cmath>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/isotropic_surface.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using ref::Exact;

@@ -1,14 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <random>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
@@ -17,6 +6,7 @@
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 #include "support/stroh.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using ref::Enclosure;

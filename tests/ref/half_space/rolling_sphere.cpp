@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 
 #include "support/isotropic_surface.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using ref::Exact;

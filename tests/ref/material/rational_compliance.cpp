@@ -1,8 +1,7 @@
 // Quotients of polynomials as sums of fading terms.
-#include <doctest/doctest.h>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/internal/rational_compliance.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 using nipref::data::BadInput;

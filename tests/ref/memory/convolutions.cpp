@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 // The thesis's closed forms (AII.6, AII.9, AII.13, AII.18), in so many digits that what cancels in them does
 // not matter, against the quadrature of the reference path.

@@ -1,14 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include <nipref/ref/memory/internal/contour_nodes.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 // Proves what contour_memory() says of its paths on a mesh of cells in interval arithmetic, and compares its values
 // with the residue series, which shares nothing with it but the symbols.

@@ -1,15 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <cmath>
-#include <functional>
-#include <random>
-#include <string>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
@@ -17,6 +8,7 @@
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 // The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the integral over
 // the past itself, by quadrature over the elastic kernels in real space, and what is known of its limits.

@@ -1,15 +1,9 @@
 // Memories of complex rates against those of real ones, and against themselves by other nodes.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-#include <random>
-#include <string>
-
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/memory/internal/oscillating_memory.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 using nipref::test::exact;

@@ -1,13 +1,10 @@
 // The stresses inside the sheet by quadrature and Fourier transforms of the tractions: against line loads' proven fields
 // summed over the contact, a half-plane in closed form, and the resultants.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-
 #include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
 #include <nipref/ref/sheet/field.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using ref::Float;

@@ -1,14 +1,12 @@
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <stdexcept>
 #include <thread>
-#include <vector>
 
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

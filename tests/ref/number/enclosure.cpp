@@ -1,11 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
 #include <type_traits>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
@@ -13,6 +7,7 @@
 #include <nipref/ref/sheet/roots.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 using nipref::data::BadInput;

@@ -1,11 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <thread>
-#include <vector>
 
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -1,8 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <random>
-
 #include <nipref/ref/number/internal/refined_solution.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

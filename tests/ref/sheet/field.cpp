@@ -1,13 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/ref/sheet/internal/field_integral.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::ref;

@@ -1,16 +1,11 @@
-#include <doctest/doctest.h>
-
 #include <boost/math/constants/constants.hpp>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
 
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 // Second methods for the reference path, which share nothing with it but the definition of the kernels: the
 // contour turned to the ray arg z = pi/4 with a double-exponential rule, for larger arguments the residue

@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
 #include <gmpxx.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/ref/number/interval.hpp>
@@ -11,6 +7,7 @@
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/all_symbols.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using ref::PlainKernel;

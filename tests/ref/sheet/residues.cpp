@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
 #include "support/all_symbols.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <complex>
-#include <numbers>
-
 #include <nipref/ref/sheet/roots.hpp>
 
 #include "support/decimal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
 #include "support/all_symbols.hpp"
+#include "support/test.hpp"
 
 // Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //

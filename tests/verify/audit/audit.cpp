@@ -1,18 +1,12 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <atomic>
-#include <cmath>
-#include <limits>
 #include <mutex>
-#include <set>
-#include <stdexcept>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::AuditResult;

@@ -1,13 +1,11 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,13 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/error_spread.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 

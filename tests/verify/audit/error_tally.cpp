@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <vector>
-
 #include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/support/random.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 

@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <string>
-
 #include <nipref/verify/audit/internal/scene_audit.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 
@@ -117,10 +111,8 @@ TEST_CASE("every variant of a rolling nip is the same contact, in each material'
           std::set<std::string>{"units", "given back"});
     check_agree(with_material, 1e-9);
   };
-  check_material({{"model", "standard-linear-solid"},
-                  {"bulk", 3.0},
-                  {"shear", 1.5},
-                  {"relaxation_time", 0.75}});
+  check_material(
+      {{"model", "standard-linear-solid"}, {"bulk", 3.0}, {"shear", 1.5}, {"relaxation_time", 0.75}});
   check_material({{"model", "prony"},
                   {"theta1_instantaneous", 0.5},
                   {"theta1_amplitudes", std::vector<double>{0.5, 0.25}},

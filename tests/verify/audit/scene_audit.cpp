@@ -1,14 +1,7 @@
 // The audit of random scenes sees what is wrong with a solver, and nothing where nothing is.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/internal/scene_tally.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,9 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
@@ -11,6 +6,7 @@
 
 #include "support/json_schema.hpp"
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

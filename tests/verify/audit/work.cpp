@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 

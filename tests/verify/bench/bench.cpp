@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers.hpp>
@@ -17,6 +10,7 @@
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

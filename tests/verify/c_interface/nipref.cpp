@@ -1,12 +1,8 @@
 // The C interface says of the reference's digits that they are not all there.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <span>
-#include <string>
-
 #include <nipref/nipref.h>
 #include <nipref/verify/catalogue/catalogue.hpp>
+
+#include "support/test.hpp"
 
 TEST_CASE("C: digits that are not all there are said, and what is there is written") {
   using namespace nipref;

@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::axis_of;

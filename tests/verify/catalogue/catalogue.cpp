@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -15,6 +7,7 @@
 #include <nipref/verify/support/random.hpp>
 
 #include "support/proven_pages.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Point;

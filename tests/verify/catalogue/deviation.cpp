@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+
+#include "support/test.hpp"
 
 namespace {
 

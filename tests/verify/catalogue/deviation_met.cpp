@@ -1,12 +1,8 @@
 // What it means that a value is as accurate as was asked.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+
+#include "support/test.hpp"
 
 namespace {
 

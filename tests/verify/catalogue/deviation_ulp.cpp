@@ -1,10 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+
+#include "support/test.hpp"
 
 using nipref::verify::ulp_of;
 

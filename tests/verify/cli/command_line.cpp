@@ -1,18 +1,12 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;

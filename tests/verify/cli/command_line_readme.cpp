@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 namespace fs = std::filesystem;
 

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
 
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
@@ -14,6 +9,7 @@
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 // What is meant is done, and help says what there is.

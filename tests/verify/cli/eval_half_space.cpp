@@ -1,13 +1,9 @@
 // Catalogue entries of the half-spaces on the command line: refusals, by either path; the seeds' own
 // formulas.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
-#include <string>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 namespace {
 

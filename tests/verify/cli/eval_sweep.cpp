@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 using nlohmann::json;
 

@@ -1,10 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 
@@ -12,6 +6,7 @@
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,16 +1,13 @@
-#include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using nlohmann::json;

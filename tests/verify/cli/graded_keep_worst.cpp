@@ -1,15 +1,11 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

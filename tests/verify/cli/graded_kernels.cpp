@@ -1,13 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using nlohmann::json;

@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/house.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 using nipref::verify::touched_subjects;
 using Subjects = std::set<std::string>;

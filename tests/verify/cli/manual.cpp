@@ -1,9 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -17,6 +10,7 @@
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 namespace {
 

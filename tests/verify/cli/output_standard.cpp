@@ -1,14 +1,11 @@
-#include <doctest/doctest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <string>
-
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,13 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
@@ -17,6 +9,7 @@
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;

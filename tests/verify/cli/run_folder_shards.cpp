@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <fstream>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 
 #include "support/paths.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Shard;

@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string>
 
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 namespace {
 

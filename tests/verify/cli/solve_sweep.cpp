@@ -1,14 +1,11 @@
-#include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 
 using nlohmann::json;
 

@@ -1,18 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,15 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/check.hpp>
 
 #include "support/golden_folder.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::GoldenFault;

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <fstream>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/golden/check.hpp>
 
 #include "support/golden_folder.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,15 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <map>
-#include <set>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/golden/confirm/scene.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::ContactsFile;

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/make.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Quantity;

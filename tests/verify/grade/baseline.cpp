@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/grade/baseline.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 using nipref::data::BadInput;

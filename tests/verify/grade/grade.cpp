@@ -1,11 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/grade/grade.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Grade;

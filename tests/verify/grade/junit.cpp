@@ -1,10 +1,9 @@
-#include <doctest/doctest.h>
-
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <sstream>
 
 #include <nipref/verify/grade/junit.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 using Outcome = JUnitCase::Outcome;

@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::MeasuredPoints;

@@ -1,14 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
@@ -19,6 +10,7 @@
 
 #include "support/paths.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::AuditOptions;

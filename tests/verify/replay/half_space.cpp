@@ -1,11 +1,5 @@
 // The replay of the tables of the two papers on half-spaces: what made each cell, and what is right.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
@@ -15,6 +9,7 @@
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using doctest::Approx;

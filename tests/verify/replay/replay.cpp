@@ -1,11 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -15,6 +9,7 @@
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Verdict;

@@ -1,12 +1,4 @@
 // The replay of the viscoelastic tables: what is met, what the seed's mistakes explain, what they cost.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <string_view>
-
 #include <nipref/data/table/index.hpp>
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
@@ -16,6 +8,7 @@
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Replay;

@@ -1,19 +1,7 @@
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
@@ -26,6 +14,7 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::verify;

@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Formulas;

@@ -1,27 +1,18 @@
 // Numbers of claims, limits and errata: each has an error, which covers, and no more digits than that bears out.
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/solve/solve.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Propagated;

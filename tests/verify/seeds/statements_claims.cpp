@@ -1,15 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/seeds/statements.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Claim;

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <set>
-#include <string>
-
 #include <nipref/verify/seeds/statements.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::FormulaErratum;

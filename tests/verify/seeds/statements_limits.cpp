@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::LimitRow;

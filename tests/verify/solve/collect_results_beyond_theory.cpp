@@ -1,17 +1,10 @@
 // Nips that cannot be, and those that linear theory says little of, by both paths.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <string>
-#include <variant>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/refusal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
@@ -12,6 +6,7 @@
 #include "support/covered.hpp"
 #include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Estimate;

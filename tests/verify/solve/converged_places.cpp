@@ -1,14 +1,9 @@
 // Where the tractions of a nip are largest and the shear changes its sign, by both paths and all methods.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

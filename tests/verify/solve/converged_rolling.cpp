@@ -1,13 +1,4 @@
 // Scenes of the rolling nip: every material model, steady and started motion, and what is refused.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -15,6 +6,7 @@
 #include "support/refused_scene.hpp"
 #include "support/scratch_file.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,14 +1,9 @@
 // What follows from the results of a nip: eccentricity, resistance, lost power, moments of the pressure.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

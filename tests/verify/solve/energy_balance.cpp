@@ -1,11 +1,4 @@
 // Work and loss of rolling nips, by either path.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
@@ -14,6 +7,7 @@
 #include <nipref/verify/solve/internal/loss_integral.hpp>
 
 #include "support/softening_sheet.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,11 +1,6 @@
 // Scenes of bodies on half-spaces: what they give, and what is refused.
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -13,6 +8,7 @@
 #include "support/refused_scene.hpp"
 #include "support/scratch_file.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,15 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

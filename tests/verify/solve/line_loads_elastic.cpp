@@ -1,12 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
@@ -16,6 +7,7 @@
 #include "support/reference_values.hpp"
 #include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

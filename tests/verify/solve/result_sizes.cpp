@@ -1,12 +1,7 @@
 // What relative accuracies are relative to, and what meeting them means.
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstddef>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
@@ -15,6 +10,7 @@
 
 #include "support/run_nipref.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;

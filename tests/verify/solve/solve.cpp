@@ -1,18 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <filesystem>
-#include <numeric>
-#include <string>
-#include <vector>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

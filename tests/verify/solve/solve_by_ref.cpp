@@ -1,12 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
@@ -16,6 +9,7 @@
 
 #include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

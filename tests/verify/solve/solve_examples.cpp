@@ -1,18 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/paths.hpp"
 #include "support/scratch_file.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;

@@ -1,30 +1,16 @@
 // Scenes whose numbers are at the ends of their ranges: a result whose error estimate covers, or a refusal, and
 // soon.
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/scratch_file.hpp"
 #include "support/solved_scene.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,15 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-#include <variant>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/proven_pages.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/support/formula.hpp>
+
+#include "support/test.hpp"
 
 using nipref::verify::with_mathml;
 using nipref::verify::without_marks;

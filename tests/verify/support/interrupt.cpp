@@ -1,17 +1,14 @@
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 #include "support/on_terminal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

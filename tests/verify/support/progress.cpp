@@ -1,9 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include <nipref/verify/support/internal/progress.hpp>
+
+#include "support/test.hpp"
 
 using nipref::verify::Progress;
 

@@ -1,9 +1,8 @@
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include <nipref/verify/support/internal/template.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 

@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include <nipref/verify/support/text.hpp>
 
 #include "support/on_terminal.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 

@@ -1,9 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
 #include "support/kernels.hpp"
+#include "support/test.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/nip_solution.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Point;

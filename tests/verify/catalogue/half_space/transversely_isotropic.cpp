@@ -1,13 +1,9 @@
 // What fast promises of half-spaces holds against the arguments as they are given, to the ends of the domain:
 // angles in degrees, constants in GPa, speeds next to the critical one.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Point;

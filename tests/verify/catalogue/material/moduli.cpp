@@ -1,8 +1,4 @@
 // Rows of materials: every model on both paths, confirmed by the golden values' second method; names and refusals.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/keys.hpp>
@@ -14,6 +10,7 @@
 #include <nipref/verify/golden/make.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,13 +1,10 @@
 // Catalogue entries of the viscoelastic sheet: fast against ref, the material by name, refusals.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

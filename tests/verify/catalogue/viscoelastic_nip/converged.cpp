@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Point;

@@ -1,14 +1,10 @@
 // Errors of converged contacts where what they are of is small.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <vector>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 
 #include "support/covered.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

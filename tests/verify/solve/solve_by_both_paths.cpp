@@ -1,15 +1,9 @@
 // Scenes that both paths solve: fast is within the errors of the reference, which has the digits that it was asked for.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 

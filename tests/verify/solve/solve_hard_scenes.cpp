@@ -1,18 +1,11 @@
 // The scenes of data/scenes/hard, which were once solved wrongly: each begins with what was wrong.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
+#include "support/test.hpp"
 
 using namespace nipref;
 
