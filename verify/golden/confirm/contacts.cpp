@@ -99,11 +99,20 @@ namespace {
 
 using Digits = Number<40>;
 
-/// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther.
+/// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther. In the
+/// plane of w the nearest singularities are images of the ends, seen in the sheet's faces. Beyond the last node the
+/// tractions are taken to decay as at an end, (A - x)^(1/2 +- i epsilon), which leaves out e^(-3 w).
 struct Grid {
   Digits step;
-  int last;
+  int last, beyond;  ///< nodes that are unknown, and those that follow from the last of them
 
+  Grid(double half_length, double digits) {
+    const double strip = (std::atan(2 / half_length) + std::atan(INFINITY)) / 2, nats = digits * std::log(10.0),
+                 about = 2 * std::atan(INFINITY) * strip / nats;
+    step = about;
+    last = static_cast<int>(std::ceil(nats / 3 / about));
+    beyond = 2 * last;
+  }
   [[nodiscard]] Digits node(int j) const { return step * j; }
   [[nodiscard]] Digits middle(int k) const { return step * k + step / 2; }
 };
@@ -141,17 +150,23 @@ Digits sinc(const Digits& x) {
 /// A contact with an even pressure and an odd shear, which are given by their values for x >= 0.
 class Contact {
  public:
-  Contact(double half_length, double poisson, const Grid& grid, double digits)
+  Contact(double half_length, double poisson, double digits)
       : half_length_(half_length),
         beta_((1 - 2 * Digits(poisson)) / (2 * (1 - Digits(poisson)))),
-        grid_(grid),
-        kernels_(half_length, digits) {
+        grid_(half_length, digits),
+        kernels_(half_length, digits + 5) {
+    const Digits turning = 2 * atanh(beta_) / pi<Digits>();
+    for (int m = 0; m <= grid_.beyond; ++m) {
+      const Digits way = grid_.node(m);
+      along_.push_back(exp(-way) * cos(turning * way));
+      across_.push_back(exp(-way) * sin(turning * way));
+    }
     solve();
   }
 
   [[nodiscard]] std::vector<Solved> numbers() const {
     Digits load = 0, depth = 0;
-    for (int j = -grid_.last; j <= grid_.last; ++j) {
+    for (int j = -nodes(); j <= nodes(); ++j) {
       const Digits weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
       // The distance A - x from the end, without cancellation.
       const Digits distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
@@ -168,6 +183,7 @@ class Contact {
 
  private:
   static Digits square(const Digits& x) { return x * x; }
+  [[nodiscard]] int nodes() const { return grid_.last + grid_.beyond; }
   [[nodiscard]] Digits pressure(int j) const { return pressure_[static_cast<std::size_t>(std::abs(j))]; }
   [[nodiscard]] Digits shear(int j) const {
     return j < 0 ? Digits(-shear_[static_cast<std::size_t>(-j)]) : shear_[static_cast<std::size_t>(j)];
@@ -186,17 +202,23 @@ class Contact {
       const int slope = k, strain = last + 1 + k;
       const Digits w = grid_.middle(k), x = half_length_ * tanh(w);
       for (int j = -last; j <= last; ++j) {
-        const Digits v = grid_.node(j), weight = half_length_ * grid_.step / square(cosh(v));
-        const Solved way(x - half_length_ * tanh(v));
-        const Digits singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
-        const Digits coupling = weight * Digits(kernels_.coupling.slope(way));
-        const Digits local = pi<Digits>() * beta_ * sinc((w - v) / grid_.step);
         const int sign = j < 0 ? -1 : 1;
-        system(slope, of_pressure(j)) += singular + weight * Digits(kernels_.normal.slope(way));
-        system(strain, of_pressure(j)) += coupling - local;
-        if (j == 0) continue;
-        system(slope, of_shear(j)) += sign * (local - coupling);
-        system(strain, of_shear(j)) += sign * (singular + weight * Digits(kernels_.stretch.slope(way)));
+        const Solved way(x - half_length_ * tanh(grid_.node(j)));
+        // They do not change beyond the last node.
+        const Digits normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
+            shared(kernels_.coupling.slope(way));
+        for (int m = 0; m <= (std::abs(j) == last ? grid_.beyond : 0); ++m) {
+          const Digits v = grid_.node(j + sign * m), weight = half_length_ * grid_.step / square(cosh(v));
+          const Digits singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
+          const Digits local = pi<Digits>() * beta_ * sinc((w - v) / grid_.step), coupling = weight * shared;
+          const auto add = [&](int row, const Digits& of_p, const Digits& of_q) {
+            const Digits &c = along_[at(m)], &s = across_[at(m)];
+            system(row, of_pressure(j)) += c * of_p + s * of_q;
+            if (j != 0) system(row, of_shear(j)) += c * of_q - s * of_p;
+          };
+          add(slope, singular + weight * normal, sign * (local - coupling));
+          add(strain, coupling - local, sign * (singular + weight * stretch));
+        }
       }
       right(slope) = -2 * pi<Digits>() * x;
       system(strain, of_strain) = -pi<Digits>();
@@ -205,12 +227,17 @@ class Contact {
     pressure_.assign(found.begin(), found.begin() + last + 1);
     shear_.assign(1, Digits(0));
     shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
+    const Digits p = pressure_.back(), q = shear_.back();
+    for (int m = 1; m <= grid_.beyond; ++m) {
+      pressure_.emplace_back(along_[at(m)] * p - across_[at(m)] * q);
+      shear_.emplace_back(across_[at(m)] * p + along_[at(m)] * q);
+    }
     strain_ = found(of_strain);
   }
 
   [[nodiscard]] Digits shear_at(const Digits& w) const {
     Digits sum = 0;
-    for (int j = -grid_.last; j <= grid_.last; ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
+    for (int j = -nodes(); j <= nodes(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
     return abs(sum);
   }
   /// By golden section search about the largest of the known values.
@@ -231,6 +258,7 @@ class Contact {
   Digits half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
+  std::vector<Digits> along_, across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
   std::vector<Digits> pressure_, shear_;
   Digits strain_;
 };
@@ -238,8 +266,7 @@ class Contact {
 }  // namespace
 
 std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine) {
-  const Digits step = Digits(fine ? "0.095" : "0.105");
-  return Contact(half_length, poisson, {step, fine ? 250 : 220}, fine ? 26 : 22).numbers();
+  return Contact(half_length, poisson, fine ? 21 : 19).numbers();
 }
 
 }  // namespace nipref::verify::confirm

@@ -36,7 +36,7 @@ class RolledContact {
 };
 
 /// Longer contacts, L/B, without friction, with full friction, and rolling ones need too many points and are not confirmed.
-inline constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5, longest_rolling_confirmed = 0.5;
+inline constexpr double longest_confirmed = 4, longest_gripped_confirmed = 4, longest_rolling_confirmed = 0.5;
 
 /// The sheet of a contact that rolls without friction, in half-thicknesses.
 struct RollingSheet {
@@ -73,7 +73,7 @@ int smooth_points(double reach, double digits);
 /// nip.load, .indentation, .creep, .peak_pressure, .peak_shear of an elastic contact with full friction by sinc
 /// collocation: x = A tanh w, so that the tractions decay in w. The tractions are values at multiples of a step in w.
 /// The slopes of the surface are required half a step away from them, where the trapezoidal rule converges although
-/// the integrals are principal values. The step is fine or coarse.
+/// the integrals are principal values. The rule is fine or coarse.
 std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine);
 
 }  // namespace nipref::verify::confirm
