@@ -13,7 +13,7 @@ using data::SheetLoad;
 /// Calls add(distance from the load in half-thicknesses, kind of load, force) for each load that is not 0.
 void for_each_load(std::span<const FaceLoad> loads, double half_thickness, const InnerPoint& point,
                    const auto& add) {
-  checked_point(point, half_thickness);
+  static_cast<void>(checked_points({&point, 1}, half_thickness));
   for (const FaceLoad& load : loads) {
     const double alpha = (point.y - load.y) / half_thickness;
     if (alpha == 0 && std::fabs(point.depth) == 1)

@@ -15,7 +15,7 @@ namespace {
 constexpr double rolling_accuracy = 1e-6;
 
 RowValues continuous(const data::ViscoelasticNip& nip, double load) {
-  const fast::ConvergedViscoelasticNip contact = fast::converged_for_load(nip, load, rolling_accuracy);
+  const fast::ConvergedNip contact = fast::converged_for_load(nip, load, rolling_accuracy);
   return viscoelastic_row_values(
       nip, {contact.load().value, contact.leading_length().value, contact.trailing_length().value,
             contact.indentation().value, contact.peak_pressure().value, contact.creep_ratio().value,
@@ -88,9 +88,9 @@ void correct_viscoelastic(Replay& replay) {
 constexpr double elastic_accuracy = 1e-9;
 
 RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, double load) {
-  const fast::ConvergedElasticNip contact = fast::converged_for_load(nip, friction, load, elastic_accuracy);
+  const fast::ConvergedNip contact = fast::converged_for_load(nip, friction, load, elastic_accuracy);
   fast::LineLoadSolution numbers{contact.contact_length().value,    contact.indentation().value,
-                                 contact.edge_displacement().value, contact.load().value,
+                                 contact.leading_displacement().value, contact.load().value,
                                  contact.peak_pressure().value,     {}};
   if (friction == data::Friction::full) numbers.peak_shear = contact.peak_shear().value;
   return row_values(nip, numbers, contact.creep_ratio().value);

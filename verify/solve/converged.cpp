@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
@@ -16,8 +17,7 @@
 namespace nipref::verify {
 namespace {
 
-fast::Work work_of(const fast::ConvergedElasticNip& contact) { return contact.work(); }
-fast::Work work_of(const fast::ConvergedViscoelasticNip& contact) { return contact.work(); }
+fast::Work work_of(const fast::ConvergedNip& contact) { return contact.work(); }
 
 /// Numbers of values of I1, of I3, and of the part of I6 that is not in I1.
 fast::Work counted(int unknowns, long normal, long coupling, long stretch = 0) {
@@ -56,15 +56,20 @@ struct Nip {
   }
 };
 
+/// Displacements of an elastic sheet's alone.
 template <class Path, class Contact>
-void set_inside(SolvedContact<typename Path::Number>& solved,
-                const std::shared_ptr<Nip<Path, Contact>>& nip) {
+void set_inside(SolvedContact<typename Path::Number>& solved, const std::shared_ptr<Nip<Path, Contact>>& nip,
+                bool is_elastic) {
   using Number = typename Path::Number;
   using Points = typename InnerFields<Path>::Points;
   Contact* const contact = &nip->contact;
   nip->fields.stresses_of = [contact](Points points) { return contact->inner_stresses(points); };
-  if constexpr (requires(Contact & any, Points points) { any.inner_displacements(points); })
-    nip->fields.displacements_of = [contact](Points points) { return contact->inner_displacements(points); };
+  if constexpr (requires(Contact & any, Points points) { any.inner_displacements(points); }) {
+    if (is_elastic)
+      nip->fields.displacements_of = [contact](Points points) {
+        return contact->inner_displacements(points);
+      };
+  }
   set_inner_fields<Path>([&](ResultId id, auto function) { solved.set(id, function); },
                          std::shared_ptr<InnerFields<Path>>(nip, &nip->fields));
   solved.set(ResultId::greatest_shear, [nip]() -> Number { return nip->greatest_shear().value; });
@@ -81,7 +86,7 @@ std::unique_ptr<SolvedContact<typename Path::Number>> converged(const Problem& p
   const std::shared_ptr<Contact> contact(nip, &nip->contact);
   set_nip_results<Contact>([&](ResultId id, auto function) { solved->set(id, contact, function); },
                            [](const Contact&) -> Number { return Path::exactly(0, 16); });
-  set_inside<Path>(*solved, nip);
+  set_inside<Path>(*solved, nip, std::is_same_v<Problem, data::ElasticNipProblem>);
   complete_nip(*solved, problem);
   solved->work = [contact] { return work_of(*contact); };
   if constexpr (Path::is_fast) {

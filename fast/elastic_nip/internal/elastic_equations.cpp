@@ -37,7 +37,7 @@ ElasticEquations::ElasticEquations(data::Friction friction, double poisson)
 
 Resolution ElasticEquations::resolution(double nats) const { return {nats, decay_, grips_ ? 5 : 2, {}}; }
 
-Tractions::Kernel ElasticEquations::normal(CountedKernels& kernels) const {
+Tractions::Kernel ElasticEquations::normal_kernel(CountedKernels& kernels) const {
   if (!grips_) return frictionless_kernel(kernels).whole;
   return {1, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             const std::vector<double> i1 = kernels.I1(alpha), i3 = kernels.I3(alpha);
@@ -50,7 +50,7 @@ Tractions::Kernel ElasticEquations::normal(CountedKernels& kernels) const {
           }};
 }
 
-Tractions::Kernel ElasticEquations::tangential(CountedKernels& kernels) const {
+Tractions::Kernel ElasticEquations::tangential_kernel(CountedKernels& kernels) const {
   return {1, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             const std::vector<double> i3 = kernels.I3(alpha),
                                       i6 = grips_ ? kernels.I6(alpha) : std::vector<double>();
@@ -64,7 +64,7 @@ Tractions::Kernel ElasticEquations::tangential(CountedKernels& kernels) const {
 }
 
 /// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
-Tractions::Kernel ElasticEquations::strain() const {
+Tractions::Kernel ElasticEquations::strain_kernel() const {
   return {1, !grips_, {}, [this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
             on_q.resize(1, on_p.cols());
@@ -131,7 +131,7 @@ Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& p
     const auto row = static_cast<Eigen::Index>(i) * each;
     equations.on_unknowns(row, edge_displacement) = -1;
     equations.right(row) = e * (2 * half_length - e);
-    if (grips_) equations.on_unknowns(row + 1, creep) = -(half_length - e);
+    if (grips_) equations.on_unknowns(row + 1, creep_ratio) = -(half_length - e);
   }
   return {tractions, equations};
 }
@@ -146,10 +146,63 @@ std::vector<AccuracyTarget> ElasticEquations::accuracy_targets(const Solution& s
     targets.push_back({solution.of_tractions(both.row(0)), middle});
     if (grips_) targets.push_back({solution.of_tractions(both.row(1)), middle});
   }
-  if (grips_) targets.push_back({solution.of_unknown(creep), half_length});
+  if (grips_) targets.push_back({solution.of_unknown(creep_ratio), half_length});
   return targets;
 }
 
 double ElasticEquations::half_length_guess(double load) const { return fast::half_length_guess(load); }
+
+Functional ElasticEquations::roller_displacement(const Solution& solution, double y) const {
+  Functional displacement = solution.of_unknown(edge_displacement);
+  displacement.constant = (solution.half_length() - y) * (solution.half_length() + y);
+  return displacement;
+}
+
+Functional ElasticEquations::end_displacement(const Solution& solution, bool /*trailing*/) const {
+  return solution.of_unknown(edge_displacement);
+}
+
+namespace {
+
+/// Of an even kernel, or of an odd one, which changes its sign on the trailing half.
+Functional acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place,
+                  bool is_odd) {
+  const auto [trailing, e] = place.in(solution);
+  const double at[] = {e};
+  const Eigen::RowVectorXd row = solution.tractions().rows(at, false, kernel, quadrature_tolerance).row(0);
+  return solution.of_tractions(trailing && is_odd ? -row : row);
+}
+
+}  // namespace
+
+double ElasticEquations::cancelling_sides(const Solution& solution) const {
+  return (0.25 + std::fabs(beta_) / 2) * solution.value(solution.load());
+}
+
+Functional ElasticEquations::normal(const Solution& solution, const ContactPlace& place,
+                                    CountedKernels& kernels) const {
+  Functional displacement = acting(solution, normal_kernel(kernels), place, false);
+  displacement.cancelled = std::pow(solution.half_length(), 2) + (grips_ ? cancelling_sides(solution) : 0);
+  return displacement;
+}
+
+Functional ElasticEquations::tangential(const Solution& solution, const ContactPlace& place,
+                                        CountedKernels& kernels) const {
+  Functional displacement = acting(solution, tangential_kernel(kernels), place, true);
+  displacement.cancelled = cancelling_sides(solution);
+  return displacement;
+}
+
+Functional ElasticEquations::strain(const Solution& solution, const ContactPlace& place) const {
+  Functional strain = acting(solution, strain_kernel(), place, false);
+  strain.cancelled = solution.traction(solution.half_length()).real();
+  strain.on_tractions -= beta_ * traction(solution, Component::pressure, place).on_tractions;
+  return strain;
+}
+
+Functional ElasticEquations::creep(const Solution& solution, CountedKernels& kernels) const {
+  if (grips_) return solution.of_unknown(creep_ratio);
+  return 1 / solution.half_length() * tangential(solution, {false, 0}, kernels);
+}
 
 }  // namespace nipref::fast

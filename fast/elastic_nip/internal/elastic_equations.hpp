@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/nip/internal/nip_equations.hpp>
 
 namespace nipref::fast {
 
@@ -12,27 +12,38 @@ class ElasticEquations : public NipEquations {
  public:
   ElasticEquations(data::Friction friction, double poisson);
 
-  static constexpr int edge_displacement = 0, creep = 1;  ///< numbers of the unknowns
-  [[nodiscard]] bool grips() const { return grips_; }
-  [[nodiscard]] double beta() const { return beta_; }  ///< theta2/N
-
+  static constexpr int edge_displacement = 0, creep_ratio = 1;  ///< numbers of the unknowns
   [[nodiscard]] Resolution resolution(double nats) const override;
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
   [[nodiscard]] double half_length_guess(double load) const override;
 
-  /// Normal displacement, tangential displacement and the nonlocal part of the strain along the surface.
-  [[nodiscard]] Tractions::Kernel normal(CountedKernels& kernels) const;
-  [[nodiscard]] Tractions::Kernel tangential(CountedKernels& kernels) const;
-  [[nodiscard]] Tractions::Kernel strain() const;
+  [[nodiscard]] bool grips() const override { return grips_; }
+  [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
+  [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
+  [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
+                                  CountedKernels& kernels) const override;
+  [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place,
+                                      CountedKernels& kernels) const override;
+  [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
+  [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
+  [[nodiscard]] std::optional<internal::Shares> shares() const override { return {{1 - beta_, beta_}}; }
 
  private:
+  /// Of normal displacement, tangential displacement and the nonlocal part of the strain along the surface.
+  [[nodiscard]] Tractions::Kernel normal_kernel(CountedKernels& kernels) const;
+  [[nodiscard]] Tractions::Kernel tangential_kernel(CountedKernels& kernels) const;
+  [[nodiscard]] Tractions::Kernel strain_kernel() const;
   [[nodiscard]] Tractions::Kernel both(CountedKernels& kernels) const;
   [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 
+  /// The kernel that couples the pressure to v and the shear to u is at most 1/4 + beta/2; what is on both sides of a
+  /// place cancels.
+  [[nodiscard]] double cancelling_sides(const Solution& solution) const;
+
   bool grips_;
-  double beta_;
+  double beta_;  ///< theta2/N
   double decay_;
 };
 

@@ -148,11 +148,14 @@ GreatestShear ContactField::greatest() const {
   return {value, {place.alpha, unsure}, {place.depth, unsure}};
 }
 
-SheetPoint checked_point(const InnerPoint& point, double unit) {
-  check_position(point.y);
-  if (!(std::fabs(point.depth) <= 1))
-    throw data::BadInput("depth", point.depth, "must satisfy -1 <= depth <= 1");
-  return {point.y / unit, point.depth};
+std::vector<SheetPoint> checked_points(std::span<const InnerPoint> points, double unit) {
+  std::vector<SheetPoint> checked;
+  for (const auto& [y, depth] : points) {
+    check_position(y);
+    if (!(std::fabs(depth) <= 1)) throw data::BadInput("depth", depth, "must satisfy -1 <= depth <= 1");
+    checked.push_back({y / unit, depth});
+  }
+  return checked;
 }
 
 InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,

@@ -46,8 +46,8 @@ class ContactField {
   TractionField field_;
 };
 
-/// BadInput unless y is finite and the depth from -1 to 1.
-SheetPoint checked_point(const InnerPoint& point, double unit);
+/// Over the unit of length. BadInput unless each y is finite and each depth from -1 to 1.
+std::vector<SheetPoint> checked_points(std::span<const InnerPoint> points, double unit);
 
 /// The displacements at a depth from those of the face and what ContactField::from_face has beyond them, in `unit`.
 InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,

@@ -11,8 +11,7 @@ namespace {
 
 using data::BadInput;
 
-constexpr double shortest = shortest_half_length;  // L/B
-constexpr double longest = 1e4;
+constexpr double shortest = 1e-8, longest = 1e4;  // L/B
 
 std::string allowed_length(const NipShape& shape) {
   return fmt::format(
@@ -34,10 +33,6 @@ ContactUnits::ContactUnits(const NipShape& shape, double compliance)
       pressure(length / (2 * shape.roller_radius) / compliance),
       load(pressure * length),
       creep(length / (2 * shape.roller_radius)) {}
-
-double faded(double distance, double rate) {
-  return std::exp(-std::min(rate, 2.0) * std::max(distance, 0.0));
-}
 
 Estimate times(double unit, const Estimate& estimate) {
   return {unit * estimate.value + 0.0, std::fabs(unit) * estimate.error};

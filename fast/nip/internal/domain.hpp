@@ -11,9 +11,6 @@ struct NipShape {
   double sheet_thickness;
 };
 
-/// Half length (half-thicknesses), L/B, of the shortest contact allowed.
-inline constexpr double shortest_half_length = 1e-8;
-
 /// Units of a contact's dimensionless quantities, see NipEquations.
 struct ContactUnits {
   /// `compliance`: N, or its instantaneous part, 1/stress.
@@ -24,15 +21,6 @@ struct ContactUnits {
   double load;
   double creep;
 };
-
-/// Rounding of a tangential displacement, relative to the size of its parts over the contact. The parts may cancel, and
-/// near the reference place the displacement is a small difference of integrals of that size.
-inline constexpr double difference_rounding = 0x1p-48;
-
-/// The factor by which a normal displacement has decayed at a distance (half-thicknesses) from the contact; 1 at
-/// negative distances. I1 and I3 decay with the exponent 2.1 (the zero of sinh 2z + 2z next to 0), the trace of a
-/// memory with its rate if that is less.
-double faded(double distance, double rate = 2);
 
 /// `estimate` in a unit; never -0.
 Estimate times(double unit, const Estimate& estimate);

@@ -119,8 +119,8 @@ class Layout {
       // A layer is on the leading half alone; on the other the terms resolve what it has left there.
       const bool as_layer = left == 0 && !is_whole && std::abs(rate) * right > 1;
       const double from = as_layer ? 2 * half_length_ - right : left;
-      degree = std::max<double>(degree,
-                                degree_of_exponential(rate, from, from + right - left, resolution_.nats));
+      degree =
+          std::max<double>(degree, degree_of_exponential(rate, from, from + right - left, resolution_.nats));
     }
     // The last three terms are to show that the others suffice.
     const int terms = 4 + static_cast<int>(std::ceil(about_middle ? degree / 2 : degree));

@@ -35,6 +35,13 @@ struct Functional {
     a.cancelled += b.cancelled;
     return a;
   }
+  friend Functional operator*(double factor, Functional a) {
+    a.on_tractions *= factor;
+    a.on_unknowns *= factor;
+    a.constant *= factor;
+    a.cancelled *= std::fabs(factor);
+    return a;
+  }
 };
 
 /// The solution x of M x = r by elimination, refined once.

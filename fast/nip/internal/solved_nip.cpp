@@ -142,12 +142,6 @@ Estimate SolvedNip::estimate(const Number& number) const {
   return extrapolated(here, error, [&] { return neighbour().value(number(neighbour())); });
 }
 
-Estimate SolvedNip::estimate(const Number& linearised,
-                             const std::function<double(const Solution&)>& number) const {
-  return extrapolated(number(last()), last().estimate(linearised(last())).error,
-                      [&] { return number(neighbour()); });
-}
-
 SolvedNip::OfPlace SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
   OfPlace result{number(last(), e), {}, 0};
   if (load_) result.there = number(neighbour(), e);

@@ -4,33 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/fast/nip/internal/counted_kernels.hpp>
-#include <nipref/fast/nip/internal/panels.hpp>
-#include <nipref/fast/nip/internal/solution.hpp>
+#include <nipref/fast/nip/internal/nip_equations.hpp>
 
 namespace nipref::fast {
-
-/// A number that has to meet the accuracy, relative to `scale` or to its value if that is larger.
-struct AccuracyTarget {
-  Functional number;
-  double scale = 0;
-};
-
-/// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
-/// times 2 R/b^2, loads times 2 R N/b^2, N the compliance of the normal displacement (at once).
-class NipEquations {
- public:
-  virtual ~NipEquations() = default;
-  /// The resolution of a contact of half length A whose coefficients are to fall to e^-nats.
-  [[nodiscard]] virtual Resolution resolution(double nats) const = 0;
-  /// tolerance: of the quadratures.
-  [[nodiscard]] virtual Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
-                                       CountedKernels& kernels) const = 0;
-  /// Beside the load.
-  [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
-  /// Where the search for the length begins.
-  [[nodiscard]] virtual double half_length_guess(double load) const = 0;
-};
 
 /// The contact of a given length, or of the length that carries a given load: solved with as many terms as the accuracy
 /// needs, once.
@@ -58,9 +34,6 @@ class SolvedNip {
   [[nodiscard]] std::complex<double> traction(double e) const;
   /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
   [[nodiscard]] Estimate estimate(const Number& number) const;
-  /// The same for a number that is a function of linear ones.
-  [[nodiscard]] Estimate estimate(const Number& linearised,
-                                  const std::function<double(const Solution&)>& number) const;
   /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
   using AtPlace = std::function<Functional(const Solution&, double e)>;
   /// Such a number in last() and, for a given load, in the neighbour; and what the place adds to its error.
@@ -77,14 +50,12 @@ class SolvedNip {
   /// Solves with more terms; false where rounding rules, so that more do not help.
   bool refine();
 
-  /// Of the quadratures, whose error is less than that of rounding.
-  static constexpr double tolerance() { return 1e-16; }
   [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }
   [[nodiscard]] const Work& work() const { return *work_; }
 
  private:
   [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length, double nats,
-                                                      double tolerance = SolvedNip::tolerance()) const;
+                                                      double tolerance = quadrature_tolerance) const;
   void solve_to(double nats);
   void search_roughly();
   void meet_load();

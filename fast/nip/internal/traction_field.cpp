@@ -325,7 +325,8 @@ internal::FromFace TractionField::half_planes_displaced(const ContactBlocks::Ran
     Cauchy f{};
     for (const bool right : {false, true}) add_side(right, near, alpha, d, Wanted::logarithms, f);
     const Complex p = t1 * d * f.pressure, q = t1 * d * f.shear;
-    sum.u += face * (f.pressure_log.real() + p.imag() + t2 * f.shear_log.imag() - q.real()) / std::numbers::pi;
+    sum.u +=
+        face * (f.pressure_log.real() + p.imag() + t2 * f.shear_log.imag() - q.real()) / std::numbers::pi;
     sum.v += (t2 * f.pressure_log.imag() + p.real() - f.shear_log.real() + q.imag()) / std::numbers::pi;
   }
   return sum;

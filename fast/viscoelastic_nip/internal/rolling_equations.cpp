@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/frictionless_kernel.hpp>
 #include <nipref/fast/nip/internal/layer.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
@@ -258,7 +259,7 @@ std::vector<AccuracyTarget> RollingEquations::accuracy_targets(const Solution& s
   std::vector<AccuracyTarget> targets{
       {solution.of_unknown(middle_displacement(solution)), half_length * half_length},
       {solution.of_unknown(offset), 0.1 * half_length},
-      {linearised_eccentricity(solution), 1e-4 * half_length}};
+      {eccentricity(solution), 1e-4 * half_length}};
   for (const Panel& panel : solution.tractions().panels()) {
     const double at = panel.about_middle && !panel.at_end ? half_length : panel.left + 0.2 * panel.width();
     const Eigen::MatrixXd both = solution.tractions().values(at);
@@ -280,17 +281,79 @@ double RollingEquations::half_length_guess(double load) const {
   return fast::half_length_guess(load * softening_over(stiff));
 }
 
-double eccentricity(const Solution& solution) {
-  return solution.unknown(RollingEquations::offset) +
-         solution.value(solution.moment()) / solution.value(solution.load());
+void RollingEquations::check(double half_length) const {
+  constexpr double most = 3e4;
+  const double softening = softening_over(half_length);
+  if (!(softening <= most))
+    throw data::BadInput(
+        "nip.material", softening,
+        "times as soft over the contact as at once, must be at most 3e4 times: with less at once "
+        "the pressure at the leading end is nearly infinite");
 }
 
-Functional linearised_eccentricity(const Solution& solution) {
-  const double load = solution.value(solution.load()), moment = solution.value(solution.moment());
-  Functional result = solution.of_unknown(RollingEquations::offset);
-  result.on_tractions =
-      solution.moment().on_tractions / load - moment / load * (solution.load().on_tractions / load);
+/// u_m - y^2 + offset^2.
+Functional RollingEquations::roller_displacement(const Solution& solution, double y) const {
+  const double middle = solution.unknown(offset);
+  Functional result = solution.of_unknown(middle_displacement(solution));
+  result.on_unknowns(offset) = 2 * middle;
+  result.constant = -(y * y + middle * middle);
   return result;
+}
+
+/// The same at y = offset + A or offset - A.
+Functional RollingEquations::end_displacement(const Solution& solution, bool trailing) const {
+  const double half_length = solution.half_length();
+  Functional result = solution.of_unknown(middle_displacement(solution));
+  result.on_unknowns(offset) = (trailing ? 2 : -2) * half_length;
+  result.constant = -half_length * half_length;
+  return result;
+}
+
+/// offset + int y p dy/load.
+Functional RollingEquations::eccentricity(const Solution& solution) const {
+  const double load = solution.value(solution.load()), from_middle = solution.value(solution.moment()) / load;
+  Functional result = solution.of_unknown(offset);
+  result.on_tractions =
+      solution.moment().on_tractions / load - from_middle * (solution.load().on_tractions / load);
+  result.constant = from_middle;
+  return result;
+}
+
+namespace {
+
+Functional acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
+  const auto [trailing, e] = place.in(solution);
+  const double at[] = {e};
+  const Eigen::MatrixXd rows = solution.tractions().rows(at, trailing, kernel, quadrature_tolerance);
+  Functional result = solution.of_tractions(rows.row(0));
+  result.cancelled = solution.value(solution.of_tractions(rows.row(1)));
+  return result;
+}
+
+}  // namespace
+
+Functional RollingEquations::normal(const Solution& solution, const ContactPlace& place,
+                                    CountedKernels& /*kernels*/) const {
+  return acting(solution, kernels_.normal(), place);
+}
+
+/// Beside that far ahead.
+Functional RollingEquations::tangential(const Solution& solution, const ContactPlace& place,
+                                        CountedKernels& /*kernels*/) const {
+  return acting(solution, kernels_.tangential(), place);
+}
+
+Functional RollingEquations::strain(const Solution& solution, const ContactPlace& place) const {
+  Functional strain = acting(solution, kernels_.strain(), place);
+  const Functional pressure = traction(solution, Component::pressure, place);
+  strain.on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
+  strain.cancelled += std::fabs(sheet_.theta2_at_once * solution.value(pressure));
+  return strain;
+}
+
+Functional RollingEquations::creep(const Solution& solution, CountedKernels& kernels) const {
+  return 0.5 / solution.half_length() *
+         (tangential(solution, {false, 0}, kernels) - tangential(solution, {true, 0}, kernels));
 }
 
 }  // namespace nipref::fast

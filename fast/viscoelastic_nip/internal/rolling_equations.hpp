@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/nip/internal/nip_equations.hpp>
 #include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
 
@@ -39,18 +39,29 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] static int middle_displacement(const Solution& solution) {
     return solution.tractions().layer_rates().empty() ? stiff_part : solution.unknowns() - 1;
   }
-  [[nodiscard]] const RollingSheet& sheet() const { return sheet_; }
-  [[nodiscard]] const RollingKernels& kernels() const { return kernels_; }
 
   [[nodiscard]] Resolution resolution(double nats) const override;
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
   [[nodiscard]] double half_length_guess(double load) const override;
-  /// The compliance with which a contact acts over its whole length, over what acts at once.
-  [[nodiscard]] double softening_over(double half_length) const;
+  /// BadInput where the pressure next to the leading end is nearly as large as if nothing gave way at once.
+  void check(double half_length) const override;
+
+  [[nodiscard]] std::optional<int> offset_unknown() const override { return offset; }
+  [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
+  [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
+  [[nodiscard]] Functional eccentricity(const Solution& solution) const override;
+  [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
+                                  CountedKernels& kernels) const override;
+  [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place,
+                                      CountedKernels& kernels) const override;
+  [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
+  [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
 
  private:
+  /// The compliance with which a contact acts over its whole length, over what acts at once.
+  [[nodiscard]] double softening_over(double half_length) const;
   using Sized = internal::Sized<double>;
   /// u_m, or with layers its product with the stiffness that they have left. It comes before the exponentials, and u_m after
   /// them, so that the elimination finds the exponentials by their own equations.
@@ -100,10 +111,5 @@ class RollingEquations : public NipEquations {
   RollingSheet sheet_;
   RollingKernels kernels_;
 };
-
-/// R/b times the coefficient of rolling resistance: the distance of the pressure's resultant from the line through the
-/// centres, offset + int y p dy/load; and its linearised change.
-double eccentricity(const Solution& solution);
-Functional linearised_eccentricity(const Solution& solution);
 
 }  // namespace nipref::fast

@@ -2,6 +2,7 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
+#include <nipref/fast/nip/internal/solved_nip.hpp>
 
 #include "support/test.hpp"
 
@@ -10,36 +11,31 @@ using data::ElasticNip;
 using data::Friction;
 using fast::converged_for_length;
 using fast::converged_for_load;
-using fast::ConvergedElasticNip;
+using fast::ConvergedNip;
 using fast::Estimate;
 
 namespace {
 
 const ElasticNip table_nip = nipref::data::seed::nip(0.25);
 
-std::vector<std::function<Estimate(const ConvergedElasticNip&)>> results(Friction friction) {
-  std::vector<std::function<Estimate(const ConvergedElasticNip&)>> all{
-      [](const ConvergedElasticNip& contact) { return contact.contact_length(); },
-      [](const ConvergedElasticNip& contact) { return contact.load(); },
-      [](const ConvergedElasticNip& contact) { return contact.indentation(); },
-      [](const ConvergedElasticNip& contact) { return contact.edge_displacement(); },
-      [](const ConvergedElasticNip& contact) { return contact.creep_ratio(); },
-      [](const ConvergedElasticNip& contact) { return contact.pressure(0); },
-      [](const ConvergedElasticNip& contact) {
-        return contact.pressure(0.3 * contact.contact_length().value);
-      },
-      [](const ConvergedElasticNip& contact) { return contact.peak_pressure(); },
-      [](const ConvergedElasticNip& contact) {
-        return contact.normal_displacement(contact.contact_length().value);
-      },
-      [](const ConvergedElasticNip& contact) {
+std::vector<std::function<Estimate(const ConvergedNip&)>> results(Friction friction) {
+  std::vector<std::function<Estimate(const ConvergedNip&)>> all{
+      [](const ConvergedNip& contact) { return contact.contact_length(); },
+      [](const ConvergedNip& contact) { return contact.load(); },
+      [](const ConvergedNip& contact) { return contact.indentation(); },
+      [](const ConvergedNip& contact) { return contact.leading_displacement(); },
+      [](const ConvergedNip& contact) { return contact.creep_ratio(); },
+      [](const ConvergedNip& contact) { return contact.pressure(0); },
+      [](const ConvergedNip& contact) { return contact.pressure(0.3 * contact.contact_length().value); },
+      [](const ConvergedNip& contact) { return contact.peak_pressure(); },
+      [](const ConvergedNip& contact) { return contact.normal_displacement(contact.contact_length().value); },
+      [](const ConvergedNip& contact) {
         return contact.tangential_displacement(contact.contact_length().value);
       }};
   if (friction == Friction::full) {
-    all.push_back([](const ConvergedElasticNip& contact) {
-      return contact.shear(0.3 * contact.contact_length().value);
-    });
-    all.push_back([](const ConvergedElasticNip& contact) { return contact.peak_shear(); });
+    all.push_back(
+        [](const ConvergedNip& contact) { return contact.shear(0.3 * contact.contact_length().value); });
+    all.push_back([](const ConvergedNip& contact) { return contact.peak_shear(); });
   }
   return all;
 }
@@ -77,21 +73,16 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
         const fast::SolvedNip nip(equations, half_length, {}, 1e-12);
         const fast::Solution& solution = nip.last();
         fast::CountedKernels kernels = nip.kernels();
-        const auto displacement = [&](const fast::Tractions::Kernel& kernel, double e) {
-          const double place[] = {e};
-          return solution.value(
-              solution.of_tractions(solution.tractions().rows(place, false, kernel, 1e-16).row(0)));
-        };
         const double edge = solution.unknown(fast::ElasticEquations::edge_displacement);
         const double depth = edge + half_length * half_length, peak = solution.traction(half_length).real();
         for (const double x : {1e-3, 0.0371, 0.217, 0.63, 0.971}) {
           const double e = x * half_length;
-          CHECK(std::fabs(displacement(equations->normal(kernels), e) - (edge + e * (2 * half_length - e))) <
-                1e-11 * (depth + peak));
+          CHECK(std::fabs(solution.value(equations->normal(solution, {false, e}, kernels)) -
+                          (edge + e * (2 * half_length - e))) < 1e-11 * (depth + peak));
           if (friction == Friction::full) {
-            const double creep = solution.unknown(fast::ElasticEquations::creep);
-            CHECK(std::fabs(displacement(equations->tangential(kernels), e) - creep * (half_length - e)) <
-                  1e-11 * (depth + peak * half_length));
+            const double creep = solution.unknown(fast::ElasticEquations::creep_ratio);
+            CHECK(std::fabs(solution.value(equations->tangential(solution, {false, e}, kernels)) -
+                            creep * (half_length - e)) < 1e-11 * (depth + peak * half_length));
           }
         }
       }

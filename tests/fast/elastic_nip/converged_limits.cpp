@@ -3,6 +3,7 @@
 #include <boost/math/quadrature/exp_sinh.hpp>
 
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
+#include <nipref/fast/nip/internal/solved_nip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/test.hpp"
@@ -23,7 +24,7 @@ struct Contact {
     return solved.last().unknown(fast::ElasticEquations::edge_displacement);
   }
   [[nodiscard]] double indentation() const { return edge_displacement() + half_length() * half_length(); }
-  [[nodiscard]] double creep() const { return solved.last().unknown(fast::ElasticEquations::creep); }
+  [[nodiscard]] double creep() const { return solved.last().unknown(fast::ElasticEquations::creep_ratio); }
   [[nodiscard]] double pressure(double e) const { return solved.last().traction(e).real(); }
   [[nodiscard]] double shear(double e) const { return solved.last().traction(e).imag(); }
 };

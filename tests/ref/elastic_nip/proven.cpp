@@ -32,7 +32,7 @@ TEST_CASE("ref converged contact: the double path agrees to 1e-12, its estimates
       agree(truth.contact_length(), computed.contact_length());
       agree(truth.indentation(), computed.indentation());
       agree(truth.pressure(0), computed.pressure(0));
-      agree(truth.edge_displacement(), computed.edge_displacement());
+      agree(truth.edge_displacement(), computed.leading_displacement());
       CHECK(std::fabs(truth.load().error_of(load)) < 1e-24 * load);
     }
   }
@@ -66,19 +66,19 @@ namespace {
 struct ContactResult {
   const char* name;
   std::function<ref::Enclosure(const ref::ProvenElasticNip&)> proven;
-  std::function<fast::Estimate(const fast::ConvergedElasticNip&)> estimated;
+  std::function<fast::Estimate(const fast::ConvergedNip&)> estimated;
 };
 
 /// At places inside and outside of a contact of half length A half-thicknesses b.
 std::vector<ContactResult> contact_results(double b, double A) {
   std::vector<ContactResult> results{
-      {"contact_length", &ref::ProvenElasticNip::contact_length, &fast::ConvergedElasticNip::contact_length},
-      {"load", &ref::ProvenElasticNip::load, &fast::ConvergedElasticNip::load},
-      {"indentation", &ref::ProvenElasticNip::indentation, &fast::ConvergedElasticNip::indentation},
+      {"contact_length", &ref::ProvenElasticNip::contact_length, &fast::ConvergedNip::contact_length},
+      {"load", &ref::ProvenElasticNip::load, &fast::ConvergedNip::load},
+      {"indentation", &ref::ProvenElasticNip::indentation, &fast::ConvergedNip::indentation},
       {"edge_displacement", &ref::ProvenElasticNip::edge_displacement,
-       &fast::ConvergedElasticNip::edge_displacement},
-      {"creep_ratio", &ref::ProvenElasticNip::creep_ratio, &fast::ConvergedElasticNip::creep_ratio},
-      {"peak_pressure", &ref::ProvenElasticNip::peak_pressure, &fast::ConvergedElasticNip::peak_pressure},
+       &fast::ConvergedNip::leading_displacement},
+      {"creep_ratio", &ref::ProvenElasticNip::creep_ratio, &fast::ConvergedNip::creep_ratio},
+      {"peak_pressure", &ref::ProvenElasticNip::peak_pressure, &fast::ConvergedNip::peak_pressure},
   };
   for (const double t : {0.25, 0.875}) {
     results.push_back({"pressure", [=](const auto& contact) { return contact.pressure(t * A * b); },

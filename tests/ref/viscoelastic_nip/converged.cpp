@@ -47,13 +47,13 @@ ViscoelasticNip swinging_nip(double thickness, double way, double swing) {
 struct RollingResult {
   const char* name;
   std::function<ref::Estimate(const ref::ConvergedViscoelasticNip&)> reference;
-  std::function<fast::Estimate(const fast::ConvergedViscoelasticNip&)> computed;
+  std::function<fast::Estimate(const fast::ConvergedNip&)> computed;
 };
 
 /// Numbers, and profiles at these places.
 std::vector<RollingResult> rolling_results(const std::vector<double>& places) {
   using Ref = ref::ConvergedViscoelasticNip;
-  using Fast = fast::ConvergedViscoelasticNip;
+  using Fast = fast::ConvergedNip;
   std::vector<RollingResult> results{
       {"contact_length", &Ref::contact_length, &Fast::contact_length},
       {"leading_length", &Ref::leading_length, &Fast::leading_length},
@@ -77,7 +77,7 @@ std::vector<RollingResult> rolling_results(const std::vector<double>& places) {
   return results;
 }
 
-void check_covered(const ref::ConvergedViscoelasticNip& truth, const fast::ConvergedViscoelasticNip& computed,
+void check_covered(const ref::ConvergedViscoelasticNip& truth, const fast::ConvergedNip& computed,
                    double length) {
   for (const auto& [name, reference, in_double] :
        rolling_results({-0.7 * length, -0.2 * length, 0.3 * length})) {

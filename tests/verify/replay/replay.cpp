@@ -242,7 +242,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
     }
     if (replayed.column == "d1/d0") {
       CHECK(*replayed.corrected ==
-            doctest::Approx(truth.edge_displacement().value / truth.indentation().value)
+            doctest::Approx(truth.leading_displacement().value / truth.indentation().value)
                 .epsilon(1e-8)
                 .scale(0));
     }

@@ -57,7 +57,7 @@ TEST_CASE("each name of a scene is the solver's result of that name") {
     check_same(solution[data::ResultId::contact_length], contact.contact_length());
     check_same(solution[data::ResultId::load], contact.load());
     check_same(solution[data::ResultId::indentation], contact.indentation());
-    check_same(solution[data::ResultId::edge_displacement], contact.edge_displacement());
+    check_same(solution[data::ResultId::edge_displacement], contact.leading_displacement());
     check_same(solution[data::ResultId::creep_ratio], contact.creep_ratio());
     check_same(solution[data::ResultId::peak_pressure], contact.peak_pressure());
     check_same(solution[data::ResultId::peak_shear], contact.peak_shear());

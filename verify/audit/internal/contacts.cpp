@@ -97,7 +97,7 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
 }
 
 /// Shear in the middles of `count` equal elements, as line loads would have it.
-std::vector<double> sampled_shear(const fast::ConvergedElasticNip& contact, int count) {
+std::vector<double> sampled_shear(const fast::ConvergedNip& contact, int count) {
   const double half = contact.contact_length().value / 2;
   std::vector<double> shear;
   for (int k = 0; k < count; ++k) shear.push_back(contact.shear(half * (k + 0.5) / count).value);

@@ -12,10 +12,10 @@
 namespace nipref::verify {
 namespace {
 
-using fast::ConvergedElasticNip;
+using fast::ConvergedNip;
 
 /// A contact with full friction of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu = 1/3.
-ConvergedElasticNip gripped_nip(double length_over_thickness) {
+ConvergedNip gripped_nip(double length_over_thickness) {
   const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};
   return fast::converged_for_length(nip, data::Friction::full, 2 * length_over_thickness, 1e-9);
 }
@@ -30,7 +30,7 @@ struct Station {
   double pressure, shear, error;
 };
 
-std::vector<Station> stations(const ConvergedElasticNip& nip) {
+std::vector<Station> stations(const ConvergedNip& nip) {
   const double half = nip.contact_length().value / 2;
   std::vector<Station> all;
   for (int i = 1; i < steps; ++i) {

@@ -1,0 +1,91 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nipref/fast/nip/inner_stresses.hpp>
+#include <nipref/fast/nip/work.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+class NipEquations;
+struct NipShape;
+struct GivenContact;
+
+/// The continuous contact of a nip: tractions bounded at both ends. (thesis 2.1-2.6 as integral equations, not as line
+/// loads)
+///
+/// It is made by converged_for_length or converged_for_load for an elastic nip without or with full friction
+/// (elastic_nip/converged.hpp), or for a viscoelastic one in steady frictionless rolling (viscoelastic_nip/converged.hpp).
+/// Up to L/B = 3 the tractions are one expansion over the whole contact, beyond on panels that double from both ends
+/// (nip/internal/tractions.hpp). The number of terms follows from the accuracy asked. Every result is computed when it is
+/// asked for, and comes with an estimate of its error that covers what the expansions leave out and what rounding does
+/// (nip/internal/solution.hpp); with a given load also what that does to the length. Where rounding allows less than was
+/// asked (very thin sheets with full friction), the estimate says so.
+///
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
+/// any finite value, unit of length; otherwise BadInput. The contact of an elastic sheet is symmetric about Y = 0.
+class ConvergedNip {
+ public:
+  ConvergedNip(ConvergedNip&&) noexcept;
+  ~ConvergedNip();
+
+  [[nodiscard]] Estimate contact_length() const;   ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimate leading_length() const;   ///< L1, contact on the entry side, unit of length
+  [[nodiscard]] Estimate trailing_length() const;  ///< L2, on the exit side; may be negative, unit of length
+  [[nodiscard]] Estimate load() const;             ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;  ///< d0, approach of roller and middle plane, unit of length
+  [[nodiscard]] Estimate leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimate trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimate pressure(double y) const;       ///< unit of stress, 0 outside the contact
+  /// Along Y on the sheet, unit of stress; 0 outside the contact and without friction.
+  [[nodiscard]] Estimate shear(double y) const;
+  [[nodiscard]] Estimate peak_pressure() const;  ///< unit of stress
+  [[nodiscard]] Estimate peak_shear() const;     ///< largest magnitude, unit of stress
+  /// Y of the largest pressure, unit of length: in a symmetric contact the middle (in all contacts tried the pressure falls
+  /// from there outwards). Its error is that of the pressure's slope there over its curvature; where another maximum may be
+  /// the larger one, or an end's, as far as there.
+  [[nodiscard]] Estimate peak_pressure_position() const;
+  /// Y > 0 of the largest magnitude of the shear, with an error as of the pressure's; with full friction, otherwise
+  /// BadInput.
+  [[nodiscard]] Estimate peak_shear_position() const;
+  /// Places Y >= 0, rising, at which the shear changes its sign, of which the middle is the first; with full friction,
+  /// otherwise BadInput. Each is sure: the shear is larger than its error on both sides. Next to an end there are more
+  /// and more of them, in a geometric progression: those that are less than 1e-6 of L/2 from it are left out.
+  [[nodiscard]] std::vector<Estimate> shear_zeros() const;
+  /// int p Y dY/(W R): the coefficient of rolling resistance, dimensionless; 0 in a symmetric contact. (thesis 7.15)
+  [[nodiscard]] Estimate rolling_resistance() const;
+  /// (v(L1) - v(-L2))/L: mean stretch of the surface in the contact; with full friction v'(Y), which is constant.
+  /// Dimensionless. (thesis 5.5, 5.16, 7.17)
+  [[nodiscard]] Estimate creep_ratio() const;
+  /// u, towards the middle plane, and v, relative to Y = 0; unit of length.
+  [[nodiscard]] Estimate normal_displacement(double y) const;
+  [[nodiscard]] Estimate tangential_displacement(double y) const;
+  /// v'(Y), the strain of the surface along the sheet, in the contact and outside, dimensionless: without friction of an
+  /// elastic sheet (N/pi) int I3' p less theta2 p, of which with full friction the creep ratio is left in the contact and
+  /// outside N/2 times the stress along the face. (thesis 2.5)
+  [[nodiscard]] Estimate surface_strain(double y) const;
+  /// surface_strain(y) - creep_ratio(), less uncertain than the two: what both have in common counts once. 0 in a contact
+  /// with full friction.
+  [[nodiscard]] Estimate slip(double y) const;
+  /// Inside the sheet: see InnerStresses.
+  [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
+  [[nodiscard]] GreatestShear greatest_shear() const;
+  /// normal_displacement and tangential_displacement at any depth of an elastic sheet; BadInput in rolling.
+  [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
+  /// Solves with more terms, from which on all results are computed; false where more do not help.
+  bool refine();
+  [[nodiscard]] Work work() const;  ///< spent so far
+
+ private:
+  struct Implementation;
+  explicit ConvergedNip(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+  friend ConvergedNip converged_nip(const NipShape& shape, double compliance,
+                                    std::shared_ptr<const NipEquations> equations, const GivenContact& given,
+                                    double accuracy);
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,74 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/panels.hpp>
+#include <nipref/fast/nip/internal/solution.hpp>
+#include <nipref/fast/nip/internal/traction_field.hpp>
+
+namespace nipref::fast {
+
+/// A number that has to meet the accuracy, relative to `scale` or to its value if that is larger.
+struct AccuracyTarget {
+  Functional number;
+  double scale = 0;
+};
+
+/// A place of the surface: e from the nearer end of the contact, negative outside.
+struct ContactPlace {
+  bool trailing;
+  double e;
+
+  /// In a contact so short that the place is beyond its middle, it is on the other half.
+  [[nodiscard]] ContactPlace in(const Solution& solution) const;
+};
+
+enum class Component { pressure, shear };
+
+/// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
+/// times 2 R/b^2, loads times 2 R N/b^2, strains times 2 R/b, N the compliance of the normal displacement (at once).
+/// Functionals of a number that is not linear are linearised about the solution, with its value there.
+class NipEquations {
+ public:
+  virtual ~NipEquations() = default;
+  /// The resolution of a contact of half length A whose coefficients are to fall to e^-nats.
+  [[nodiscard]] virtual Resolution resolution(double nats) const = 0;
+  /// tolerance: of the quadratures.
+  [[nodiscard]] virtual Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
+                                       CountedKernels& kernels) const = 0;
+  /// Beside the load.
+  [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
+  /// Where the search for the length begins.
+  [[nodiscard]] virtual double half_length_guess(double load) const = 0;
+  /// BadInput for a half length at which the contact is out of reach.
+  virtual void check(double /*half_length*/) const {}
+
+  /// Whether the surface sticks: the shear is unknown, too.
+  [[nodiscard]] virtual bool grips() const { return false; }
+  /// The number of the unknown that is the place of the contact's middle; a contact without it is symmetric.
+  [[nodiscard]] virtual std::optional<int> offset_unknown() const { return {}; }
+  /// A traction, 0 outside the contact.
+  [[nodiscard]] Functional traction(const Solution& solution, Component component,
+                                    const ContactPlace& place) const;
+  /// u of the roller at y, in the contact, and at an end.
+  [[nodiscard]] virtual Functional roller_displacement(const Solution& solution, double y) const = 0;
+  [[nodiscard]] virtual Functional end_displacement(const Solution& solution, bool trailing) const = 0;
+  /// The distance of the pressure's resultant from the line through the centres; not of a symmetric contact.
+  [[nodiscard]] virtual Functional eccentricity(const Solution& solution) const;
+  /// u; v but for a constant, which is 0 in a symmetric contact; v', which with full friction is known otherwise; and the
+  /// mean of v' over the contact.
+  [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,
+                                          CountedKernels& kernels) const = 0;
+  [[nodiscard]] virtual Functional tangential(const Solution& solution, const ContactPlace& place,
+                                              CountedKernels& kernels) const = 0;
+  [[nodiscard]] virtual Functional strain(const Solution& solution, const ContactPlace& place) const = 0;
+  [[nodiscard]] virtual Functional creep(const Solution& solution, CountedKernels& kernels) const = 0;
+  /// The shares of theta1 and theta2 in N of an elastic sheet; nothing in rolling.
+  [[nodiscard]] virtual std::optional<internal::Shares> shares() const { return {}; }
+};
+
+/// Of the quadratures, whose error is less than that of rounding.
+inline constexpr double quadrature_tolerance = 1e-16;
+
+}  // namespace nipref::fast
