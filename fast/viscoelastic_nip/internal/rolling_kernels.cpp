@@ -45,8 +45,9 @@ RollingKernels::RollingKernels(const RollingSheet& sheet) : sheet_(sheet) {
   }
 }
 
-template <class Sum, class MemoryOf>
-void RollingKernels::add_terms(Sum& sum, const MemoryOf& memory) const {
+template <class Sum, class MemoryOf, class SizeOfTrace>
+void RollingKernels::add_terms(Sum& sum, double alpha, const MemoryOf& memory,
+                               const SizeOfTrace& size_of_trace) const {
   for (std::size_t k = 0; k < fades_.size(); ++k) {
     const auto& [amplitude, rate] = sheet_.normal.terms[k];
     if (rate.imag() < 0) continue;
@@ -55,6 +56,10 @@ void RollingKernels::add_terms(Sum& sum, const MemoryOf& memory) const {
         terms * amplitude * std::visit([&](const auto& fade) -> Complex { return memory(fade); }, fades_[k]);
     sum.value += part.real();
     sum.size += std::fabs(part.real()) + std::fabs(part.imag());
+    if (rate.imag() == 0 || alpha >= 0) continue;
+    const double trace =
+        size_of_trace(part, terms * std::abs(amplitude) * std::exp(rate.real() * alpha), rate);
+    sum.size += std::abs(rate * alpha) / 16 * trace;
   }
 }
 
@@ -70,9 +75,10 @@ Tractions::Kernel RollingKernels::normal() const {
     const internal::SurfacePoint at = point(alpha);
     Sized sum;
     sum.add(internal::kernel_at(internal::Kernel::I1, at, Accuracy()));
-    add_terms(sum, [&](const auto& fade) {
-      return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
-    });
+    add_terms(
+        sum, alpha,
+        [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
+        [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
     return sum;
   });
 }
@@ -83,12 +89,17 @@ Tractions::Kernel RollingKernels::tangential() const {
     const internal::SurfacePoint at = point(alpha);
     Sized sum;
     sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
-    add_terms(sum, [&](const auto& fade) {
-      return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
-    });
+    add_terms(
+        sum, alpha,
+        [&](const auto& fade) {
+          return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
+        },
+        [](Complex /*part*/, double faded, Complex rate) { return 2 * pi * faded / std::abs(rate); });
     sum.add(-std::copysign(pi / 2, alpha) * sheet_.theta2_at_once);
     for (const auto& [amplitude, rate] : sheet_.theta2) {
-      if (alpha < 0) sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
+      if (alpha >= 0) continue;
+      sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
+      sum.size -= alpha / 16 * pi * std::abs(amplitude) * std::exp(rate.real() * alpha);
     }
     return sum;
   });
@@ -101,15 +112,21 @@ Tractions::Kernel RollingKernels::strain() const {
     sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
     // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
     sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
-    add_terms(sum, [&](const auto& fade) {
-      return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
-    });
+    add_terms(
+        sum, alpha,
+        [&](const auto& fade) {
+          return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
+        },
+        [](Complex /*part*/, double faded, Complex /*rate*/) { return 2 * pi * faded; });
     // Slopes for complex rates that are not large are differences of numbers of the size of I3.
     for (const auto& [amplitude, rate] : sheet_.normal.terms)
       if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from)
         sum.size += std::abs(amplitude) * pi / 2;
     for (const auto& [amplitude, rate] : sheet_.theta2) {
-      if (alpha < 0) sum.add(-pi * (amplitude * std::exp(rate * alpha)).real());
+      if (alpha >= 0) continue;
+      const Complex trace = -pi * amplitude * std::exp(rate * alpha);
+      sum.add(trace.real());
+      sum.size += std::abs(rate * alpha) / 16 * std::abs(trace);
     }
     return sum;
   });
