@@ -16,6 +16,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/contacts.hpp>
+#include <nipref/verify/golden/export.hpp>
 #include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
@@ -34,7 +35,8 @@ std::vector<const Quantity*> quantities_of(const CommandLine& line) {
 class Destination {
  public:
   /// BadInput if the command line says nothing of it.
-  Destination(const CommandLine& line, std::size_t files) : in_place_(line.has("in-place")) {
+  Destination(const CommandLine& line, std::size_t files, std::string extension = ".csv")
+      : in_place_(line.has("in-place")), extension_(std::move(extension)) {
     const auto output = line.option("output");
     if (in_place_) {
       path_ = own_;
@@ -52,7 +54,7 @@ class Destination {
   }
 
   [[nodiscard]] fs::path file_of(const std::string& name) const {
-    return is_file_ ? path_ : path_ / (name + ".csv");
+    return is_file_ ? path_ : path_ / (name + extension_);
   }
 
   /// BadInput if the file is there and is none of the quantity's or has more rows, or is nipref's own and is not to be
@@ -74,14 +76,18 @@ class Destination {
           fmt::format("must not lose rows: it has {} and would get {}", there.records.size() - 1, rows));
   }
 
+  void replace(const std::string& name, const std::string& text) const {
+    std::error_code error;
+    fs::create_directories(file_of(name).parent_path(), error);  // writing says what is wrong
+    replace_output_file(file_of(name).string(), text);
+  }
+
   /// A single file's checksum is kept only where there is one.
   void write(const std::string& name, const std::string& text, std::size_t rows) const {
     const fs::path file = file_of(name), folder = file.parent_path();
     check(name, rows);
-    std::error_code error;
-    fs::create_directories(folder, error);  // writing says what is wrong
     Checksums sums = Checksums::of(folder);
-    replace_output_file(file.string(), text);
+    replace(name, text);
     if (is_file_ && !sums.by_name().contains(file.filename().string())) return;
     sums.set(file.filename().string(), text);
     replace_output_file((folder / checksums_name).string(), sums.text());
@@ -90,6 +96,7 @@ class Destination {
  private:
   fs::path own_ = data::golden_directory();
   bool in_place_;
+  std::string extension_;
   fs::path path_;
   bool is_file_ = false;
 };
@@ -325,16 +332,28 @@ int list(const CommandLine& line, std::ostream& out) {
                 true);
 }
 
+int export_files(const CommandLine& line, std::ostream& out) {
+  const auto names = names_of(line);
+  const std::string format = line.option_or_usual("format");
+  const Destination destination(line, names.size(), format == "cpp" ? ".hpp" : "." + format);
+  std::vector<Json> files;
+  for (const std::string& name : names) {
+    destination.replace(name, exported_golden(data::golden_directory() / (name + ".csv"), format));
+    files.push_back({{"quantity", name}, {"file", destination.file_of(name).string()}});
+  }
+  return answer(line, out, {{"action", "export"}, {"version", golden_version()}, {"files", files}}, true);
+}
+
 }  // namespace
 
 int golden_verb(const CommandLine& line, std::ostream& out) {
   const std::string action = line.words.empty() ? "(missing)" : line.words.front();
-  constexpr std::array<int (*)(const CommandLine&, std::ostream&), golden_actions.size()> run{make, check,
-                                                                                              update, list};
+  constexpr std::array<int (*)(const CommandLine&, std::ostream&), golden_actions.size()> run{
+      make, check, update, list, export_files};
   for (std::size_t i = 0; i < run.size(); ++i) {
     if (golden_actions[i] == action) return run[i](line, out);
   }
-  throw BadInput("golden", action, "must be make, check, update or list");
+  throw BadInput("golden", action, "must be make, check, update, list or export");
 }
 
 }  // namespace nipref::verify

@@ -1,5 +1,4 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -14,8 +13,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
     return 0;
   }
   if (line.version) {
-    out << (line.json ? verify::version_answer_text()
-                      : verify::folded(verify::text_of("version.txt", verify::version_json())));
+    out << verify::version_answer_text(line.json);
     return 0;
   }
   if (const auto isa = line.option("isa")) fast::use_instruction_set(*isa);

@@ -10,6 +10,7 @@
 
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/golden/export.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/json_value.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -124,7 +125,11 @@ int write_answer(const CommandLine& line, std::ostream& out, std::string_view ve
   return all_well ? 0 : 1;
 }
 
-std::string version_answer_text() { return answer_head().text(); }
+std::string version_answer_text(bool json) {
+  Json answer = answer_head();
+  answer.set("golden", Json::unless_empty(golden_version()));
+  return json ? answer.text() : folded(text_of("version.txt", answer));
+}
 
 std::string error_answer_text(std::string_view message, const Json& argument, const Json& value,
                               const Json& allowed) {

@@ -59,7 +59,7 @@ int write_answer(const CommandLine& line, std::ostream& out, std::string_view ve
                  const Json& members, const std::function<std::string()>& text);
 
 /// The answer to --version.
-std::string version_answer_text();
+std::string version_answer_text(bool json);
 
 /// The answer for an error; `message` is the line on standard error. Unknown parts are null.
 std::string error_answer_text(std::string_view message, const Json& argument = {}, const Json& value = {},

@@ -23,7 +23,7 @@ int merge_verb(const CommandLine& line, std::ostream& out);
 int points_verb(const CommandLine& line, std::ostream& out);
 int grade_verb(const CommandLine& line, std::ostream& out);
 int golden_verb(const CommandLine& line, std::ostream& out);
-inline constexpr std::array<std::string_view, 4> golden_actions{"make", "check", "update", "list"};
+inline constexpr std::array<std::string_view, 5> golden_actions{"make", "check", "update", "list", "export"};
 int limits_verb(const CommandLine& line, std::ostream& out);
 int claims_verb(const CommandLine& line, std::ostream& out);
 int errata_verb(const CommandLine& line, std::ostream& out);

@@ -158,8 +158,8 @@ TEST_CASE("golden: where new values go is said, and no file that is there gets f
 
 TEST_CASE("golden: bad input is refused before anything is written") {
   const GoldenFolder folder;
-  check_call_refused("golden", "must be make, check, update or list");
-  check_call_refused("golden forge I1", "must be make, check, update or list");
+  check_call_refused("golden", "must be make, check, update, list or export");
+  check_call_refused("golden forge I1", "must be make, check, update, list or export");
   check_call_refused("golden make I9", "I9");
   check_call_refused("golden make I1 --in-place --digits 5", "digits = 5");
   check_call_refused("golden make I1 --in-place --points 0", "points = 0");
@@ -175,4 +175,46 @@ TEST_CASE("golden: bad input is refused before anything is written") {
     check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");
   }
   CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("golden: an exported header compiles in a stranger's program, whose I1 it finds right and wrong") {
+  const ScratchFolder folder;
+  const std::string here = "cd '" + folder.path().string() + "' && ";
+  const json told =
+      answer("golden export I1 contacts-frictionless --format cpp -o '" + folder.path().string() + "'",
+             "golden_export", 0);
+  CHECK(told["version"] == json::parse(run("--version --json").out)["golden"]);
+  // I1 is -log|alpha| and a constant but for terms of the order alpha^2 log alpha.
+  std::ofstream(folder.path() / "stranger.cpp") << R"(
+    #include <cmath>
+    #include "I1.hpp"
+    #include "contacts-frictionless.hpp"
+    static_assert(nipref_golden::contacts_frictionless[0].load_bound > 0);
+    int main() {
+      int rows = 0, wrong = 0;
+      for (const auto& row : nipref_golden::I1) {
+        if (std::fabs(row.alpha) > 1e-7) continue;
+        const double mine = -std::log(std::fabs(row.alpha)) - CONSTANT;
+        ++rows, wrong += !(std::fabs(mine - row.value) <= 1e-12 * row.scale);
+      }
+      return rows < 10 ? 2 : wrong > 0;
+    })";
+  const auto status_with = [&](const std::string& constant) {
+    const std::string compiled =
+        here + "c++ -std=c++17 -Wall -Werror -D CONSTANT=" + constant + " stranger.cpp -o it";
+    REQUIRE(std::system(compiled.c_str()) == 0);
+    return WEXITSTATUS(std::system((here + "./it").c_str()));
+  };
+  CHECK(status_with("0.3516753926187") == 0);
+  CHECK(status_with("0.3516753936187") == 1);
+
+  const std::string text = text_of(nipref::data::golden_directory() / "I1.csv");
+  for (const std::string format : {"csv", "json"}) {
+    const std::filesystem::path file = folder.path() / ("I1." + format);
+    answer("golden export I1 --format " + format + " -o '" + file.string() + "'", "golden_export", 0);
+    if (format == "csv") CHECK(text_of(file).ends_with(text));
+    if (format == "json") CHECK(json::parse(text_of(file))["columns"]["value"]["double"].size() == 250);
+  }
+  check_call_refused("golden export I1 --format cpp", "output = (missing)");
+  check_call_refused("golden export I1 --format xml -o a", "format = xml");
 }

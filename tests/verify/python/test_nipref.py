@@ -1,6 +1,7 @@
 """The package, as the venv of check.sh has it."""
 
 import math
+import tempfile
 import unittest
 from decimal import Decimal
 
@@ -93,6 +94,10 @@ class Checks(unittest.TestCase):
         errors = abs(nipref.eval("I1", alpha=stored["alpha"]) - stored["value"])
         self.assertTrue(np.all(errors <= 1e-15 * stored["scale"]))
         self.assertTrue(np.all(stored["bound"] < 1e-40) and stored["text"][0].startswith("0."))
+        with tempfile.TemporaryDirectory() as folder:
+            nipref._library.answer("golden", "export", "I1", "--format", "npy", "-o", folder + "/I1.npy")
+            exported = np.load(folder + "/I1.npy")
+        self.assertTrue(all(np.all(exported[name] == stored[name]) for name in ("alpha", "value", "bound")))
 
     def test_an_audit_finds_the_largest_error(self):
         row = nipref.audit("I1", points=200, alpha="0.1..1")
