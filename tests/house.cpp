@@ -249,18 +249,18 @@ TEST_CASE("what the pages of ref point to exists: files, sections, lemmas, and t
       const fs::path target = path.empty() ? file : (file.parent_path() / path).lexically_normal();
       REQUIRE(fs::exists(target));
       if (!section.empty()) CHECK(anchors_of(read(target)).contains(section));
-      if (path.find("../tests/") == std::string::npos) continue;
+      if (!contains(path, "../tests/")) continue;
       CHECK(read(target).find('"' + text + "\")") != std::string::npos);
       ++tests;
     }
     for (std::sregex_iterator it(page.begin(), page.end(), lemma), end; it != end; ++it)
-      CHECK(general.find("### Lemma " + (*it)[1].str() + ".") != std::string::npos);
+      CHECK(contains(general, "### Lemma " + (*it)[1].str() + "."));
     // A section that says what is proven says which test recomputes it.
     for (std::size_t at = page.find("\n## "); file.parent_path() != top / "ref" && at != std::string::npos;) {
       const std::size_t next = page.find("\n## ", at + 1);
       const std::string section = page.substr(at, next - at);
       CAPTURE(section.substr(0, section.find('\n', 1)));
-      CHECK(section.find("../../tests/") != std::string::npos);
+      CHECK(contains(section, "../../tests/"));
       at = next;
     }
   }
@@ -325,9 +325,9 @@ TEST_CASE("the top level holds what the design names and nothing else, and rooms
 
 TEST_CASE("the example of the README is the one that is built as a test") {
   const std::string example = read(top / "tests/consumer/main.cpp");
-  CHECK(read(top / "README.md").find("```cpp\n" + example + "```") != std::string::npos);
+  CHECK(contains(read(top / "README.md"), "```cpp\n" + example + "```"));
 }
 
 TEST_CASE("the README says what may be done with this: nothing is said by a licence yet") {
-  CHECK(read(top / "README.md").find("No licence has been chosen by the owner yet.") != std::string::npos);
+  CHECK(contains(read(top / "README.md"), "No licence has been chosen by the owner yet."));
 }

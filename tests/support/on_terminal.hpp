@@ -53,7 +53,7 @@ class OnTerminal {
 
   /// Reads until `text` was told; false if the program ends before that.
   bool wait_for(const std::string& text) {
-    while (told_.find(text) == std::string::npos) {
+    while (!contains(told_, text)) {
       if (!read_more()) return false;
     }
     return true;

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "support/paths.hpp"
 #include "support/scratch_file.hpp"
@@ -28,6 +29,15 @@ inline Outcome run(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, errors.text()};
 }
 
+/// What the program answers in JSON, with this status.
+inline nlohmann::json answer_to(const std::string& arguments, int status = 0) {
+  const Outcome outcome = run(arguments + " --json");
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == status);
+  return nlohmann::json::parse(outcome.out);
+}
+
 /// Status 2, nothing on standard output, one line on standard error that says `says`.
 inline void check_call_refused(const std::string& arguments, const std::string& says) {
   const Outcome outcome = run(arguments);
@@ -36,6 +46,6 @@ inline void check_call_refused(const std::string& arguments, const std::string& 
   CAPTURE(says);
   CHECK(outcome.status == 2);
   CHECK(outcome.out.empty());
-  CHECK(outcome.err.find(says) != std::string::npos);
+  CHECK(contains(outcome.err, says));
   CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
 }

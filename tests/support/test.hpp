@@ -32,3 +32,12 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+
+inline bool contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// Equal to numbers within a part `relative` of the larger of both.
+inline doctest::Approx approx(double value, double relative) {
+  return doctest::Approx(value).scale(0).epsilon(relative);
+}

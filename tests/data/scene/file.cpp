@@ -274,9 +274,8 @@ TEST_CASE("letters beyond ASCII are those of texts and comments") {
   // What toml++ reads on through quotes, or takes for a space.
   for (const char* const radius :
        {"6'\u00e1'", "6b='\u00e1'", "6.'\u00e1'", "6['\u00e1'", " \"\"\"\\\u00e1\"\"\"", " \"\\\\ \u00e1\""})
-    CHECK(refusal_of(replaced(good, "radius = 6", std::string("radius = ") + radius))
-              .find("must be TOML: letters beyond ASCII in quotes behind a space, with no backslash") !=
-          std::string::npos);
+    CHECK(contains(refusal_of(replaced(good, "radius = 6", std::string("radius = ") + radius)),
+                   "must be TOML: letters beyond ASCII in quotes behind a space, with no backslash"));
 }
 
 TEST_CASE("files that cannot be read") {

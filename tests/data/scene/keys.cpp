@@ -33,8 +33,7 @@ bool is_read(const data::SceneText& scene, const std::string& key) {
   try {
     (void)data::load_scene(scene, {{key, "[true]"}});
   } catch (const data::BadInput& error) {
-    return error.argument().starts_with(key) &&
-           std::string(error.what()).find("unknown key") == std::string::npos;
+    return error.argument().starts_with(key) && !contains(std::string(error.what()), "unknown key");
   }
   return false;
 }
@@ -82,6 +81,5 @@ TEST_CASE("README.md of the scenes lists the keys of the table of keys") {
     row += (row.empty() ? "`" : ", `") + std::string(key.last()) + "`";
   }
   const std::string readme = text_of(data::scenes_directory() / "README.md");
-  for (const auto& [table, names] : rows)
-    CHECK(readme.find("\n| " + table + " | " + names + " |\n") != std::string::npos);
+  for (const auto& [table, names] : rows) CHECK(contains(readme, "\n| " + table + " | " + names + " |\n"));
 }

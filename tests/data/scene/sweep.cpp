@@ -65,6 +65,6 @@ TEST_CASE("what is no list of numbers or texts is refused with its line") {
        {"a = 1", "a = []", "a = [[1]]", "a = [\"x,y\"]", "a = [\"\"]", "a = [true]", "a = [1, {}]",
         "points = 1.5", "points = \"3\"", "points = 0", "points = -1", "points = 10000001"}) {
     CAPTURE(wrong);
-    CHECK(sweep_refusal_of(wrong).find(":2: sweep.") != std::string::npos);
+    CHECK(contains(sweep_refusal_of(wrong), ":2: sweep."));
   }
 }

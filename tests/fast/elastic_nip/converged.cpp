@@ -55,7 +55,7 @@ TEST_CASE("one expansion over the whole contact and panels that double from its 
           a,
           {{0, a / 4, true, false, 24}, {a / 4, a / 2, false, false, 24}, {a / 2, 1.5 * a, false, true, 16}},
           1e-16, kernels);
-      CHECK(one.value(one.load()) == doctest::Approx(other.value(other.load())).scale(0).epsilon(1e-12));
+      CHECK(one.value(one.load()) == approx(other.value(other.load()), 1e-12));
       const double peak = one.traction(a).real();
       for (const double x : {1e-4, 0.1, 0.4, 0.6, 1.0})
         CHECK(std::abs(one.traction(x * a) - other.traction(x * a)) < 1e-10 * peak);
@@ -203,15 +203,13 @@ TEST_CASE("units: lengths and stresses scale out") {
   for (const Friction friction : {Friction::none, Friction::full}) {
     const auto contact = converged_for_load(table_nip, friction, 100, 1e-10);
     const auto scaled = converged_for_load(other, friction, 100, 1e-10);
-    CHECK(scaled.contact_length().value ==
-          doctest::Approx(1e3 * contact.contact_length().value).scale(0).epsilon(1e-10));
-    CHECK(scaled.pressure(10).value ==
-          doctest::Approx(1e-3 * contact.pressure(0.01).value).scale(0).epsilon(1e-10));
-    CHECK(scaled.creep_ratio().value == doctest::Approx(contact.creep_ratio().value).scale(0).epsilon(1e-9));
+    CHECK(scaled.contact_length().value == approx(1e3 * contact.contact_length().value, 1e-10));
+    CHECK(scaled.pressure(10).value == approx(1e-3 * contact.pressure(0.01).value, 1e-10));
+    CHECK(scaled.creep_ratio().value == approx(contact.creep_ratio().value, 1e-9));
     CHECK(scaled.normal_displacement(200).value ==
-          doctest::Approx(1e3 * contact.normal_displacement(0.2).value).scale(0).epsilon(1e-9));
+          approx(1e3 * contact.normal_displacement(0.2).value, 1e-9));
     CHECK(scaled.tangential_displacement(200).value ==
-          doctest::Approx(1e3 * contact.tangential_displacement(0.2).value).scale(0).epsilon(1e-9));
+          approx(1e3 * contact.tangential_displacement(0.2).value, 1e-9));
   }
 }
 
@@ -220,13 +218,11 @@ TEST_CASE("displacements are continuous where the sheet leaves the roller") {
     const auto contact = converged_for_load(table_nip, friction, 100, 1e-10);
     const double end = contact.contact_length().value / 2;
     const double above = end * (1 + 1e-9), below = end * (1 - 1e-9);
-    CHECK(contact.normal_displacement(above).value ==
-          doctest::Approx(contact.normal_displacement(below).value).scale(0).epsilon(1e-7));
+    CHECK(contact.normal_displacement(above).value == approx(contact.normal_displacement(below).value, 1e-7));
     CHECK(contact.tangential_displacement(above).value ==
-          doctest::Approx(contact.tangential_displacement(below).value).scale(0).epsilon(1e-7));
+          approx(contact.tangential_displacement(below).value, 1e-7));
     CHECK(contact.tangential_displacement(-above).value == -contact.tangential_displacement(above).value);
-    CHECK(contact.creep_ratio().value * end ==
-          doctest::Approx(contact.tangential_displacement(end).value).scale(0).epsilon(1e-8));
+    CHECK(contact.creep_ratio().value * end == approx(contact.tangential_displacement(end).value, 1e-8));
   }
 }
 

@@ -52,13 +52,12 @@ TEST_CASE("the sheet follows the cylinder at all 2m + 1 matching points, both si
       for (int i = -m; i <= m; ++i) {
         const double y = i * length / (2 * m);
         const double wanted = solution.indentation - y * y / (2 * nip.roller_radius);
-        CHECK(normal_displacement(nip, solution, y) == doctest::Approx(wanted).epsilon(1e-11).scale(0));
+        CHECK(normal_displacement(nip, solution, y) == approx(wanted, 1e-11));
       }
-      CHECK(solution.edge_displacement ==
-            doctest::Approx(normal_displacement(nip, solution, length / 2)).epsilon(1e-10).scale(0));
+      CHECK(solution.edge_displacement == approx(normal_displacement(nip, solution, length / 2), 1e-10));
       double total = 0;
       for (const Load& load : all_loads(solution)) total += load.force;
-      CHECK(solution.load == doctest::Approx(total).epsilon(1e-13).scale(0));
+      CHECK(solution.load == approx(total, 1e-13));
     }
   }
 }
@@ -67,9 +66,8 @@ TEST_CASE("length for a load and load for a length are inverse, over twelve deca
   for (double load = 1e-6; load < 1e7; load *= 100) {
     CAPTURE(load);
     const LineLoadSolution solution = fast::line_loads_for_load(nip, 4, load);
-    CHECK(solution.load == doctest::Approx(load).epsilon(1e-12).scale(0));
-    CHECK(fast::line_loads_for_length(nip, 4, solution.contact_length).load ==
-          doctest::Approx(load).epsilon(1e-12).scale(0));
+    CHECK(solution.load == approx(load, 1e-12));
+    CHECK(fast::line_loads_for_length(nip, 4, solution.contact_length).load == approx(load, 1e-12));
   }
 }
 
@@ -85,7 +83,7 @@ TEST_CASE("a load is carried by the shortest length that carries it, however wid
           fast::line_loads_for_length(film, m, 4 * m * half_element * film.half_thickness());
       REQUIRE(wanted.load > 0);
       const LineLoadSolution found = fast::line_loads_for_load(film, m, wanted.load);
-      CHECK(found.contact_length == doctest::Approx(wanted.contact_length).epsilon(1e-10).scale(0));
+      CHECK(found.contact_length == approx(wanted.contact_length, 1e-10));
     }
   }
 }
@@ -103,7 +101,7 @@ TEST_CASE("on a very thick sheet the contact tends to Hertz's, like ln(m)/m") {
   const double second = scaled_shortfall(160);
   const double third = scaled_shortfall(320);
   CHECK(third < 0.8);
-  CHECK((third - second) / (second - first) == doctest::Approx(1).epsilon(0.05).scale(0));
+  CHECK((third - second) / (second - first) == approx(1, 0.05));
 }
 
 TEST_CASE("results scale with the units of length and of stress") {
@@ -111,11 +109,10 @@ TEST_CASE("results scale with the units of length and of stress") {
   const data::ElasticNip rescaled{
       25.4 * nip.roller_radius, 25.4, {7 * nip.material.young, nip.material.poisson}};
   const LineLoadSolution other = fast::line_loads_for_load(rescaled, 3, 60.0 * 25.4 * 7);
-  CHECK(other.contact_length == doctest::Approx(25.4 * one.contact_length).epsilon(1e-11).scale(0));
-  CHECK(other.indentation == doctest::Approx(25.4 * one.indentation).epsilon(1e-11).scale(0));
-  CHECK(other.peak_pressure == doctest::Approx(7 * one.peak_pressure).epsilon(1e-11).scale(0));
-  CHECK(fast::creep_ratio(rescaled, other, 3) ==
-        doctest::Approx(fast::creep_ratio(nip, one, 3)).epsilon(1e-10).scale(0));
+  CHECK(other.contact_length == approx(25.4 * one.contact_length, 1e-11));
+  CHECK(other.indentation == approx(25.4 * one.indentation, 1e-11));
+  CHECK(other.peak_pressure == approx(7 * one.peak_pressure, 1e-11));
+  CHECK(fast::creep_ratio(rescaled, other, 3) == approx(fast::creep_ratio(nip, one, 3), 1e-10));
 }
 
 TEST_CASE("the creep is the tangential displacement of the end, relative to the middle of the nip") {
@@ -128,8 +125,7 @@ TEST_CASE("the creep is the tangential displacement of the end, relative to the 
     at_end += load.force * fast::vn((solution.contact_length / 2 - load.position) / b, pinned, nip.material);
     centre_line += load.force * fast::F1(pinned, nip.material.poisson);
   }
-  CHECK(fast::creep_ratio(nip, solution, 5) ==
-        doctest::Approx(2 / solution.contact_length * at_end).epsilon(1e-12).scale(0));
+  CHECK(fast::creep_ratio(nip, solution, 5) == approx(2 / solution.contact_length * at_end, 1e-12));
   CHECK(std::abs(centre_line) < 1e-12 * solution.load);  // odd terms cancel in a symmetric nip
   // A thick sheet's surface is drawn in (negative), a thin one's squeezed out.
   CHECK(fast::creep_ratio(nip, solution, 5) < 0);
@@ -141,7 +137,7 @@ TEST_CASE("coarser kernels change the result by no more than their tolerance tim
   const double full = fast::line_loads_for_length(nip, 5, 0.1).indentation;
   const double coarse = fast::line_loads_for_length(nip, {5, 0, fast::Accuracy(1e-9)}, 0.1).indentation;
   CHECK(coarse != full);
-  CHECK(coarse == doctest::Approx(full).epsilon(1e-7).scale(0));
+  CHECK(coarse == approx(full, 1e-7));
 }
 
 TEST_CASE("bad input to the contact is refused") {

@@ -63,7 +63,7 @@ TEST_CASE("where linear and quadratic functions are not negative") {
   CHECK(parts({{-1, 0, 0}}).empty());              // never
   CHECK(parts({{-6, 2, 0}, {2, -1, 0}}).empty());  // x >= 3 and x <= 2
   // The root next to 0 of x^2 + 1e8 x + 1 without cancellation.
-  CHECK(parts({{1, 1e8, 1}})[1].lower == doctest::Approx(-1e-8).epsilon(1e-15).scale(0));
+  CHECK(parts({{1, 1e8, 1}})[1].lower == approx(-1e-8, 1e-15));
 }
 
 TEST_CASE("inside the creep range the thesis's conditions hold, just outside they do not") {
@@ -124,12 +124,11 @@ TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
         nip, m, 100.0, {fast::LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);
     REQUIRE(fast_search);
     REQUIRE(thesis_search);
-    CHECK(fast_search->load == doctest::Approx(100.0).epsilon(1e-13).scale(0));
-    CHECK(thesis_search->contact_length ==
-          doctest::Approx(fast_search->contact_length).epsilon(1e-11).scale(0));
+    CHECK(fast_search->load == approx(100.0, 1e-13));
+    CHECK(thesis_search->contact_length == approx(fast_search->contact_length, 1e-11));
     const auto range = fast::creep_ranges(nip, m, fast_search->contact_length)[0];
     CHECK(std::min(std::abs(range.lower), std::abs(range.upper)) ==
-          doctest::Approx(std::abs(*fast_search->gripped_creep)).epsilon(1e-12).scale(0));
+          approx(std::abs(*fast_search->gripped_creep), 1e-12));
     CHECK(fast_work.systems < thesis_work.systems);
   }
 }

@@ -30,8 +30,7 @@ TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m 
                        .scale(scale));
         CHECK(v == doctest::Approx(creep * y).epsilon(1e-10).scale(creep * length));
       }
-      CHECK(solution.edge_displacement ==
-            doctest::Approx(displacement(nip, solution, length / 2).u).epsilon(1e-9).scale(0));
+      CHECK(solution.edge_displacement == approx(displacement(nip, solution, length / 2).u, 1e-9));
       CHECK(*solution.gripped_creep == creep);
     }
   }
@@ -53,7 +52,7 @@ TEST_CASE("displacements between, outside and at the end are those of all loads 
     }
   }
   CHECK(fast::tangential_displacement(middling_nip, gripped, 5, length / 2) ==
-        doctest::Approx(1e-3 * length / 2).epsilon(1e-11).scale(0));
+        approx(1e-3 * length / 2, 1e-11));
   CHECK_THROWS_AS(fast::normal_displacement(middling_nip, slipping, 5, 0.005), data::BadInput);
   CHECK_THROWS_AS(fast::tangential_displacement(middling_nip, gripped, 5, std::nan("")), data::BadInput);
 }
@@ -61,11 +60,9 @@ TEST_CASE("displacements between, outside and at the end are those of all loads 
 TEST_CASE("an element's tractions are its loads over its width, opposite shear on the other side") {
   const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 3, 0.12, -1e-3);
   const double width = 0.02;
-  CHECK(fast::element_pressure(solution, 0.021) ==
-        doctest::Approx(solution.line_loads[1] / width).epsilon(1e-14).scale(0));
+  CHECK(fast::element_pressure(solution, 0.021) == approx(solution.line_loads[1] / width, 1e-14));
   CHECK(fast::element_pressure(solution, -0.021) == fast::element_pressure(solution, 0.021));
-  CHECK(fast::element_shear(solution, 0.06) ==
-        doctest::Approx(solution.shear_loads[2] / width).epsilon(1e-14).scale(0));
+  CHECK(fast::element_shear(solution, 0.06) == approx(solution.shear_loads[2] / width, 1e-14));
   CHECK(fast::element_shear(solution, -0.06) == -fast::element_shear(solution, 0.06));
   CHECK(fast::element_pressure(solution, 0.0601) == 0);
   CHECK(fast::element_shear(fast::line_loads_for_length(thick_nip, 3, 0.12), 0.01) == 0);
@@ -79,12 +76,10 @@ TEST_CASE("the loads are affine in the creep") {
   const LineLoadSolution low = at(-1e-3);
   const LineLoadSolution middle = at(0);
   const LineLoadSolution high = at(1e-3);
-  CHECK(high.load != doctest::Approx(low.load).epsilon(1e-3).scale(0));
+  CHECK(high.load != approx(low.load, 1e-3));
   for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(low.line_loads[k] + high.line_loads[k] ==
-          doctest::Approx(2 * middle.line_loads[k]).epsilon(1e-11).scale(0));
-    CHECK(low.shear_loads[k] + high.shear_loads[k] ==
-          doctest::Approx(2 * middle.shear_loads[k]).epsilon(1e-9).scale(0));
+    CHECK(low.line_loads[k] + high.line_loads[k] == approx(2 * middle.line_loads[k], 1e-11));
+    CHECK(low.shear_loads[k] + high.shear_loads[k] == approx(2 * middle.shear_loads[k], 1e-9));
   }
 }
 
@@ -97,7 +92,7 @@ TEST_CASE("an incompressible sheet much thicker than the contact couples pressur
     const LineLoadSolution slipping = fast::line_loads_for_length(nip, 6, length);
     CAPTURE(length);
     // Shear follows the pressure by a factor of order L/B, and the pressure feels it by as much again.
-    CHECK(gripped.load == doctest::Approx(slipping.load).epsilon(20 * length * length).scale(0));
+    CHECK(gripped.load == approx(slipping.load, 20 * length * length));
     const double shear = gripped.peak_shear / gripped.peak_pressure;
     CHECK(shear < 5 * length);
     CHECK(shear < 0.2 * last_shear);
@@ -112,8 +107,8 @@ TEST_CASE("length for a load and load for a length are inverse with full frictio
     const double creep = -1e-2 * length;
     const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 4, length, creep);
     const LineLoadSolution again = fast::gripped_line_loads_for_load(thick_nip, 4, solution.load, creep);
-    CHECK(again.load == doctest::Approx(solution.load).epsilon(1e-12).scale(0));
-    CHECK(again.contact_length == doctest::Approx(length).epsilon(1e-9).scale(0));
+    CHECK(again.load == approx(solution.load, 1e-12));
+    CHECK(again.contact_length == approx(length, 1e-9));
   }
 }
 

@@ -59,8 +59,8 @@ TEST_CASE("line loads without friction, extrapolated, are the continuous contact
       CAPTURE(thickness);
       CAPTURE(load);
       const double length = truth.contact_length().value;
-      CHECK(extrapolated(lengths) == doctest::Approx(length).epsilon(1e-6).scale(0));
-      CHECK(extrapolated(indentations) == doctest::Approx(truth.indentation().value).epsilon(1e-6).scale(0));
+      CHECK(extrapolated(lengths) == approx(length, 1e-6));
+      CHECK(extrapolated(indentations) == approx(truth.indentation().value, 1e-6));
       CHECK(std::abs(lengths.back() / length - 1) > 1e-3);  // which the best of them is far from
     }
   }
@@ -99,8 +99,7 @@ TEST_CASE("condition number of the smallest matrix, by hand") {
   const double c = fast::I1(0.5) + fast::I1(1.5);
   const double norm = std::max(2.0, std::abs(a) + std::abs(c));
   const double inverse_norm = std::max(1 + std::abs(a), 1 + std::abs(c)) / std::abs(a - c);
-  CHECK(fast::condition_number(nip, 1, 2.0, data::Friction::none) ==
-        doctest::Approx(norm * inverse_norm).epsilon(1e-12).scale(0));
+  CHECK(fast::condition_number(nip, 1, 2.0, data::Friction::none) == approx(norm * inverse_norm, 1e-12));
 }
 
 TEST_CASE("500 elements a side, L/B from 1e-4 to 1e3, poisson from -0.9 to 1/2: no failure") {

@@ -39,7 +39,7 @@ TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only
   Work thesis_work;
   const auto by_thesis = fast::line_loads_for_load(quarter_inch_nip, 7, 100.0,
                                                    {LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);
-  CHECK(by_thesis.load == doctest::Approx(100.0).epsilon(1e-12).scale(0));
+  CHECK(by_thesis.load == approx(100.0, 1e-12));
   CHECK(fast_work.systems < thesis_work.systems);
   // The thesis stopped within 0.2 %.
   Work coarse_work;
@@ -75,11 +75,11 @@ TEST_CASE("residues: as many terms as asked for, and the library's kernels where
   const auto by_residues = fast::gripped_line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, 1e-4, &work);
   CHECK(work.terms == 3 * 10 * 500);
   const auto by_library = fast::gripped_line_loads_for_length(quarter_inch_nip, 5, 0.1, 1e-4);
-  CHECK(by_residues.indentation == doctest::Approx(by_library.indentation).epsilon(1e-11).scale(0));
-  CHECK(by_residues.peak_shear == doctest::Approx(by_library.peak_shear).epsilon(1e-10).scale(0));
+  CHECK(by_residues.indentation == approx(by_library.indentation, 1e-11));
+  CHECK(by_residues.peak_shear == approx(by_library.peak_shear, 1e-10));
   // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
   const auto by_few = fast::gripped_line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, 1e-4);
-  CHECK(by_few.indentation != doctest::Approx(by_library.indentation).epsilon(1e-3).scale(0));
+  CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
 }
 
 TEST_CASE("plain series: the batch gives I1, I3 and the part of I6 in alpha") {
@@ -89,13 +89,13 @@ TEST_CASE("plain series: the batch gives I1, I3 and the part of I6 in alpha") {
   for (std::size_t i = 0; i < alpha.size(); ++i) {
     CAPTURE(alpha[i]);
     CHECK(i1[i] == doctest::Approx(fast::I1(alpha[i])).epsilon(1e-12).scale(1e-3));
-    CHECK(i3[i] == doctest::Approx(fast::I3(alpha[i])).epsilon(1e-12).scale(0));
+    CHECK(i3[i] == approx(fast::I3(alpha[i]), 1e-12));
     // Against I6 at another alpha, so that the part in eta cancels.
     CHECK(i6[i] - i6[3] ==
           doctest::Approx(fast::I6(alpha[i], 0.0) - fast::I6(1.0, 0.0)).epsilon(1e-12).scale(1.0));
   }
   // eta so large that its residues have died: I6 = part in alpha + (pi/4) |eta|.
-  CHECK(i6[3] == doctest::Approx(fast::I6(1.0, 30.0) - 30 * std::atan(1.0)).epsilon(1e-12).scale(0));
+  CHECK(i6[3] == approx(fast::I6(1.0, 30.0) - 30 * std::atan(1.0), 1e-12));
   std::vector<double> alone(5);
   fast::plain_series(alpha, 500, {{}, alone, {}});
   CHECK(alone == i3);

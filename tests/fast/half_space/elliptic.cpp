@@ -61,7 +61,7 @@ double displacement(const EllipticContact& contact, const EllipticLoad& load, co
 }
 
 void check(const fast::Estimate& found, double truth, double epsilon) {
-  CHECK(found.value == doctest::Approx(truth).scale(0).epsilon(epsilon));
+  CHECK(found.value == approx(truth, epsilon));
   CHECK(std::fabs(found.value - truth) <= found.error + 1e-15 * std::fabs(truth));
   CHECK(found.error < 1e-10 * std::fabs(truth));
 }
@@ -100,8 +100,7 @@ TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
   // cn(K/2) = sqrt(k'/(1 + k')), small against 1 and yet to its own digits but for those of K.
   for (const double complement : {1., 0.9, 0.1, 1e-4, 1e-12}) {
     const fast::JacobiAmplitude jacobi(complement);
-    CHECK(jacobi(jacobi.quarter_period() / 2).cn ==
-          doctest::Approx(std::sqrt(complement / (1 + complement))).scale(0).epsilon(5e-14));
+    CHECK(jacobi(jacobi.quarter_period() / 2).cn == approx(std::sqrt(complement / (1 + complement)), 5e-14));
   }
 }
 
@@ -150,14 +149,13 @@ TEST_CASE("elliptic: Hertz's ellipse by complete elliptic integrals, slender to 
     for (const bool turned : {false, true}) {
       const Indenter body = turned ? Indenter{curvature_2, curvature_1} : Indenter{curvature_1, curvature_2};
       const EllipticContact contact(unit, body);
-      CHECK(contact.axis_ratio().value == doctest::Approx(ratio).scale(0).epsilon(1e-13));
+      CHECK(contact.axis_ratio().value == approx(ratio, 1e-13));
       const auto [angle, angle_error] = contact.orientation();
       CHECK(std::fabs(std::fabs(angle) - (turned && ratio < 1 ? pi / 2 : 0)) < 1e-12 + angle_error);
       const EllipticLoad load = contact.for_force(2 * pi / 3 * ratio);
       CHECK(load.peak_pressure.value == doctest::Approx(1).epsilon(1e-13));
       CHECK(load.semi_major.value == doctest::Approx(1).epsilon(1e-13));
-      CHECK(load.approach.value ==
-            doctest::Approx(ratio * boost::math::ellint_rf(0, square, 1)).scale(0).epsilon(1e-13));
+      CHECK(load.approach.value == approx(ratio * boost::math::ellint_rf(0, square, 1), 1e-13));
     }
   }
 }
@@ -174,12 +172,12 @@ TEST_CASE("elliptic: the displacement under the pressure is the body, by the poi
     const EllipticContact contact(response, body);
     const EllipticLoad load = contact.for_force(0.01);
     const double delta = load.approach.value;
-    CHECK(displacement(contact, load, response, 0, 0) == doctest::Approx(delta).scale(0).epsilon(1e-12));
+    CHECK(displacement(contact, load, response, 0, 0) == approx(delta, 1e-12));
     for (int i = 0; i < 12; ++i) {
       const Direction psi = Direction::of_angle(0.55 * i);
       const double r = 0.95 * load.semi_major.value * contact.radius_ratio(psi).value;
       const double found = displacement(contact, load, response, r * psi.cosine, r * psi.sine);
-      CHECK(found == doctest::Approx(delta - body.curvature(psi) * r * r / 2).scale(0).epsilon(1e-12));
+      CHECK(found == approx(delta - body.curvature(psi) * r * r / 2, 1e-12));
     }
   }
 }

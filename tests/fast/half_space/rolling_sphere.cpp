@@ -71,7 +71,7 @@ TEST_CASE("rolling: the force against quadrature of the normal traction") {
         force += 2 * pi / directions *
                  boost::math::quadrature::gauss<double, 20>::integrate(integrand, panel, panel + 1);
     }
-    CHECK(contact.force().value == doctest::Approx(force).scale(0).epsilon(3e-9));
+    CHECK(contact.force().value == approx(force, 3e-9));
     CHECK(contact.force().error < 1e-13 * force);
   }
 }
@@ -81,7 +81,7 @@ TEST_CASE("rolling: span and force belong together, the force is cubic in the sp
   const auto back = rolling_sphere_for_force(steel, radius, 0.5, contact.force().value);
   CHECK(back.span().value == doctest::Approx(0.1).epsilon(1e-15));
   const auto twice = rolling_sphere_for_span(steel, radius, 0.5, 0.2);
-  CHECK(twice.force().value == doctest::Approx(8 * contact.force().value).scale(0).epsilon(1e-15));
+  CHECK(twice.force().value == approx(8 * contact.force().value, 1e-15));
 }
 
 TEST_CASE("rolling: table 2") {
@@ -97,7 +97,7 @@ TEST_CASE("rolling: almost incompressible at rest the shear vanishes and the sli
   const data::IsotropicSolid rubber{1, 0.5 - 1e-12, 1};
   const auto contact = rolling_sphere_for_span(rubber, radius, 0, 0.1);
   const double hertz = 8 * std::pow(0.05, 3) / (3 * 0.5 * radius);
-  CHECK(contact.force().value == doctest::Approx(pi / 4 * hertz).scale(0).epsilon(1e-11));
+  CHECK(contact.force().value == approx(pi / 4 * hertz, 1e-11));
   const RollingLine line = contact.along({1, 0});
   CHECK(std::fabs(line.shear_traction(0.03).value) < 0.02 * std::fabs(line.normal_traction(0.03).value));
   CHECK(line.compressed_radius().value == line.span / 2);
@@ -111,12 +111,12 @@ TEST_CASE("rolling: compressive up to the compressed radius, the strip of the no
   const auto strip = [](double speed) {
     const double found = fast::rolling_strip(steel, speed, {1, 0});
     const double index = rolling_sphere_for_span(steel, radius, speed, 0.1).along({1, 0}).index;
-    CHECK(found == doctest::Approx(std::exp(-pi / 2 / index)).scale(0).epsilon(1e-13));
+    CHECK(found == approx(std::exp(-pi / 2 / index), 1e-13));
     return found;
   };
-  CHECK(strip(0.3) == doctest::Approx(2.0e-8).scale(0).epsilon(0.03));
-  CHECK(strip(0.6) == doctest::Approx(2.2e-6).scale(0).epsilon(0.03));
-  CHECK(strip(0.8) == doctest::Approx(3.3e-4).scale(0).epsilon(0.03));
+  CHECK(strip(0.3) == approx(2.0e-8, 0.03));
+  CHECK(strip(0.6) == approx(2.2e-6, 0.03));
+  CHECK(strip(0.8) == approx(3.3e-4, 0.03));
 }
 
 TEST_CASE("rolling: the angle of separation beyond the Rayleigh speed") {

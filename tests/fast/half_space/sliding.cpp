@@ -106,7 +106,7 @@ TEST_CASE("sliding: span and force belong together, the force is cubic in the sp
   const auto back = sliding_for_force(response, die, 0.3, along_x1, contact.force().value);
   CHECK(back.span().value == doctest::Approx(0.2).epsilon(1e-15));
   CHECK(back.span().error < 1e-14);
-  CHECK(back.centre_along().value == doctest::Approx(contact.centre_along().value).epsilon(1e-14).scale(0));
+  CHECK(back.centre_along().value == approx(contact.centre_along().value, 1e-14));
   const auto twice = sliding_for_span(response, die, 0.3, along_x1, 0.4);
   CHECK(twice.force().value == doctest::Approx(8 * contact.force().value).epsilon(1e-15));
   CHECK(twice.peak_pressure().value == doctest::Approx(2 * contact.peak_pressure().value).epsilon(1e-15));
@@ -201,7 +201,7 @@ TEST_CASE("integrals over half a turn keep their digits at poles beside the dire
       return std::array{1 / (gap * c + s), psi.cosine * psi.sine / (gap * c + s)};
     };
     const auto [even, odd] = fast::half_turn_integral<2>(peaked);
-    CHECK(even.value == doctest::Approx(pi / std::sqrt(gap)).scale(0).epsilon(1e-13));
+    CHECK(even.value == approx(pi / std::sqrt(gap), 1e-13));
     CHECK(even.error < 1e-13 * even.value);
     CHECK(std::fabs(odd.value) <= odd.error);
     // The same peak where no panel ends: how well the angle is known limits it.

@@ -35,7 +35,7 @@ TEST_CASE("length search: pure powers in three steps, whatever the exponent") {
         search, [&](double length) { return std::pow(length, exponent); }, &solves);
     CHECK(search.met());
     CHECK(solves <= 4);  // the exponent shows in the second
-    CHECK(found.length == doctest::Approx(std::pow(7, 1 / exponent)).epsilon(1e-13).scale(0));
+    CHECK(found.length == approx(std::pow(7, 1 / exponent), 1e-13));
     CHECK(search.exponent() == doctest::Approx(exponent).epsilon(1e-6));
   }
 }
@@ -45,7 +45,7 @@ TEST_CASE("length search: between two powers, from six decades away") {
   for (const double near : {1e-3, 1.0, 1e3}) {
     LengthSearch search(load_of(0.7), near, {.tolerance = 1e-13});
     int solves = 0;
-    CHECK(ended(search, load_of, &solves).length == doctest::Approx(0.7).epsilon(1e-12).scale(0));
+    CHECK(ended(search, load_of, &solves).length == approx(0.7, 1e-12));
     CHECK(solves <= 14);
   }
 }
@@ -66,7 +66,7 @@ TEST_CASE("length search: a wrong exponent that is kept gets there as slowly as 
   const Solution found = ended(
       search, [](double length) { return length * length; }, &solves);
   CHECK(search.met());
-  CHECK(found.load == doctest::Approx(std::exp(1.0)).epsilon(1e-12).scale(0));
+  CHECK(found.load == approx(std::exp(1.0), 1e-12));
   CHECK(solves == 1 + std::ceil(12 * std::log(10.0) / std::log(3.0)));
   CHECK(search.exponent() == LengthSearch::usual_exponent);
 }
@@ -103,7 +103,7 @@ TEST_CASE("length search: up to a pole, behind which there is no load or too muc
       const double length = ended(search, load_of).length;
       CHECK(search.met());
       CHECK(length < 1);
-      CHECK(load_of(length) == doctest::Approx(load).epsilon(1e-10).scale(0));
+      CHECK(load_of(length) == approx(load, 1e-10));
     }
   }
 }

@@ -25,12 +25,12 @@ const auto no_lead = [](double, double) { return fast::Estimate{1, 0}; };
 TEST_CASE("a local slope is the derivative to rounding over its reach") {
   for (const double x : {0.1, 1.0, 7.0})
     CHECK(fast::LocalSlope()([](double y) { return std::sqrt(y); }, x, x / 4) ==
-          doctest::Approx(0.5 / std::sqrt(x)).scale(0).epsilon(1e-13));
+          approx(0.5 / std::sqrt(x), 1e-13));
   // A polynomial of degree 29 that 16 points do not resolve.
   const auto swings = [](double y) { return std::cos(29 * std::acos(y)); };
   const double slope = 29 * std::sin(29 * std::acos(0.1)) / std::sin(std::acos(0.1));
-  CHECK(fast::LocalSlope(30)(swings, 0.1, 0.9) == doctest::Approx(slope).scale(0).epsilon(1e-12));
-  CHECK(fast::LocalSlope(16)(swings, 0.1, 0.9) != doctest::Approx(slope).scale(0).epsilon(1e-3));
+  CHECK(fast::LocalSlope(30)(swings, 0.1, 0.9) == approx(slope, 1e-12));
+  CHECK(fast::LocalSlope(16)(swings, 0.1, 0.9) != approx(slope, 1e-3));
 }
 
 TEST_CASE("zeros lie within their errors, which are the function's over its slope") {

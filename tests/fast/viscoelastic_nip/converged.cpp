@@ -72,7 +72,7 @@ TEST_CASE("without relaxation the viscoelastic nip is the elastic one") {
   const auto contact = converged_for_load(rolling, load, 1e-12);
   const auto expected = fast::converged_for_load(elastic(1), data::Friction::none, load, 1e-12);
   const auto check = [](const Estimate& found, const Estimate& truth) {
-    CHECK(found.value == doctest::Approx(truth.value).scale(0).epsilon(3e-12));
+    CHECK(found.value == approx(truth.value, 3e-12));
   };
   check(contact.contact_length(), expected.contact_length());
   check(contact.indentation(), expected.indentation());
@@ -258,7 +258,7 @@ TEST_CASE("rolling resistance times speed is the energy lost, computed in freque
     const RollingEquations equations = ::equations(rate);
     const Solution contact = solve(half_length, equations);
     const double resistance = carried_load(contact) * contact.value(equations.eccentricity(contact));
-    CHECK(dissipation(contact, {{rate, rate}}) == doctest::Approx(resistance).scale(0).epsilon(1e-8));
+    CHECK(dissipation(contact, {{rate, rate}}) == approx(resistance, 1e-8));
   }
 }
 
@@ -270,7 +270,7 @@ TEST_CASE("results at 1e-8 over twelve decades of the relaxation length") {
     const auto fine = converged_for_length(nip(relaxation * length), length, 1e-11);
     CHECK(rough.work().unknowns <= fine.work().unknowns);  // one level may serve both
     for (const Result& result : {results()[1], results()[2], results()[3], results()[5]}) {
-      CHECK(result(rough).value == doctest::Approx(result(fine).value).scale(0).epsilon(1e-8));
+      CHECK(result(rough).value == approx(result(fine).value, 1e-8));
     }
   }
 }
@@ -314,7 +314,7 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
   };
   const double joined =
       carried_load(solve(0.8, RollingEquations({fast::rolling_compliance({{1.0, 2.0}}), 0.25, {}})));
-  CHECK(with({0, 1e-7}) == doctest::Approx(joined).scale(0).epsilon(1e-12));
+  CHECK(with({0, 1e-7}) == approx(joined, 1e-12));
   const double far = with({0, 0.1}) - joined, near = with({0, 0.05}) - joined;
   CHECK(far / near == doctest::Approx(4).epsilon(1e-2));  // even in the imaginary part
 }
@@ -343,7 +343,7 @@ TEST_CASE("a short memory that softens by thousands loses no digits") {
   const RollingEquations soft({fast::rolling_compliance({{softer_by * rate, rate}}), 0.25, {}}),
       at_once({fast::rolling_compliance({}), 0.25, {}});
   const double expected = carried_load(solve(0.8, at_once)) / (1 + softer_by);
-  CHECK(carried_load(solve(0.8, soft)) == doctest::Approx(expected).scale(0).epsilon(1e-14));
+  CHECK(carried_load(solve(0.8, soft)) == approx(expected, 1e-14));
 }
 
 TEST_CASE("viscoelastic nips refuse what is outside their domain") {

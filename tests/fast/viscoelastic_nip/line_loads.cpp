@@ -30,9 +30,7 @@ ViscoelasticLineLoads for_length(double relaxation_length, const ViscoelasticLin
   return fast::viscoelastic_line_loads_for_length(nip(relaxation_length), how, length);
 }
 
-void check_close(double found, double truth, double relative) {
-  CHECK(found == doctest::Approx(truth).scale(0).epsilon(relative));
-}
+void check_close(double found, double truth, double relative) { CHECK(found == approx(truth, relative)); }
 
 }  // namespace
 

@@ -47,15 +47,12 @@ TEST_CASE("surface under line loads: the roller's shape where it was matched, th
     for (int i = 0; i <= 7; ++i) {
       const double y = loads.leading_length - i * loads.element_width();
       CHECK(surface.normal_displacement(y) ==
-            doctest::Approx(loads.indentation - y * y / (2 * rolled_nip.roller_radius))
-                .epsilon(1e-10)
-                .scale(0));
+            approx(loads.indentation - y * y / (2 * rolled_nip.roller_radius), 1e-10));
     }
     CHECK(surface.tangential_displacement(0) == 0);
     const double stretch = surface.tangential_displacement(loads.leading_length) -
                            surface.tangential_displacement(-loads.trailing_length);
-    CHECK(stretch / loads.contact_length() ==
-          doctest::Approx(fast::creep_ratio(rolled_nip, loads, method)).epsilon(1e-10).scale(0));
+    CHECK(stretch / loads.contact_length() == approx(fast::creep_ratio(rolled_nip, loads, method), 1e-10));
   }
 }
 

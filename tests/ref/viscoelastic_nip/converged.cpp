@@ -182,9 +182,8 @@ TEST_CASE("ref rolling contact: a pair of conjugate rates is covered in double, 
   };
   const ViscoelasticNip real{6, 0.25, data::ViscoelasticMaterial(still(9e-6), still(3e-6)), 1};
   const auto merged = ref::converged_for_length(real, length, 16);
-  CHECK(swung.load().to_double() == doctest::Approx(merged.load().to_double()).epsilon(1e-8).scale(0));
-  CHECK(swung.creep_ratio().to_double() ==
-        doctest::Approx(merged.creep_ratio().to_double()).epsilon(1e-8).scale(0));
+  CHECK(swung.load().to_double() == approx(merged.load().to_double(), 1e-8));
+  CHECK(swung.creep_ratio().to_double() == approx(merged.creep_ratio().to_double(), 1e-8));
 }
 
 TEST_CASE("ref rolling contact: the double path's estimates cover what they are off by at random nips") {

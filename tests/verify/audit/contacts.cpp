@@ -35,7 +35,7 @@ TEST_CASE(
     CAPTURE(audit.ratio);
     CAPTURE(audit.poisson);
     CHECK(audit.condition.has_value() == (audit.system.find("line loads") == 0));
-    CHECK(audit.oscillation.has_value() == (audit.system.find("full friction") != std::string::npos));
+    CHECK(audit.oscillation.has_value() == (contains(audit.system, "full friction")));
     if (audit.system == "line loads, no friction" && audit.error) {
       // The kernels' part is within what the condition makes of their last digits; ten elements are a tenth
       // off.
@@ -83,9 +83,9 @@ TEST_CASE(
   verify::Json members = verify::audits_json({{}, {{alone}, {}}}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
-  CHECK(text.find(" - ") != std::string::npos);
-  CHECK(text.find("no truth") != std::string::npos);
-  CHECK(text.find("nan") == std::string::npos);
+  CHECK(contains(text, " - "));
+  CHECK(contains(text, "no truth"));
+  CHECK(!contains(text, "nan"));
 }
 
 TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the thesis's method") {

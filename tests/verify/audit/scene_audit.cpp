@@ -76,7 +76,7 @@ TEST_CASE("one wrong result of the solver is seen against the reference although
                              }));
   CHECK(found.uncovered == 1);
   CHECK(found.where.find("peak_pressure") == 0);
-  CHECK(found.where.find("; ref: ") != std::string::npos);
+  CHECK(contains(found.where, "; ref: "));
   const auto line = audited(sphere, with([](const data::SceneResult& what, fast::Estimate& number) {
                               overstate(what, number);
                               if (what.name == "compliance")
@@ -93,7 +93,7 @@ TEST_CASE("a peak that is not the pressure at its place is seen although all sol
                                  number = {0.99 * number.value, 1e-9 * number.value};
                              }));
   CHECK(found.uncovered == 1);
-  CHECK(found.where.find("; pressure there: ") != std::string::npos);
+  CHECK(contains(found.where, "; pressure there: "));
 }
 
 TEST_CASE("what is no number is not covered, and an estimate of 0 is measured by a rounding") {
@@ -123,7 +123,7 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
     throw data::BadInput("key", "value", "must be better");
   };
   const auto refused = audited(elastic, solvers);
-  CHECK(refused.refused.find("must be better") != std::string::npos);
+  CHECK(contains(refused.refused, "must be better"));
   CHECK(refused.numbers == 0);
   solvers.fast = [](const data::Scene&) -> Solution { throw std::runtime_error("broken"); };
   CHECK(audited(elastic, solvers).failed == "broken");

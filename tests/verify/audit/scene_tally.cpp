@@ -98,11 +98,11 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   verify::Json members = verify::audits_json({{}, {{}, tallies}}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
-  CHECK(text.find("PASS") != std::string::npos);
-  CHECK(text.find("FAIL") != std::string::npos);
-  CHECK(text.find("scene 1\n") != std::string::npos);
-  CHECK(text.find("scene 0\n") == std::string::npos);
-  CHECK(text.find("a fault\nscene 2\n") != std::string::npos);
+  CHECK(contains(text, "PASS"));
+  CHECK(contains(text, "FAIL"));
+  CHECK(contains(text, "scene 1\n"));
+  CHECK(!contains(text, "scene 0\n"));
+  CHECK(contains(text, "a fault\nscene 2\n"));
 
   const auto json = nlohmann::json::parse(verify::scene_tally_json(tallies).for_machines().text());
   const JsonSchema schema(

@@ -14,20 +14,7 @@
 
 // What is meant is done, and help says what there is.
 
-namespace {
-
 using nlohmann::json;
-
-json answer_to(const std::string& arguments) {
-  CAPTURE(arguments);
-  const Outcome outcome = run(arguments + " --json");
-  CHECK(outcome.status == 0);
-  return json::parse(outcome.out);
-}
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-}  // namespace
 
 TEST_CASE("a quantity's name in the place of a verb means eval") {
   CHECK(answer_to("I1 alpha=0.73").at("arguments") == json{{"alpha", "0.73"}});
@@ -39,7 +26,7 @@ TEST_CASE("help VERB is VERB --help, and help alone is --help") {
     const Outcome help = run("help " + verb);
     CHECK(help.status == 0);
     CHECK(help.out == run(verb + " --help").out);
-    CHECK(says(help.out, "Usage: nipref " + verb));
+    CHECK(contains(help.out, "Usage: nipref " + verb));
   }
   CHECK(run("help").out == run("--help").out);
 }
@@ -55,27 +42,22 @@ TEST_CASE("each verb's help has what its names are, two examples and the exit st
     REQUIRE(first != std::string::npos);
     CHECK(help.find(one, first + one.size()) != std::string::npos);
     for (const char* status : {"0 all well", "1 a check", "2 bad input", "4 output", "130 interrupted"})
-      CHECK(says(unfolded(help), status));
-    if (verb != "report") CHECK(says(help, "Positionals:"));
+      CHECK(contains(unfolded(help), status));
+    if (verb != "report") CHECK(contains(help, "Positionals:"));
   }
 }
 
 TEST_CASE("an unknown quantity does not print all names") {
   const std::string message = run("eval I9").err;
-  CHECK(says(message, "quantity = I9: did you mean I1, I2 or I3?"));
-  CHECK(says(message, "nipref list"));
-  CHECK_FALSE(says(message, "ti.span_ratio"));
-  CHECK_FALSE(says(run("eval xyzzyxyzzy").err, "did you mean"));
+  CHECK(contains(message, "quantity = I9: did you mean I1, I2 or I3?"));
+  CHECK(contains(message, "nipref list"));
+  CHECK_FALSE(contains(message, "ti.span_ratio"));
+  CHECK_FALSE(contains(run("eval xyzzyxyzzy").err, "did you mean"));
 }
 
-TEST_CASE("a number without its name is told the name, and a binary file is not shown") {
-  check_call_refused(
-      "I1 0.73",
-      "0.73: unexpected: eval takes one quantity and name=value pairs, as in 'eval I1 alpha=0.73'");
-  check_call_refused("I1 I2", "as in 'eval I1 alpha=...'");
+TEST_CASE("a binary file is not shown") {
   const ScratchFile binary(std::string("\x7f\0\x01", 3));
   check_call_refused("solve '" + binary.path() + "'", "syntax = (binary): must be text: this has zero bytes");
-  check_call_refused("grade .", "file = .: must be a file: this is a folder");
 }
 
 TEST_CASE(
@@ -85,7 +67,7 @@ TEST_CASE(
   std::istringstream lines(swept.out);
   std::string header, line;
   std::getline(lines, header);
-  CHECK(says(swept.out, "per_length = 1e9: must give an allowed contact length; not"));
+  CHECK(contains(swept.out, "per_length = 1e9: must give an allowed contact length; not"));
   while (std::getline(lines, line)) CHECK(std::ranges::count(line, ',') == std::ranges::count(header, ','));
 }
 
@@ -99,8 +81,8 @@ TEST_CASE("command line: 'help scene' defines every key and every result of scen
   for (const auto* const list : {"keys", "results"}) {
     for (const json& one : answer.at(list)) {
       CAPTURE(one);
-      CHECK(says(text.out, "  " + one.at("name").get<std::string>() + " [" +
-                               one.at("unit").get<std::string>() + "]: "));
+      CHECK(contains(text.out, "  " + one.at("name").get<std::string>() + " [" +
+                                   one.at("unit").get<std::string>() + "]: "));
       CHECK(!one.at("meaning").get<std::string>().empty());
     }
   }
@@ -109,9 +91,9 @@ TEST_CASE("command line: 'help scene' defines every key and every result of scen
 TEST_CASE(
     "list tells what a key of a scene or a result is, and against what the errors of a result are measured") {
   const Outcome length = run("list contact_length");
-  CHECK(says(length.out, "contact_length [length]: full length L of the contact"));
-  CHECK_FALSE(says(length.out, "keys of a scene"));
-  CHECK_FALSE(says(length.out, "I1 ="));
+  CHECK(contains(length.out, "contact_length [length]: full length L of the contact"));
+  CHECK_FALSE(contains(length.out, "keys of a scene"));
+  CHECK_FALSE(contains(length.out, "I1 ="));
   const json mixed = answer_to("list sheet.thickness creep_ratio I1");
   REQUIRE(mixed.at("keys").size() == 1);
   CHECK(mixed.at("keys")[0].at("meaning") == "full thickness of the sheet");
@@ -124,24 +106,24 @@ TEST_CASE(
 TEST_CASE("list tells all about one quantity, and each quantity's own number of audit points") {
   const Outcome one = run("list I1");
   CHECK(one.status == 0);
-  CHECK(says(one.out, "audit: 20000 points"));
-  CHECK(says(one.out, "alpha must be given: a finite nonzero number"));
-  CHECK_FALSE(says(one.out, "I2 ="));
-  CHECK(says(run("list vs").out, "young ="));
+  CHECK(contains(one.out, "audit: 20000 points"));
+  CHECK(contains(one.out, "alpha must be given: a finite nonzero number"));
+  CHECK_FALSE(contains(one.out, "I2 ="));
+  CHECK(contains(run("list vs").out, "young ="));
   const json two = answer_to("list I1 ti.span_ratio I1").at("quantities");
   REQUIRE(two.size() == 2);
   CHECK(two[0].at("name") == "I1");
   CHECK(two[0].at("audit_points") == 20000);
   CHECK(two[1].at("audit_points") == nipref::verify::find_quantity("ti.span_ratio").audit_points);
-  CHECK(says(run("list --full").out, "audit: 6 points"));
-  CHECK_FALSE(says(run("list").out, "audit: "));
+  CHECK(contains(run("list --full").out, "audit: 6 points"));
+  CHECK_FALSE(contains(run("list").out, "audit: "));
 }
 
 TEST_CASE("the help of audit names the least and the largest number of points of the catalogue") {
   const auto [least, most] =
       std::ranges::minmax(nipref::verify::catalogue(), {}, &nipref::verify::Quantity::audit_points);
-  CHECK(
-      says(run("help audit").out, fmt::format("{} to {}, see list", least.audit_points, most.audit_points)));
+  CHECK(contains(run("help audit").out,
+                 fmt::format("{} to {}, see list", least.audit_points, most.audit_points)));
 }
 
 TEST_CASE("eval tells the scale of its errors, and the unit in the last place of that") {
@@ -150,8 +132,8 @@ TEST_CASE("eval tells the scale of its errors, and the unit in the last place of
   CHECK(scale >= answer["results"]["fast"]["value"].get<double>());
   CHECK(ulp == std::nextafter(scale, 1e300) - scale);
   const Outcome text = run("eval I1 alpha=0.73 --path ref");
-  CHECK(says(text.out, fmt::format("{}", scale)));
-  CHECK(says(text.out, "one ulp of it is"));
+  CHECK(contains(text.out, fmt::format("{}", scale)));
+  CHECK(contains(text.out, "one ulp of it is"));
   // Only ref goes where doubles end.
   CHECK(answer_to("eval I1 alpha=1e-400 path=ref").at("scale").is_null());
 }
@@ -162,14 +144,14 @@ TEST_CASE("tables are found by their numerals, each once, and what could be seve
   CHECK(tables[0].at("id") == "thesis-VII");
   CHECK(tables[1].at("id") == "brock2012-1");
   CHECK(run("tables 3").err == "nipref: table = 3: must be one of thesis-III, brock2013-3\n");
-  CHECK(says(run("tables brock2012").err, "did you mean brock2012-1 or brock2012-2?"));
+  CHECK(contains(run("tables brock2012").err, "did you mean brock2012-1 or brock2012-2?"));
 }
 
 TEST_CASE("an example's name is a scene, unless a file has that name") {
   CHECK(answer_to("solve thick-full-friction").at("results").contains("creep_ratio"));
   const Outcome near = run("solve thick-full-fricton");
   CHECK(near.status == 2);
-  CHECK(says(near.err, "scene = thick-full-fricton: did you mean thick-full-friction"));
+  CHECK(contains(near.err, "scene = thick-full-fricton: did you mean thick-full-friction"));
 }
 
 TEST_CASE("key=value pairs stand for what a scene has, and its title says so") {
@@ -178,9 +160,9 @@ TEST_CASE("key=value pairs stand for what a scene has, and its title says so") {
   const auto length = [](const json& answer) { return answer.at("results").at("contact_length"); };
   CHECK(length(same) == length(plain));
   CHECK(length(more).at("value") > length(plain).at("value"));
-  CHECK(says(more.at("title"), ", with load.per_length = 200"));
-  CHECK(says(unfolded(run("solve thick-full-friction load.per_length=200").out),
-             ", with load.per_length = 200"));
+  CHECK(contains(more.at("title").get<std::string>(), ", with load.per_length = 200"));
+  CHECK(contains(unfolded(run("solve thick-full-friction load.per_length=200").out),
+                 ", with load.per_length = 200"));
   CHECK(run("solve thick-full-friction load.per_length=-5e0").err ==
         "nipref: load.per_length = -5e0: must be finite and > 0\n");
 }
@@ -206,8 +188,8 @@ TEST_CASE(
   for (const json& kind : contacts.at("scenes")) scenes += kind.at("scenes").get<std::size_t>();
   CHECK(scenes == 3);
   const std::string few = unfolded(run("audit I3 --points 50").out);
-  CHECK(says(few, "5.3%"));
-  CHECK(says(few, "met with a chance of 95 %"));
+  CHECK(contains(few, "5.3%"));
+  CHECK(contains(few, "met with a chance of 95 %"));
 }
 
 TEST_CASE("what verbs say to people fits eighty columns, whatever the names, and has no colours in a file") {

@@ -17,9 +17,8 @@ std::vector<std::string> csv_lines_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a sweep's row is what eval says at its arguments, and rows come in the order of their arguments") {
-  const Outcome swept = run("eval I6 alpha=0x1p-3,7.5 eta=0.1..10:log --points 40 --digits 20 --json");
-  REQUIRE(swept.status == 0);
-  const json columns = json::parse(swept.out).at("columns");
+  const json columns =
+      answer_to("eval I6 alpha=0x1p-3,7.5 eta=0.1..10:log --points 40 --digits 20").at("columns");
   REQUIRE(columns.at("alpha").size() == 80);
   for (const std::size_t row : {0U, 17U, 39U, 40U, 79U}) {
     CAPTURE(row);
@@ -64,9 +63,7 @@ TEST_CASE("choices can be swept, and a seed's form") {
 
 TEST_CASE("a sweep names in each row the paths that missed the accuracy, and its status is 1") {
   const std::string nip = "eval nip.load L_over_B=20 poisson=0.4999 friction=none,full --path fast ";
-  const Outcome some = run(nip + "rtol=2e-13 --json");
-  CHECK(some.status == 1);
-  const json columns = json::parse(some.out).at("columns");
+  const json columns = answer_to(nip + "rtol=2e-13", 1).at("columns");
   CHECK(columns["missed"] == json{nullptr, "fast"});
   for (const std::size_t row : {0U, 1U})
     CHECK((columns["fast_error"][row] > 2e-13 * columns["fast"][row].get<double>()) == (row == 1));

@@ -21,7 +21,7 @@ std::string text_of(const std::filesystem::path& path) {
 /// Changes the first place where `from` stands.
 void edit(const std::filesystem::path& path, const std::string& from, const std::string& to) {
   std::string text = text_of(path);
-  REQUIRE(text.find(from) != std::string::npos);
+  REQUIRE(contains(text, from));
   text.replace(text.find(from), from.size(), to);
   std::ofstream(path) << text;
 }
@@ -55,8 +55,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
         0);
   const json kept = answer("golden check root.re I2", "golden_check", 0);
-  CHECK(run("golden check I2 --every 50").out.find("recomputed by the reference: PASS\n") !=
-        std::string::npos);
+  CHECK(contains(run("golden check I2 --every 50").out, "recomputed by the reference: PASS\n"));
   CHECK(kept["files"].size() == 2);
   CHECK(kept["files"][0]["hashed"] == true);
   CHECK(answer("golden list I2 I3", "golden_list", 0)["missing"] == json{"I3"});
@@ -77,8 +76,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(changed["files"][0]["failures"][1]["fault"] == "wrong");
     const Outcome text = run("golden check root.re I2");
     CHECK(text.status == 1);
-    CHECK(text.out.find("12 golden values: 1 wrong, 0 too-wide, 1 text-changed, 0 missing") !=
-          std::string::npos);
+    CHECK(contains(text.out, "12 golden values: 1 wrong, 0 too-wide, 1 text-changed, 0 missing"));
 
     edit(folder.file("I2.csv"), "# scale: ", "# scale: formerly ");
     const std::string before = text_of(folder.file("I2.csv"));
@@ -88,14 +86,14 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(run("golden check root.re I2").status == 0);
     const std::string after = text_of(folder.file("I2.csv"));
     CHECK(after != before);
-    CHECK(after.find("# updated: 1 rows by ") != std::string::npos);
-    CHECK(after.find("formerly") == std::string::npos);
-    CHECK(run("golden update I2 --dirty --in-place").out.find("0 of 6 rows changed") != std::string::npos);
+    CHECK(contains(after, "# updated: 1 rows by "));
+    CHECK(!contains(after, "formerly"));
+    CHECK(contains(run("golden update I2 --dirty --in-place").out, "0 of 6 rows changed"));
     CHECK(text_of(folder.file("I2.csv")) == after);
     const Outcome all = run("golden update I2 --dirty --in-place --all");
-    CHECK(all.out.find("\n- ") != std::string::npos);
-    CHECK(all.out.find("\n+ ") != std::string::npos);
-    CHECK(all.out.find("6 of 6 rows changed") != std::string::npos);
+    CHECK(contains(all.out, "\n- "));
+    CHECK(contains(all.out, "\n+ "));
+    CHECK(contains(all.out, "6 of 6 rows changed"));
   }
   SUBCASE("a wide bound is told even where the checksum agrees") {
     const std::string text = text_of(folder.file("root.re.csv"));
@@ -153,7 +151,7 @@ TEST_CASE("golden: where new values go is said, and no file that is there gets f
   const std::string changed = text_of(folder.file("I2.csv"));
   CHECK(run("golden update I2 --dirty" + to_file).status == 0);
   CHECK(text_of(folder.file("I2.csv")) == changed);
-  CHECK(text_of(file).find("# updated: 1 rows by ") != std::string::npos);
+  CHECK(contains(text_of(file), "# updated: 1 rows by "));
 }
 
 TEST_CASE("golden: bad input is refused before anything is written") {
@@ -170,7 +168,7 @@ TEST_CASE("golden: bad input is refused before anything is written") {
   check_call_refused("golden check " + std::string(300, 'a') + ".csv", "must be a file that can be read");
   check_call_refused("golden list --all", "golden list has no such option");
   check_call_refused("golden update I1 --dirty --in-place", "must be a file that exists");
-  const json commit = json::parse(run("--version --json").out)["nipref"]["commit"];
+  const json commit = answer_to("--version")["nipref"]["commit"];
   if (commit.is_null() || commit.get<std::string>().ends_with("-dirty")) {
     check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");
   }

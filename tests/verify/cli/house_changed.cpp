@@ -62,8 +62,3 @@ TEST_CASE("changed files are those that git sees, new ones too") {
   fs::current_path(before);
   fs::remove_all(tree);
 }
-
-TEST_CASE("what is changed is audited without names") {
-  check_call_refused("audit I1 --changed", "changed = (given): must be left out");
-  check_call_refused("audit --since HEAD", "since = HEAD: must be given with --changed");
-}

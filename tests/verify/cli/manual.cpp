@@ -37,10 +37,10 @@ TEST_CASE("the manual's page tells of every verb and option, and roff takes it w
   const std::string page = verify::manual_page();
   for (const verify::VerbText& verb : verify::verbs()) {
     CAPTURE(verb.name);
-    CHECK(page.find("\n.SS " + verb.name + "\n") != std::string::npos);
+    CHECK(contains(page, "\n.SS " + verb.name + "\n"));
   }
   for (const char* option : {"\\-\\-digits", "\\-\\-no\\-times", "\\-\\-max\\-slowdown"})
-    CHECK(page.find(option) != std::string::npos);
+    CHECK(contains(page, option));
   const verify::ProgramOutput set =
       verify::output_of({"sh", "-c", "groff -man -Tascii -P-cbou -ww 2>&1"}, page);
   if (set.status == verify::status_not_found) {
@@ -48,8 +48,8 @@ TEST_CASE("the manual's page tells of every verb and option, and roff takes it w
     return;
   }
   CHECK(set.status == 0);
-  CHECK(set.text.find("warning") == std::string::npos);
-  CHECK(set.text.find("EXIT STATUS") != std::string::npos);
+  CHECK(!contains(set.text, "warning"));
+  CHECK(contains(set.text, "EXIT STATUS"));
 }
 
 TEST_CASE("bash completes verbs, quantities, options, scenes and tables") {
@@ -82,7 +82,7 @@ TEST_CASE("zsh and fish complete the same") {
                                         {"nipref eval I6 al", "alpha="},
                                         {"nipref I6 et", "eta="}}) {
       CAPTURE(words);
-      CHECK(by_shell(words).find("\n" + std::string(wanted) + "\n") != std::string::npos);
+      CHECK(contains(by_shell(words), "\n" + std::string(wanted) + "\n"));
     }
   }
 }

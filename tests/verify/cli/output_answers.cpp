@@ -179,10 +179,10 @@ TEST_CASE("without times an answer is the same each time") {
     CHECK_FALSE(holds_times(json::parse(first.out)));
     CHECK(run(std::string(arguments) + " --json --no-times").out == first.out);
   }
-  CHECK(holds_times(json::parse(run("eval I1 alpha=0.73 --json").out)));
+  CHECK(holds_times(answer_to("eval I1 alpha=0.73")));
   const Outcome refused = run("eval I1 alpha=0.73 --no-times");
   CHECK(refused.status == 2);
-  CHECK(refused.err.find("no-times") != std::string::npos);
+  CHECK(contains(refused.err, "no-times"));
 }
 
 TEST_CASE("with --json an error is an answer too, and its line and status are as ever") {
@@ -217,21 +217,20 @@ TEST_CASE("an error about bytes that are no text is an answer all the same") {
 TEST_CASE("--version names version, commit, compiler, libraries and instruction set, as every answer does") {
   const Outcome text = run("--version");
   CHECK(text.status == 0);
-  const json program = json::parse(run("--version --json").out).at("nipref");
-  CHECK(program == json::parse(run("list --json").out).at("nipref"));
+  const json program = answer_to("--version").at("nipref");
+  CHECK(program == answer_to("list").at("nipref"));
   for (const char* name : {"version", "compiler", "instruction_set"})
-    CHECK(text.out.find(program.at(name).get<std::string>()) != std::string::npos);
+    CHECK(contains(text.out, program.at(name).get<std::string>()));
   for (const char* name : {"commit", "commit_date"}) {
-    if (program.at(name).is_string())
-      CHECK(text.out.find(program[name].get<std::string>()) != std::string::npos);
+    if (program.at(name).is_string()) CHECK(contains(text.out, program[name].get<std::string>()));
   }
   for (const char* library : {"Boost", "GMP", "MPFR", "fmt"})
-    CHECK(text.out.find(std::string(library) + " " +
-                        program.at("libraries").at(library).get<std::string>()) != std::string::npos);
+    CHECK(contains(text.out,
+                   std::string(library) + " " + program.at("libraries").at(library).get<std::string>()));
 }
 
 TEST_CASE("the schema is what it is checked by: a name more, less or of another kind does not fit") {
-  const json good = json::parse(run("eval I1 alpha=0.73 --json").out);
+  const json good = answer_to("eval I1 alpha=0.73");
   const auto misfit_after = [&](const auto& change) {
     json bad = good;
     change(bad);

@@ -59,14 +59,14 @@ TEST_CASE("an error that cannot be answered either is told on standard error") {
   const Outcome outcome = run("eval I9 --json >/dev/full");
   CHECK(outcome.status == 4);
   CHECK(std::ranges::count(outcome.err, '\n') == 2);
-  CHECK(outcome.err.find("quantity = I9") != std::string::npos);
-  CHECK(outcome.err.find("No space left on device") != std::string::npos);
+  CHECK(contains(outcome.err, "quantity = I9"));
+  CHECK(contains(outcome.err, "No space left on device"));
 }
 
 TEST_CASE("a closed standard error takes nothing from the answer or the status") {
   const Outcome good = run("eval I1 alpha=0.73 2>&-; exit $?");
   CHECK(good.status == 0);
-  CHECK(good.out.find("0.20699024464081926702") != std::string::npos);
+  CHECK(contains(good.out, "0.20699024464081926702"));
   const Outcome bad = run("eval I9 2>&-; exit $?");
   CHECK(bad.status == 2);
   CHECK(bad.out.empty());

@@ -71,9 +71,7 @@ std::string refusal_of(auto action) {
   return "";
 }
 
-bool is_said(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool is_said(const std::string& text, const std::string& part) { return contains(text, part); }
 
 }  // namespace
 

@@ -228,7 +228,7 @@ TEST_CASE("figures are drawn as SVG with all their series, where gnuplot is ther
     CHECK(outcome.out.starts_with(id));
     const Figure all = figure(id);
     CHECK(times_in(svg.text(), "<g id=\"gnuplot_plot_") == plots_of(all));
-    CHECK(svg.text().find(all.parameters.substr(0, 20)) != std::string::npos);
+    CHECK(contains(svg.text(), all.parameters.substr(0, 20)));
     CHECK(csv.text() == verify::figure_csv(all));
   }
 }

@@ -61,7 +61,7 @@ TEST_CASE("fast with a perturbed coefficient is found by golden values, the othe
   CHECK(checked.failures.size() > 20);
   for (const verify::GoldenFailure& failure : checked.failures) {
     CHECK(failure.fault == GoldenFault::wrong);
-    CHECK(failure.what.find("fast is") != std::string::npos);
+    CHECK(contains(failure.what, "fast is"));
     CHECK(std::abs(file.rows[*failure.row - 1].arguments[0]) < 0.1);
   }
 }
@@ -79,7 +79,7 @@ TEST_CASE("a reference that moves by less than any double sees is found") {
   const verify::CheckedGolden checked = verify::check_rows(moved, last_of(golden("I1"), 10), {});
   REQUIRE(checked.failures.size() == 10);
   CHECK(checked.failures.front().fault == GoldenFault::wrong);
-  CHECK(checked.failures.front().what.find("the reference is") != std::string::npos);
+  CHECK(contains(checked.failures.front().what, "the reference is"));
 }
 
 TEST_CASE("a bound too wide to say anything is told, and not wrong") {

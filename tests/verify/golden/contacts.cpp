@@ -40,7 +40,7 @@ TEST_CASE("golden contacts: at least 200 of each kind, 100 of those that roll, e
     for (const verify::GoldenContact& row : file.rows) {
       keys.insert(row.keys);
       CHECK(row.confirmed_by.starts_with("fast to "));
-      if (row.confirmed_by.find("; ") != std::string::npos) ++by_second_method;
+      if (contains(row.confirmed_by, "; ")) ++by_second_method;
     }
     CHECK(keys.size() == file.rows.size());
     // Some contacts are not known to all digits.
@@ -96,7 +96,7 @@ TEST_CASE("a file of golden contacts that is none is refused with line and colum
   const std::string text = verify::contacts_text(unit_contact());
   const auto refusal = [&](const std::string& from, const std::string& to) -> std::string {
     std::string changed = text;
-    REQUIRE(changed.find(from) != std::string::npos);
+    REQUIRE(contains(changed, from));
     const ScratchFile file(changed.replace(changed.find(from), from.size(), to));
     try {
       static_cast<void>(verify::read_contacts(file.path()));
@@ -106,9 +106,8 @@ TEST_CASE("a file of golden contacts that is none is refused with line and colum
     return "";
   };
   CHECK(refusal("load,", "load,") == "");
-  CHECK(refusal("quantity: contacts-frictionless", "quantity: contacts-soft").find("must be one of") !=
-        std::string::npos);
-  CHECK(refusal(",load,", ",force,").find("must be the column load") != std::string::npos);
-  CHECK(refusal(",proven,", ",certain,").find("must be proven or estimated") != std::string::npos);
-  CHECK(refusal("e-", "f-").find("must be a finite decimal number") != std::string::npos);
+  CHECK(contains(refusal("quantity: contacts-frictionless", "quantity: contacts-soft"), "must be one of"));
+  CHECK(contains(refusal(",load,", ",force,"), "must be the column load"));
+  CHECK(contains(refusal(",proven,", ",certain,"), "must be proven or estimated"));
+  CHECK(contains(refusal("e-", "f-"), "must be a finite decimal number"));
 }

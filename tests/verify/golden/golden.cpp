@@ -48,33 +48,28 @@ TEST_CASE("a golden file older than an argument has that argument's default") {
       "# quantity: un\n# digits: 30\nalpha,poisson,value,bound,scale,status,confirmed_by,origin\n"
       "0x1p-1,0x1p-2,1,1e-9,1,proven,closed form,dense\n");
   CHECK(verify::read_golden(file.path()).rows[0].arguments == verify::Point{0.5, 1, 0.25});
-  CHECK(refusal("# quantity: un\n# digits: 30\nalpha,young,value,bound,scale,status,confirmed_by,origin\n")
-            .find(":3:13: must be the column poisson") != std::string::npos);
+  CHECK(contains(
+      refusal("# quantity: un\n# digits: 30\nalpha,young,value,bound,scale,status,confirmed_by,origin\n"),
+      ":3:13: must be the column poisson"));
 }
 
 TEST_CASE("a golden file that is none is refused with line and column") {
   const std::string good = ",1,1e-9,1,proven,closed form,dense\n";
   CHECK(refusal(head + row + good) == "");
-  CHECK(refusal("# quantity: I9\n# digits: 30\nx\n").find("I9") != std::string::npos);
-  CHECK(refusal("# digits: 30\nx\n").find("quantity = (missing)") != std::string::npos);
-  CHECK(refusal("# quantity: I1\nalpha\n").find("digits = (missing)") != std::string::npos);
-  CHECK(refusal("# quantity: I1\n# digits: 30\nalpha,value\n")
-            .find(":3:7: must be followed by the column bound") != std::string::npos);
-  CHECK(refusal("# quantity: I1\n# digits: 30\neta,value\n").find(":3:1: must be the column alpha") !=
-        std::string::npos);
-  CHECK(refusal(head + row + ",one,1e-9,1,proven,c,dense\n").find("must be a finite decimal number") !=
-        std::string::npos);
-  CHECK(refusal(head + row + ",nan,1e-9,1,proven,c,dense\n").find("must be a finite decimal number") !=
-        std::string::npos);
-  CHECK(refusal(head + row + ",1,-1e-9,1,proven,c,dense\n").find("must not be negative") !=
-        std::string::npos);
-  CHECK(refusal(head + row + ",1,1e-9,-1,proven,c,dense\n").find("must not be negative") !=
-        std::string::npos);
-  CHECK(refusal(head + row + ",1,1e-9,1,certain,c,dense\n").find("must be proven or estimated") !=
-        std::string::npos);
+  CHECK(contains(refusal("# quantity: I9\n# digits: 30\nx\n"), "I9"));
+  CHECK(contains(refusal("# digits: 30\nx\n"), "quantity = (missing)"));
+  CHECK(contains(refusal("# quantity: I1\nalpha\n"), "digits = (missing)"));
+  CHECK(contains(refusal("# quantity: I1\n# digits: 30\nalpha,value\n"),
+                 ":3:7: must be followed by the column bound"));
+  CHECK(contains(refusal("# quantity: I1\n# digits: 30\neta,value\n"), ":3:1: must be the column alpha"));
+  CHECK(contains(refusal(head + row + ",one,1e-9,1,proven,c,dense\n"), "must be a finite decimal number"));
+  CHECK(contains(refusal(head + row + ",nan,1e-9,1,proven,c,dense\n"), "must be a finite decimal number"));
+  CHECK(contains(refusal(head + row + ",1,-1e-9,1,proven,c,dense\n"), "must not be negative"));
+  CHECK(contains(refusal(head + row + ",1,1e-9,-1,proven,c,dense\n"), "must not be negative"));
+  CHECK(contains(refusal(head + row + ",1,1e-9,1,certain,c,dense\n"), "must be proven or estimated"));
   std::string unknown = row;
   unknown.replace(unknown.find("minus"), 5, "other");
-  CHECK(refusal(head + unknown + good).find("must be 56 or plus or minus") != std::string::npos);
+  CHECK(contains(refusal(head + unknown + good), "must be 56 or plus or minus"));
 }
 
 TEST_CASE(
@@ -99,7 +94,7 @@ TEST_CASE(
     for (const verify::GoldenRow& one : file.rows) {
       points.insert(one.arguments);
       origins.insert(one.origin.substr(0, one.origin.find('@')));
-      CHECK(one.confirmed_by.find(" to ") != std::string::npos);
+      CHECK(contains(one.confirmed_by, " to "));
     }
     CHECK(points.size() == file.rows.size());
     CHECK(origins.contains("worst:fast"));

@@ -53,7 +53,7 @@ TEST_CASE("a wrong sign is wrong everywhere, and a wrong limit where it is") {
   CHECK(tiny.found.spread.wrong->upper[0] > 1e-8);
   verify::Json row = verify::grade_json(tiny);
   row.append({{"_behaviour", false}, {"baseline", nullptr}, {"remarks", std::vector<verify::Json>{}}});
-  CHECK(verify::text_of("grade.txt", row).find("above the promise at") != std::string::npos);
+  CHECK(contains(verify::text_of("grade.txt", row), "above the promise at"));
 }
 
 TEST_CASE("single precision is seen, but for the points that it can hold") {

@@ -68,7 +68,7 @@ void check_only_fault(const std::vector<Fault>& faults, FaultKind kind, const st
   CAPTURE(faults[0].words);
   CHECK(faults[0].kind == kind);
   CHECK(faults[0].point == Point{here});
-  CHECK(faults[0].words.find(says) != std::string::npos);
+  CHECK(contains(faults[0].words, says));
 }
 
 void check_same_numbers(const AuditResult& a, const AuditResult& b) {
@@ -208,7 +208,7 @@ TEST_CASE(
     CHECK(groups[0].kind == FaultKind::overrun);
     CHECK(groups[0].count > 50);
     const std::string what = name == "reads_too_much" ? "its arguments" : "its output";
-    CHECK(groups[0].first[0].words.find(what) != std::string::npos);
+    CHECK(contains(groups[0].first[0].words, what));
   }
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("values that depend on the place of a point among the others are named
   const auto groups = verify::grouped(found.faults);
   REQUIRE_FALSE(groups.empty());
   CHECK(groups[0].kind == FaultKind::order);
-  CHECK(groups[0].first[0].words.find("in another order of points") != std::string::npos);
+  CHECK(contains(groups[0].first[0].words, "in another order of points"));
 }
 
 TEST_CASE("a state that threads share without care is found, in kernels and in bare functions") {
@@ -249,7 +249,7 @@ TEST_CASE("a crash in larger batches alone is named with the batch, and its poin
   const std::string& words = found.faults[0].words;
   CAPTURE(words);
   const std::string begins = ", in a batch of ";
-  REQUIRE(words.find(begins) != std::string::npos);
+  REQUIRE(contains(words, begins));
   // Halves of what crashes, until neither crashes.
   const char size = words[words.find(begins) + begins.size()];
   CHECK(size >= '4');
@@ -312,8 +312,8 @@ TEST_CASE("a plugin that prints and flushes small numbers as it is loaded is nam
   REQUIRE(groups.size() == 2);
   CHECK(groups[0].kind == FaultKind::environment);
   CHECK(groups[0].count == 1);
-  CHECK(groups[0].first[0].words.find("FTZ") != std::string::npos);
-  CHECK(groups[0].first[0].words.find("DAZ") != std::string::npos);
+  CHECK(contains(groups[0].first[0].words, "FTZ"));
+  CHECK(contains(groups[0].first[0].words, "DAZ"));
   CHECK(groups[0].first[0].words.ends_with("by being loaded"));
 #endif
   CHECK(groups.back().kind == FaultKind::output);
@@ -337,7 +337,7 @@ TEST_CASE("a shared object of a newer header is understood, others are refused i
       FAIL("not refused");
     } catch (const data::BadInput& error) {
       CAPTURE(error.what());
-      CHECK(std::string(error.what()).find(says) != std::string::npos);
+      CHECK(contains(std::string(error.what()), says));
     }
   };
   refused({plugin_file("other_abi")}, "ABI number 2: must be 1");
@@ -366,7 +366,7 @@ TEST_CASE("faults are told in a few lines, with where the others lie") {
         "  crash at alpha=0.75 (0x1.8p-1): SIGSEGV\n"
         "  crash: and 96 more, all in alpha=0 (0x0p+0) ... alpha=24.75 (0x1.8cp+4)\n"
         "  environment changed: leaves another rounding mode, in open\n");
-  CHECK(verify::faults_json(quantity, faults).text().find("\"count\": 100") != std::string::npos);
+  CHECK(contains(verify::faults_json(quantity, faults).text(), "\"count\": 100"));
 }
 
 TEST_CASE("a kernel that is thirty times slower is seen to be slower than the sound one and than fast") {

@@ -23,9 +23,7 @@ namespace {
 /// nu = 1/3: mu = 1, lambda + 2 mu = 4.
 const data::IsotropicSolid isotropic{1, 1.0 / 3, 1};
 
-bool says(const ReplayedCell& cell, const std::string& part) {
-  return cell.note.find(part) != std::string::npos;
-}
+bool says(const ReplayedCell& cell, const std::string& part) { return contains(cell.note, part); }
 
 }  // namespace
 

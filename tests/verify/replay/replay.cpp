@@ -90,7 +90,7 @@ TEST_CASE(
     CHECK(witnesses.size() == 3);
     for (const verify::LengthWitness& witness : witnesses) CHECK(witness.length.upper < upper);
     CHECK(verify::chance_of_agreement(witnesses, 0.1e-3) == doctest::Approx(chance).epsilon(0.15));
-    CHECK(cell_of(replayed(id), 7, "L").note.find(told) != std::string::npos);
+    CHECK(contains(cell_of(replayed(id), 7, "L").note, told));
   }
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0.2, 0.3}}}, 1) == 1);
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0, 0.2}}}, 1) == doctest::Approx(0.3));
@@ -105,7 +105,7 @@ TEST_CASE("a reading that rests on the replay is judged by its chance: of none i
       CAPTURE(id);
       CAPTURE(cell.row);
       CHECK(cell.verdict != Verdict::misprint);
-      CHECK(cell.note.find("by chance in") != std::string::npos);
+      CHECK(contains(cell.note, "by chance in"));
       ++judged;
     }
   }
@@ -190,8 +190,7 @@ TEST_CASE("the printed creep of Table III is rounded away from zero, and of no o
     const verify::Replay& replay = replayed(id);
     CAPTURE(id);
     const auto is_so = [](const verify::ReplayedCell& cell) {
-      return cell.verdict == Verdict::seed_error &&
-             cell.note.find("rounded away from zero") != std::string::npos;
+      return cell.verdict == Verdict::seed_error && contains(cell.note, "rounded away from zero");
     };
     CHECK(std::ranges::any_of(replay.cells, is_so) == (id == "thesis-III"));
     CHECK(replay.count(Verdict::input) == 16);  // L and creep
@@ -216,7 +215,7 @@ TEST_CASE("the notes of missed cells say what would meet them") {
   };
   const auto says = [](const std::string& text, const std::string& part) {
     CAPTURE(text);
-    CHECK(text.find(part) != std::string::npos);
+    CHECK(contains(text, part));
   };
   says(note("thesis-VI", 7, "p_max"), "one digit from 6768");
   says(note("thesis-IV", 6, "q_max"), "not the largest: element 3 of 3 has 55.03");
@@ -235,16 +234,14 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
     REQUIRE(replayed.corrected);
     if (replayed.row != 0) continue;
     if (replayed.column == "L") {
-      CHECK(*replayed.corrected == doctest::Approx(truth.contact_length().value).epsilon(1e-8).scale(0));
+      CHECK(*replayed.corrected == approx(truth.contact_length().value, 1e-8));
     }
     if (replayed.column == "creep") {
-      CHECK(*replayed.corrected == doctest::Approx(truth.creep_ratio().value).epsilon(1e-7).scale(0));
+      CHECK(*replayed.corrected == approx(truth.creep_ratio().value, 1e-7));
     }
     if (replayed.column == "d1/d0") {
       CHECK(*replayed.corrected ==
-            doctest::Approx(truth.leading_displacement().value / truth.indentation().value)
-                .epsilon(1e-8)
-                .scale(0));
+            approx(truth.leading_displacement().value / truth.indentation().value, 1e-8));
     }
   }
   REQUIRE(replay.costs.size() == 1);
@@ -255,7 +252,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more: issue 4
   CHECK(length.mean < 0.19);
   const std::string text = verify::text_of("tables.txt", verify::tables_json({replay}, true));
-  CHECK(text.find("discretisation (against the continuous contact of the same load)") != std::string::npos);
+  CHECK(contains(text, "discretisation (against the continuous contact of the same load)"));
 }
 
 TEST_CASE(

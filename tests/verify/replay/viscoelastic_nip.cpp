@@ -77,8 +77,8 @@ TEST_CASE(
   }
   SUBCASE("the notes' rows come out to their printed digits") {
     const Replay& replay = replayed("thesis-XV");
-    CHECK(cell_of(replay, 5, "d0").value == doctest::Approx(575.042e-6).scale(0).epsilon(1e-5));
-    CHECK(cell_of(replay, 5, "muR").value == doctest::Approx(702.36e-6).scale(0).epsilon(1e-5));
+    CHECK(cell_of(replay, 5, "d0").value == approx(575.042e-6, 1e-5));
+    CHECK(cell_of(replay, 5, "muR").value == approx(702.36e-6, 1e-5));
     CHECK(cell_of(replay, 5, "d0").verdict == Verdict::match);
     // m2 = 4 of m1 = 5 follows from the printed lengths.
     CHECK(cell_of(replay, 4, "L1").value / cell_of(replay, 4, "L2").value ==
@@ -90,20 +90,19 @@ TEST_CASE(
       CAPTURE(row);
       CHECK(replay.table.cell(row, "L1").is_readable() == false);
       CHECK(cell_of(replay, row, "d2").verdict == Verdict::input);
-      CHECK(cell_of(replay, row, "d2").value ==
-            doctest::Approx(replay.table.cell(row, "d2").number->value).scale(0).epsilon(1e-9));
+      CHECK(cell_of(replay, row, "d2").value == approx(replay.table.cell(row, "d2").number->value, 1e-9));
       CHECK(cell_of(replay, row, "d2/B").verdict == Verdict::misprint);
     }
     CHECK(cell_of(replay, 9, "muR").verdict == Verdict::match);
     CHECK(replay.table.cell(4, "L1").read_as == "77.402");
-    CHECK(cell_of(replay, 4, "L1").value == doctest::Approx(77.402e-3).scale(0).epsilon(1e-9));
+    CHECK(cell_of(replay, 4, "L1").value == approx(77.402e-3, 1e-9));
     CHECK(cell_of(replay, 4, "d2").verdict == Verdict::match);
   }
   SUBCASE("the creep of short relaxation times lacks what underflowed") {
     const Replay& replay = replayed("thesis-XXIV");
     const ReplayedCell& short_time = cell_of(replay, 8, "creep");
     CHECK(short_time.verdict == Verdict::seed_error);
-    CHECK(short_time.note.find("underflows") != std::string::npos);
+    CHECK(contains(short_time.note, "underflows"));
     CHECK(cell_of(replay, 0, "creep").verdict == Verdict::match);
   }
   SUBCASE("the known misses are misses, all of them, and the only ones in the viscoelastic tables") {
@@ -218,8 +217,8 @@ TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent co
   const auto solid = verify::viscoelastic_nip_of_the_tables(replay.table, 3, true);
   const auto contact = fast::converged_for_load(solid, 50, 1e-9);
   const ReplayedCell& d0 = cell_of(replay, 3, "d0");
-  CHECK(*d0.corrected == doctest::Approx(contact.indentation().value).scale(0).epsilon(1e-6));
-  CHECK(*d0.corrected_with_seed_material != doctest::Approx(*d0.corrected).scale(0).epsilon(1e-3));
+  CHECK(*d0.corrected == approx(contact.indentation().value, 1e-6));
+  CHECK(*d0.corrected_with_seed_material != approx(*d0.corrected, 1e-3));
 }
 
 TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact kernels") {
@@ -230,15 +229,15 @@ TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact
         6, 0.25, {{elastic.material.theta1(), {}}, {elastic.material.theta2(), {}}}, 1};
     const auto found = fast::viscoelastic_line_loads_for_length(rolling, {5, 5, 3, 200}, 0.05);
     const auto expected = fast::line_loads_for_length(elastic, {5, 200}, 0.1);
-    CHECK(found.load == doctest::Approx(expected.load).scale(0).epsilon(1e-10));
-    CHECK(found.indentation == doctest::Approx(expected.indentation).scale(0).epsilon(1e-10));
-    CHECK(found.peak_pressure == doctest::Approx(expected.peak_pressure).scale(0).epsilon(1e-10));
+    CHECK(found.load == approx(expected.load, 1e-10));
+    CHECK(found.indentation == approx(expected.indentation, 1e-10));
+    CHECK(found.peak_pressure == approx(expected.peak_pressure, 1e-10));
     CHECK(std::fabs(found.rolling_resistance) < 1e-12);
   }
   SUBCASE("the load search inverts the load") {
     const auto at_length = fast::viscoelastic_line_loads_for_length(nip, method, 0.05);
     const auto at_load = fast::viscoelastic_line_loads_for_load(nip, method, at_length.load);
-    CHECK(at_load.leading_length == doctest::Approx(0.05).scale(0).epsilon(1e-9));
+    CHECK(at_load.leading_length == approx(0.05, 1e-9));
   }
   SUBCASE("the search for m2 ends at the first that leaves no tension") {
     const auto found = fast::viscoelastic_line_loads_by_search(nip, {10, 10, 30, 300}, 50);

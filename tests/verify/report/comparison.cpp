@@ -107,8 +107,8 @@ TEST_CASE("what is better, worse, slower, new or gone in a report is told, the w
   const std::string text = text_of("comparison.txt", comparison_json(found, 2));
   CHECK(text.starts_with(
       "against 0123456789, 2026-01-02: 2 worse, 1 slower, 3 better, 1 quicker, 1 changed, 1 new, 1 gone\n"));
-  CHECK(text.find("  worse   audit I1, largest error, ulp: 0.5 -> 0.6\n") != std::string::npos);
-  CHECK(text.find("and 8 more") != std::string::npos);
+  CHECK(contains(text, "  worse   audit I1, largest error, ulp: 0.5 -> 0.6\n"));
+  CHECK(contains(text, "and 8 more"));
 }
 
 TEST_CASE("an older report without a part has it told as new, once") {

@@ -85,9 +85,7 @@ std::size_t times_in_page(const std::string& page, const std::string& part) {
   return count;
 }
 
-bool in_page(const std::string& page, const std::string& part) {
-  return page.find(part) != std::string::npos;
-}
+bool in_page(const std::string& page, const std::string& part) { return contains(page, part); }
 
 /// What all attributes of a name hold.
 std::vector<std::string> attributes_of(const std::string& page, const std::string& name) {

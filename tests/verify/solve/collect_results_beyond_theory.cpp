@@ -34,8 +34,8 @@ std::map<std::string, double> warned_of(const auto& solution) {
 
 void check_meeting(const std::string& refusal, const std::string& key) {
   CAPTURE(refusal);
-  CHECK(refusal.find(key) != std::string::npos);
-  CHECK(refusal.find("the faces of the rollers would meet") != std::string::npos);
+  CHECK(contains(refusal, key));
+  CHECK(contains(refusal, "the faces of the rollers would meet"));
 }
 
 constexpr int ref_digits = 16;

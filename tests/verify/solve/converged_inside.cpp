@@ -99,12 +99,12 @@ TEST_CASE("scenes refuse what has no stresses inside the sheet") {
   const auto says = [](const data::SceneOverrides& overrides) {
     return refusal_of([&] { return verify::solve(inside_example("inside-full-friction", overrides)); });
   };
-  CHECK(says({{"field.depths", "[0, 1.5]"}}).find("field.depths[1] = ") != std::string::npos);
-  CHECK(says({{"field.positions", "[]"}}).find("field.positions = ") != std::string::npos);
-  CHECK(says({{"method.kind", "line-loads"},
-              {"method.leading_elements", "5"},
-              {"method.trailing_elements", "5"}})
-            .find("wanted[2] = ") != std::string::npos);
+  CHECK(contains(says({{"field.depths", "[0, 1.5]"}}), "field.depths[1] = "));
+  CHECK(contains(says({{"field.positions", "[]"}}), "field.positions = "));
+  CHECK(contains(says({{"method.kind", "line-loads"},
+                       {"method.leading_elements", "5"},
+                       {"method.trailing_elements", "5"}}),
+                 "wanted[2] = "));
   data::Scene far = inside_example("inside-full-friction", {{"field.positions", "[1e4]"}});
   far.wanted = {data::ResultId::stress_across};
   CHECK_THROWS_AS(static_cast<void>(verify::solve_by_ref(far, 16)), data::BadInput);
@@ -197,7 +197,7 @@ TEST_CASE(
   scene.wanted = {data::ResultId::stress_shear};
   const auto by_ref = verify::solve_by_ref(scene, 16);
   CHECK(by_ref.profile(data::ResultId::stress_shear)[0].proven);
-  CHECK(verify::solution_json(by_ref).text().find("\"proven\": false") != std::string::npos);
+  CHECK(contains(verify::solution_json(by_ref).text(), "\"proven\": false"));
 }
 
 TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contact, and fast's everywhere") {
@@ -312,12 +312,11 @@ TEST_CASE(
   const auto refused = [](const char* name, const data::SceneOverrides& overrides) {
     return refusal_of([&] { return verify::solve(inside_example(name, overrides)); });
   };
-  CHECK(refused("inside-line-loads", {{"method.residue_terms", "20"}}).find("residue_terms") !=
-        std::string::npos);
+  CHECK(contains(refused("inside-line-loads", {{"method.residue_terms", "20"}}), "residue_terms"));
   CHECK(refused("inside-line-loads", {{"load.per_length", "100"}, {"field.depths", "[1]"}}) == "accepted");
   data::SceneOverrides at_load{{"field.depths", "[0, 1]"}, {"field.positions", "[0.0]"}};
   at_load.emplace_back("wanted", "[\"displacement_across\"]");
-  CHECK(refused("inside-viscoelastic", at_load).find("remembers its own strains") != std::string::npos);
+  CHECK(contains(refused("inside-viscoelastic", at_load), "remembers its own strains"));
 }
 
 TEST_SUITE_END();

@@ -33,7 +33,7 @@ void check_same_material(const std::string& material, const std::string& other, 
   const auto a = solved(scene_text(material, by_convergence)), b = solved(scene_text(other, by_convergence));
   for (const char* name : {"contact_length", "rolling_resistance", "creep_ratio"}) {
     CAPTURE(name);
-    CHECK(a[name].value == doctest::Approx(b[name].value).epsilon(tolerance).scale(0));
+    CHECK(a[name].value == approx(b[name].value, tolerance));
   }
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("a started motion forgets its start, and says how far it is from the s
     return solved(scene_text(solid, line_loads(approach))).results[1].numbers.front();
   };
   const auto early = resistance(2), late = resistance(60), later = resistance(120);
-  CHECK(late.value == doctest::Approx(later.value).epsilon(1e-12).scale(0));
+  CHECK(late.value == approx(later.value, 1e-12));
   CHECK(std::fabs(early.value - late.value) > 1e-5 * late.value);
   const ScratchFile file(scene_text(solid, by_convergence));
   const double steady = verify::solve(data::load_scene(file.path())).results[1].numbers.front().value;
@@ -138,8 +138,7 @@ TEST_CASE("the number of trailing elements may be given or sought") {
                                        line_loads(30, "residue_terms = 200\ntrailing_elements = " +
                                                           std::to_string(static_cast<int>(trailing)) + "\n"),
                                        R"("leading_length")"));
-  CHECK(given["leading_length"].value ==
-        doctest::Approx(sought["leading_length"].value).epsilon(1e-12).scale(0));
+  CHECK(given["leading_length"].value == approx(sought["leading_length"].value, 1e-12));
 }
 
 TEST_CASE("a material that cannot be is refused at its key") {

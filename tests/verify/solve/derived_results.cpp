@@ -36,11 +36,9 @@ TEST_CASE(
   const auto& nip = std::get<data::ViscoelasticNipProblem>(scene.system).nip;
   const auto solution = verify::solve(scene);
   const double resistance = solution["rolling_resistance"].value, load = solution["load"].value;
-  CHECK(solution["eccentricity"].value ==
-        doctest::Approx(nip.roller_radius * resistance).scale(0).epsilon(1e-15));
-  CHECK(solution["resistance_force"].value == doctest::Approx(load * resistance).scale(0).epsilon(1e-15));
-  CHECK(solution["power_loss"].value ==
-        doctest::Approx(nip.speed * load * resistance).scale(0).epsilon(1e-15));
+  CHECK(solution["eccentricity"].value == approx(nip.roller_radius * resistance, 1e-15));
+  CHECK(solution["resistance_force"].value == approx(load * resistance, 1e-15));
+  CHECK(solution["power_loss"].value == approx(nip.speed * load * resistance, 1e-15));
   CHECK(solution["power_loss"].value > 0);
 }
 
@@ -57,10 +55,10 @@ TEST_CASE(
     const double error = ahead.error + behind.error + load.value * off.error + off.value * load.error;
     check_agree(ahead.value + behind.value, error, load.value * off.value);
     // (7.14) holds of line loads by themselves.
-    if (std::string(name).find("line") != std::string::npos)
-      CHECK(ahead.value + behind.value == doctest::Approx(load.value * off.value).scale(0).epsilon(1e-12));
+    if (contains(std::string(name), "line"))
+      CHECK(ahead.value + behind.value == approx(load.value * off.value, 1e-12));
     CHECK(ahead.value < load.value * solution["leading_length"].value);
-    if (std::string(name).find("line") == std::string::npos) CHECK(error < 1e-6 * ahead.value);
+    if (!contains(std::string(name), "line")) CHECK(error < 1e-6 * ahead.value);
   }
 }
 
@@ -72,7 +70,7 @@ TEST_CASE("an elastic nip has equal moments and loses nothing") {
   CHECK(solution["power_loss"].value == 0);
   // Hertz's line contact, nearly: 4 a W/(3 pi) on both sides together.
   const double hertz = 2 * solution["leading_length"].value * solution["load"].value / (3 * std::acos(-1.));
-  CHECK(ahead.value == doctest::Approx(hertz).scale(0).epsilon(0.05));
+  CHECK(ahead.value == approx(hertz, 0.05));
 }
 
 TEST_CASE("the reference has the moments of rolling line loads, whose sum is the eccentric load") {

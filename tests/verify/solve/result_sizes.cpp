@@ -89,13 +89,13 @@ TEST_CASE("a result meets the accuracy if each of its errors is no larger than i
   for (const auto& result : solution.results) CHECK(result.met() == true);
   const fast::Estimate load = solution["load"];
   CHECK(solution.results[1].allowed.front() == doctest::Approx(1e-6 * load.value));
-  CHECK(verify::text_of("solve.txt", verify::solution_json(solution)).find("missed") == std::string::npos);
+  CHECK(!contains(verify::text_of("solve.txt", verify::solution_json(solution)), "missed"));
   solution.results[1].numbers.front().error = 1.001e-6 * load.value;
   CHECK(solution.results[1].met() == false);
   solution.results[3].numbers.front().error = std::nan("");
   CHECK(solution.results[3].met() == false);
-  CHECK(unfolded(verify::plain(verify::text_of("solve.txt", verify::solution_json(solution))))
-            .find("accuracy 1e-06 is missed by load, pressure: the best there is") != std::string::npos);
+  CHECK(contains(unfolded(verify::plain(verify::text_of("solve.txt", verify::solution_json(solution)))),
+                 "accuracy 1e-06 is missed by load, pressure: the best there is"));
   const auto results = nlohmann::json::parse(verify::solution_json(solution).text()).at("results");
   CHECK(results["contact_length"]["met"] == true);
   CHECK(results["load"]["met"] == false);
@@ -127,19 +127,17 @@ TEST_CASE(
     CHECK_FALSE(solution.met().has_value());
     const std::string text =
         unfolded(verify::plain(verify::text_of("solve.txt", verify::solution_json(solution))));
-    CHECK(text.find("is met") == std::string::npos);
-    CHECK(
-        text.find("no accuracy is asked of line loads errors are the distance to the continuous contact ") !=
-        std::string::npos);
+    CHECK(!contains(text, "is met"));
+    CHECK(contains(text,
+                   "no accuracy is asked of line loads errors are the distance to the continuous contact "));
     CHECK(nlohmann::json::parse(verify::solution_json(solution).text())["distance_to"] ==
           "continuous contact");
   }
   const auto by_ref =
       verify::solve_by_ref(data::load_scene(data::example_scene("thin-frictionless-line-loads")));
   CHECK(by_ref.met() == true);
-  CHECK(unfolded(verify::plain(verify::text_of("solve.txt", verify::solution_json(by_ref))))
-            .find("accuracy 1e-30 is met errors are the distance to the discrete system ") !=
-        std::string::npos);
+  CHECK(contains(unfolded(verify::plain(verify::text_of("solve.txt", verify::solution_json(by_ref)))),
+                 "accuracy 1e-30 is met errors are the distance to the discrete system "));
   CHECK(nlohmann::json::parse(verify::solution_json(by_ref).text())["distance_to"] == "discrete system");
 }
 

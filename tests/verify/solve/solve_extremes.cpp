@@ -37,7 +37,7 @@ void check_refusal(const std::string& text, const std::string& says) {
     FAIL("accepted");
   } catch (const data::BadInput& error) {
     CAPTURE(error.what());
-    CHECK(std::string(error.what()).find(says) != std::string::npos);
+    CHECK(contains(std::string(error.what()), says));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_CASE("a result that is no number is refused by its name") {
       FAIL("accepted");
     } catch (const data::BadInput& error) {
       CAPTURE(error.what());
-      CHECK(std::string(error.what()).find("wanted[0] = load: ") != std::string::npos);
+      CHECK(contains(std::string(error.what()), "wanted[0] = load: "));
     }
   }
 }

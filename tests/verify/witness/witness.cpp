@@ -19,7 +19,7 @@ TEST_CASE("a witness that differs in anything does not agree, and says so") {
     verify::Witnessed bad = good;
     bad.*member = 1e-3;
     CHECK_FALSE(verify::Witness{true, {good, bad}}.agrees());
-    CHECK(verify::witness_json({true, {bad}}).text().find("\"agrees\": false") != std::string::npos);
+    CHECK(contains(verify::witness_json({true, {bad}}).text(), "\"agrees\": false"));
   }
   CHECK(verify::witness_json({}).is_null());
 }

@@ -47,7 +47,7 @@ TEST_CASE("materials: constants of a model are arguments by the names that a sce
         value("material.theta1 t=0.7 'material=prony(theta1_amplitudes=[4])'"));
   const Outcome swept = run("eval material.G 'material=elastic(shear=0.5..2)' t=1 --points 3");
   CHECK(swept.status == 0);
-  CHECK(swept.out.find("shear") != std::string::npos);
+  CHECK(contains(swept.out, "shear"));
 }
 
 TEST_CASE(
@@ -68,12 +68,6 @@ TEST_CASE(
   for (const char* name :
        {"material.theta1 t=1", "material.theta2 t=1", "material.K t=1", "material.loss_bulk omega=2"})
     CHECK(value(name + two) == value(name + six));
-  check_call_refused(
-      "eval material.K t=1 'material=standard-linear-solid(bulk=1, shear_1=2)'",
-      "bulk_viscosity=...) or standard-linear-solid(bulk=..., shear=..., relaxation_time=...)");
-  check_call_refused(
-      "eval Un t=1 T=2 shear=2",
-      "shear = 2: is part of the material: material=standard-linear-solid(bulk=..., shear=...");
 }
 
 TEST_CASE("materials: the second method confirms a moving load on a solid of two moduli") {
@@ -111,21 +105,10 @@ TEST_CASE("materials and solids: constants by default are the seed's, and keys a
 
 TEST_CASE("materials: only what the model has is written, and it is written in the material alone") {
   const std::string list = run("list Un").out;
-  CHECK(list.find("material=operators(P=[...], Q=[...]") != std::string::npos);
-  CHECK(list.find("P_2") == std::string::npos);
-  CHECK(run("eval material.K t=1 'material=elastic(bulk=2, shear=1)' --path fast")
-            .out.find("material = elastic(shear=1, bulk=2)\n") != std::string::npos);
-  check_call_refused("eval Un t=1 T=2 P_2=0",
-                     "P_2 = 0: is part of the material: material=operators(P=[...], Q=[...]");
-  check_call_refused("eval Un t=1 T=2 theta1_amplitude_2=1",
-                     "theta1_amplitude_2 = 1: is part of the material: material=prony(");
-  check_call_refused("eval Un t=1 T=2 'material=prony(P=[1])'", "must be prony(theta1_instantaneous=...");
-  check_call_refused("eval Un t=1 T=2 'material=prony(theta1_rates=[1, 2, 3])'",
-                     "theta1_rates = [1,2,3]: must hold 1 to 2 numbers");
-  check_call_refused("audit material.G material=elastic bulk=1..2", "bulk = 1..2: is part of the material");
-  check_call_refused("eval Un t=1 T=2 'material=operators(P=[1, 2]'",
-                     "material = operators(P=[1, 2]: must be");
-  check_call_refused("eval material.G t=1 'material=elastic(shear=1, shear=2)'", "given twice");
+  CHECK(contains(list, "material=operators(P=[...], Q=[...]"));
+  CHECK(!contains(list, "P_2"));
+  CHECK(contains(run("eval material.K t=1 'material=elastic(bulk=2, shear=1)' --path fast").out,
+                 "material = elastic(shear=1, bulk=2)\n"));
 }
 
 TEST_CASE("materials and solids may be those of a scene") {
@@ -145,33 +128,8 @@ TEST_CASE("materials and solids may be those of a scene") {
         output(
             "anisotropic.critical 'solid=anisotropic(stiffness=[68.3, 32.2, 30.4, 4.9, -2.3, -0.9, 184.3, 5, "
             "-4.4, -7.8, -6.4, 180, -9.2, 7.5, -9.4, 25, -2.4, -7.2, 26.9, 0.6, 33.6], density=2.62)'"));
-  check_call_refused("eval Un t=1 T=2 material=@none.toml", "material = none.toml: ");
-  check_call_refused("eval Un t=1 T=2 'material=@" + scenes + "half-space-anisotropic.toml'",
-                     "must be a scene's file with a table [material]");
-  check_call_refused("eval material.G t=1 'material=@" + scenes + "thin-full-friction.toml'",
-                     "must be elastic(shear=..., bulk=...)");
 }
 
 TEST_CASE("solids: the constants of a half-space are one argument") {
-  CHECK(run("list anisotropic.across").out.find("solid=anisotropic(stiffness=[...], density=...)") !=
-        std::string::npos);
-  check_call_refused("eval anisotropic.across speed=0.1 c12=3",
-                     "c12 = 3: is part of the solid: solid=anisotropic(");
-  check_call_refused("eval anisotropic.across speed=0.1 'solid=anisotropic(stiffness=[1, 2], density=1)'",
-                     "stiffness = [1,2]: must hold 21 numbers");
-  check_call_refused("eval Un t=1 T=2 'material=operators()'",
-                     "material = operators(): must be operators(P=");
-}
-
-TEST_CASE("materials: what is no solid is refused in one line") {
-  check_call_refused("eval material.G t=1 material=rubber", "material = rubber");
-  check_call_refused("eval material.G t=1 'material=prony(theta1_rates=[-1])'", "theta1_rate = -1");
-  check_call_refused("eval material.G t=1 'material=operators(Q=[0.375])'", "Q = of degree 0");
-  check_call_refused("eval material.K t=1 'material=thesis-misprint(relaxation_time=0)'",
-                     "relaxation_time = 0");
-  check_call_refused(
-      "eval material.creep_bulk t=1 "
-      "'material=prony(theta2_instantaneous=3, theta2_amplitudes=[3], theta2_rates=[1])'",
-      "theta2 = 3 theta1 at all times");
-  check_call_refused("eval material.theta1 t=1e10 material=prony", "t = 1");
+  CHECK(contains(run("list anisotropic.across").out, "solid=anisotropic(stiffness=[...], density=...)"));
 }

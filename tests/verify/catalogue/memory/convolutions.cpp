@@ -46,22 +46,6 @@ TEST_CASE("the solid is known by its name, on the command line and in JSON") {
   const Outcome thesis = run("eval Un t=3 T=2 'material=thesis-misprint(relaxation_time=0.5)' --json");
   CHECK(defined.status == 0);
   CHECK(thesis.status == 0);
-  CHECK(defined.out.find("\"material\": \"standard-linear-solid(bulk=1, relaxation_time=0.5)\"") !=
-        std::string::npos);
-  CHECK(thesis.out.find("\"material\": \"thesis-misprint(bulk=1, relaxation_time=0.5)\"") !=
-        std::string::npos);
-}
-
-TEST_CASE("arguments of the moving load are refused in one line each") {
-  check_call_refused("eval J1 lambda=-1 a=2 b=1 t=1 T=1", "lambda = -1");
-  check_call_refused("eval J2 lambda=1 a=2 b=1 t=-1 T=1", "t = -1");
-  check_call_refused("eval Un t=-1 T=1", "t = -1");
-  check_call_refused("eval Un t=1 T=2 'material=standard-linear-solid(relaxation_time=0)'",
-                     "relaxation_time = 0");
-  check_call_refused("eval Un t=1 T=2 'material=standard-linear-solid(relaxation_time=-0.1)'",
-                     "relaxation_time = -0.1");
-  check_call_refused("eval Un t=1 T=2 speed=0", "speed = 0");
-  check_call_refused("eval Un t=1 T=2 half_thickness=0", "half_thickness = 0");
-  check_call_refused("eval Un t=1 T=2 material=rubber", "material = rubber");
-  check_call_refused("eval Vn t=1 T=2", "t0 = (missing)");
+  CHECK(contains(defined.out, "\"material\": \"standard-linear-solid(bulk=1, relaxation_time=0.5)\""));
+  CHECK(contains(thesis.out, "\"material\": \"thesis-misprint(bulk=1, relaxation_time=0.5)\""));
 }
