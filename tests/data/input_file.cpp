@@ -2,6 +2,7 @@
 
 #include <nipref/data/input_file.hpp>
 
+#include "support/refusal.hpp"
 #include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
@@ -10,12 +11,7 @@ using namespace nipref;
 namespace {
 
 std::string refusal_of_input(const std::string& path) {
-  try {
-    static_cast<void>(data::open_input_file(path, "scene"));
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "(opened)";
+  return refusal_of([&] { return data::open_input_file(path, "scene"); });
 }
 
 }  // namespace
@@ -32,7 +28,7 @@ TEST_CASE("a file that is missing, a folder, and a file that may not be read are
   std::filesystem::permissions(file.path(), std::filesystem::perms::none);
   // Root may read all.
   CHECK(refusal_of_input(file.path()) ==
-        (geteuid() == 0 ? "(opened)"
+        (geteuid() == 0 ? "accepted"
                         : "scene = " + file.path() + ": must be a file that can be read: Permission denied"));
 }
 

@@ -1,5 +1,6 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 
+#include "support/refusal.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -23,15 +24,6 @@ void check_moduli(const ViscoelasticMaterial& material, const std::function<Comp
     check_equal(material.functions()->theta1.transform(p), 1.0 / (2.0 * shear(p)), tolerance);
     check_equal(material.functions()->theta2.transform(p), 3.0 / (6.0 * bulk(p) + 2.0 * shear(p)), tolerance);
   }
-}
-
-std::string refusal(const std::function<void()>& build) {
-  try {
-    build();
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "(accepted)";
 }
 
 }  // namespace
@@ -66,7 +58,7 @@ TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
             1, {{0.001, 1}, {amplitude, rate}, {std::conj(amplitude), std::conj(rate)}}};
         const data::MaterialFunction plane{
             0.3, {{0.0003, 1}, {0.3 * amplitude, rate}, {0.3 * std::conj(amplitude), std::conj(rate)}}};
-        return refusal([&] { (void)data::ViscoelasticMaterial(shear, plane); });
+        return refusal_of([&] { (void)data::ViscoelasticMaterial(shear, plane); });
       };
       CAPTURE(width);
       const bool one_refused = with(1).starts_with("material shear loss");
@@ -86,47 +78,49 @@ TEST_CASE("Kelvin's and Voigt's gives way to nothing at once, Maxwell's flows fo
   CHECK(maxwell.functions()->theta1.is_fluid());
   check_equal(maxwell.functions()->theta1.transform({0, 0.5}), Complex(1, -6), 1e-15);
   // It would give its energy back for ever, or in dilatation at any frequency.
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {-3}, {0}}, {0.25, {0.75}, {0}});
         }).starts_with("theta1 rate = 0"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {3}, {0}}, {0.25, {0.01}, {0}});
         }).starts_with("material dilatation loss"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::ViscoelasticMaterial({0, {}}, {1, {}});
         }).starts_with("theta1 instantaneous = 0"));
 }
 
 TEST_CASE("what is no material is refused by the name of what is wrong") {
   using data::single_relaxation_time_solid;
-  CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
-  CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, -2); }).starts_with("relaxation_time = -2: "));
-  CHECK(refusal([] { (void)single_relaxation_time_solid(0, 1, 1); }).starts_with("bulk = 0: "));
-  CHECK(refusal([] { (void)data::misprinted_thesis_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] { (void)single_relaxation_time_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
+  CHECK(
+      refusal_of([] { (void)single_relaxation_time_solid(1, 1, -2); }).starts_with("relaxation_time = -2: "));
+  CHECK(refusal_of([] { (void)single_relaxation_time_solid(0, 1, 1); }).starts_with("bulk = 0: "));
+  CHECK(
+      refusal_of([] { (void)data::misprinted_thesis_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
+  CHECK(refusal_of([] {
           (void)data::standard_linear_solid({1, 1, 1, 1, 0, 1});
         }).starts_with("shear_viscosity = 0: "));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {}, {}}, {1, {1}, {1}});
         }).starts_with("theta1_amplitudes = []"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {1}, {1}}, {1, {1}, {1, 2}});
         }).starts_with("theta2_rates = 2"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {1}, {-1}}, {0.3, {0.1}, {1}});
         }).starts_with("theta1 rate = -1"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {1, 1}, {2, 2}}, {0.3, {0.1}, {1}});
         }).starts_with("theta1 rate = 2: must not occur twice"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {-0.5}, {1}}, {0.3, {0.1}, {1}});
         }).starts_with("material shear loss"));
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {-2}, {1}}, {0.3, {0.1}, {1}});
         }).starts_with("theta1 long-time compliance"));
   // The plane compliance creeps far less than the shear: the bulk modulus would have to gain energy.
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           (void)data::prony_solid({1, {1}, {1}}, {0.3, {0.001}, {1}});
         }).starts_with("material dilatation loss"));
-  CHECK(refusal([] { (void)data::operator_solid({{1}, {0, 0}, {1}, {7}}); }).starts_with("Q = 0: "));
+  CHECK(refusal_of([] { (void)data::operator_solid({{1}, {0, 0}, {1}, {7}}); }).starts_with("Q = 0: "));
 }

@@ -13,108 +13,6 @@ using namespace nipref;
 using verify::Point;
 using verify::Quantity;
 
-TEST_CASE("the catalogue holds every quantity") {
-  std::set<std::string> names;
-  for (const Quantity& quantity : verify::catalogue()) names.insert(quantity.name);
-  CHECK(names.size() == verify::catalogue().size());
-  CHECK(names == std::set<std::string>{"root.re",
-                                       "root.im",
-                                       "I1",
-                                       "I2",
-                                       "I3",
-                                       "I4",
-                                       "I5",
-                                       "I6",
-                                       "I7",
-                                       "F1",
-                                       "F2",
-                                       "un",
-                                       "vn",
-                                       "us",
-                                       "vs",
-                                       "un.slope",
-                                       "vn.slope",
-                                       "vs.slope",
-                                       "sheet.sx",
-                                       "sheet.sy",
-                                       "sheet.txy",
-                                       "sheet.u",
-                                       "sheet.v",
-                                       "J1",
-                                       "J2",
-                                       "J3",
-                                       "J4",
-                                       "J5",
-                                       "J6",
-                                       "Un",
-                                       "Vn",
-                                       "Un_steady",
-                                       "Vn_steady",
-                                       "halfspace.compliance",
-                                       "halfspace.coupling",
-                                       "halfspace.condition",
-                                       "halfspace.compliance_beyond",
-                                       "halfspace.coupling_beyond",
-                                       "halfspace.rolling_index_beyond",
-                                       "halfspace.rayleigh",
-                                       "ti.rayleigh",
-                                       "ti.branch",
-                                       "ti.compliance",
-                                       "ti.condition",
-                                       "ti.coupling",
-                                       "ti.coupling_across",
-                                       "ti.critical",
-                                       "die.exponent",
-                                       "die.peak_place",
-                                       "die.span_ratio",
-                                       "die.force",
-                                       "rolling.index",
-                                       "rolling.span_ratio",
-                                       "rolling.finite_span_ratio",
-                                       "ellipse.axis_ratio",
-                                       "ellipse.stiffness",
-                                       "ti.span_ratio",
-                                       "ti.axis_ratio",
-                                       "halfspace.in_line",
-                                       "halfspace.across",
-                                       "halfspace.separation",
-                                       "rolling.strip",
-                                       "rolling.force",
-                                       "rolling.creep",
-                                       "anisotropic.compliance",
-                                       "anisotropic.coupling",
-                                       "anisotropic.coupling_across",
-                                       "anisotropic.shear_compliance",
-                                       "anisotropic.shear_compliance_across",
-                                       "anisotropic.in_line",
-                                       "anisotropic.across",
-                                       "anisotropic.critical",
-                                       "ti.exponent",
-                                       "ti.force",
-                                       "material.theta1",
-                                       "material.theta2",
-                                       "material.G",
-                                       "material.K",
-                                       "material.creep_shear",
-                                       "material.creep_bulk",
-                                       "material.storage_shear",
-                                       "material.storage_bulk",
-                                       "material.loss_shear",
-                                       "material.loss_bulk",
-                                       "material.G_of_p",
-                                       "material.K_of_p",
-                                       "nip.load",
-                                       "nip.indentation",
-                                       "nip.creep",
-                                       "nip.peak_pressure",
-                                       "nip.peak_shear",
-                                       "rolling_nip.resistance",
-                                       "rolling_nip.leading_share",
-                                       "rolling_nip.load",
-                                       "rolling_nip.indentation",
-                                       "rolling_nip.creep"});
-}
-
 TEST_CASE("every entry of the catalogue is complete") {
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
@@ -146,21 +44,23 @@ TEST_CASE("each quantity is once in the table of what is proven") {
 
 TEST_CASE("the table of what is proven calls these quantities estimated, and no others") {
   // So that no error of a flag and of the page agree.
-  const std::set<std::string> families{"die", "rolling", "ellipse"}, others{"halfspace.rolling_index_beyond",
-                                                                            "ti.critical",
-                                                                            "anisotropic.critical",
-                                                                            "halfspace.condition",
-                                                                            "ti.condition",
-                                                                            "ti.branch",
-                                                                            "ti.exponent",
-                                                                            "ti.span_ratio",
-                                                                            "ti.force",
-                                                                            "ti.axis_ratio",
-                                                                            "rolling_nip.creep"};
+  const std::set<std::string> families{"die", "rolling", "ellipse"};
+  const std::vector<std::string> others{"halfspace.rolling_index_beyond",
+                                        "ti.critical",
+                                        "anisotropic.critical",
+                                        "halfspace.condition",
+                                        "ti.condition",
+                                        "ti.branch",
+                                        "ti.exponent",
+                                        "ti.span_ratio",
+                                        "ti.force",
+                                        "ti.axis_ratio",
+                                        "rolling_nip.creep"};
   for (const TableRow& row : rows_of_proven("quantities")) {
     for (const std::string& name : names_in(row[0])) {
       CAPTURE(name);
-      const bool is_estimated = families.contains(name.substr(0, name.find('.'))) || others.contains(name);
+      const bool is_estimated = families.contains(name.substr(0, name.find('.'))) ||
+                                std::ranges::find(others, name) != others.end();
       CHECK(is_estimated == (row[1] == "estimated"));
     }
   }

@@ -1,6 +1,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
+#include "support/refusal.hpp"
 #include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
@@ -17,12 +18,7 @@ const std::string row =
 
 std::string refusal(const std::string& text) {
   const ScratchFile file(text);
-  try {
-    static_cast<void>(verify::read_golden(file.path()));
-  } catch (const data::BadInput& refused) {
-    return refused.what();
-  }
-  return "";
+  return refusal_of([&] { return verify::read_golden(file.path()); });
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ TEST_CASE("a golden file older than an argument has that argument's default") {
 
 TEST_CASE("a golden file that is none is refused with line and column") {
   const std::string good = ",1,1e-9,1,proven,closed form,dense\n";
-  CHECK(refusal(head + row + good) == "");
+  CHECK(refusal(head + row + good) == "accepted");
   CHECK(contains(refusal("# quantity: I9\n# digits: 30\nx\n"), "I9"));
   CHECK(contains(refusal("# digits: 30\nx\n"), "quantity = (missing)"));
   CHECK(contains(refusal("# quantity: I1\nalpha\n"), "digits = (missing)"));

@@ -1,6 +1,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
+#include "support/refusal.hpp"
 #include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
@@ -17,12 +18,7 @@ MeasuredPoints read(const std::string& csv, const std::optional<std::string>& qu
 
 /// What the refusal says is allowed.
 std::string refusal(const std::string& csv, const std::optional<std::string>& column = std::nullopt) {
-  try {
-    static_cast<void>(read(csv, "I6", column));
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "not refused";
+  return refusal_of([&] { return read(csv, "I6", column); });
 }
 
 }  // namespace

@@ -109,12 +109,3 @@ TEST_CASE("a rolling contact's largest pressure is ahead, where the reference ha
   CHECK(pressure[0].value < pressure[1].value);
   CHECK(pressure[2].value < pressure[1].value);
 }
-
-TEST_CASE("places of the shear are refused where there is none") {
-  data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
-  for (const data::ResultId id : {data::ResultId::peak_shear_position, data::ResultId::shear_zeros}) {
-    scene.wanted = {id};
-    CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("without friction there is no shear"),
-                         data::BadInput);
-  }
-}

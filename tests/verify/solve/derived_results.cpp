@@ -85,11 +85,6 @@ TEST_CASE("the reference has the moments of rolling line loads, whose sum is the
     CHECK(std::stod(by_ref[name].error_text()) < 1e-15 * static_cast<double>(value("leading_moment")));
 }
 
-TEST_CASE("the reference says that it has no moments of the continuous contact") {
-  CHECK_THROWS_WITH_AS((void)verify::solve_by_ref(resisting("viscoelastic-comparable-memory"), 16),
-                       doctest::Contains("leading_moment: must be wanted of the fast"), data::BadInput);
-}
-
 namespace {
 
 /// With evenly spaced profiles from end to end, or the middle to an end.
@@ -205,11 +200,4 @@ TEST_CASE("a contact that is solved again with more terms computes its results a
   CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-3);
   CHECK(contact.refine());
   CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-9);
-}
-
-TEST_CASE("between line loads there is no strain to be told") {
-  data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
-  scene.wanted = {data::ResultId::slip};
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene),
-                       doctest::Contains("slip: must be left out: between line loads"), data::BadInput);
 }

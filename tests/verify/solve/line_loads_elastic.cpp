@@ -209,10 +209,3 @@ TEST_CASE("the range of the thesis's creep is the reference's, and holds the cre
       CHECK(relative_error(by_ref.profile(data::ResultId::creep_range)[i], range[i].value) <= 1e-9);
   }
 }
-
-TEST_CASE("a range of creep is refused where there is one creep, or none") {
-  data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction"));
-  scene.wanted = {data::ResultId::creep_range};
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("a converged contact has one creep"),
-                       data::BadInput);
-}
