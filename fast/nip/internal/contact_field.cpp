@@ -61,7 +61,7 @@ ContactField::ContactField(const SolvedNip& nip, bool is_symmetric, double middl
   traction_error_ += field_.unresolved();
 }
 
-double ContactField::error_at(const SheetPoint& place, bool of_many) const {
+double ContactField::error_at(const SheetPoint& place) const {
   const double beside = std::fabs(std::fabs(place.alpha) - half_length_);
   const double outside = std::max(0.0, std::fabs(place.alpha) - half_length_),
                deep = 1 - std::fabs(place.depth);
@@ -70,18 +70,16 @@ double ContactField::error_at(const SheetPoint& place, bool of_many) const {
   const double unsure = ends_ + 4e-16 * (half_length_ + std::fabs(place.alpha));
   const double away = std::max(unsure, std::hypot(beside, deep));
   const double of_ends = peak_ * unsure * std::min(1.0, half_length_ / away) / std::sqrt(away * half_length_);
-  return of_ends + part * (4 * traction_error_ + peak_ * field_.rounding(of_many));
+  return of_ends + part * (4 * traction_error_ + peak_ * field_.rounding());
 }
 
 std::vector<InnerStresses> ContactField::at(const std::vector<SheetPoint>& places) const {
-  constexpr std::size_t few = 48;
-  std::vector<SheetPoint> moved;
-  for (const SheetPoint& place : places) moved.push_back({place.alpha - middle_, place.depth});
-  const std::vector<SheetStresses> stresses = field_.at(moved);
   std::vector<InnerStresses> result;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double error = error_at(moved[i], places.size() > few);
-    result.push_back({{stresses[i].across, error}, {stresses[i].along, error}, {stresses[i].shear, error}});
+  for (const SheetPoint& place : places) {
+    const SheetPoint moved{place.alpha - middle_, place.depth};
+    const auto [across, along, shear] = field_.at(moved);
+    const double error = error_at(moved);
+    result.push_back({{across, error}, {along, error}, {shear, error}});
   }
   return result;
 }

@@ -38,7 +38,7 @@ class ContactField {
   [[nodiscard]] GreatestShear greatest() const;
 
  private:
-  [[nodiscard]] double error_at(const SheetPoint& place, bool of_many) const;
+  [[nodiscard]] double error_at(const SheetPoint& place) const;
 
   bool is_symmetric_;
   double middle_, half_length_, ends_;

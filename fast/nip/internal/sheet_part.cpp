@@ -15,11 +15,9 @@ namespace {
 
 using internal::AlongWaves;
 using internal::FarLoads;
-using internal::FieldSeries;
 
-/// Distances from which on a load counts as far: sums over residues need near_load_end, the series of a cell needs 3
-/// from the centre.
-constexpr double nearest_far = 1.5, nearest_far_of_cell = 2.5;
+/// The distance from which on a load counts as far: sums over residues need near_load_end.
+constexpr double nearest_far = 1.5;
 static_assert(nearest_far >= internal::near_load_end);
 
 /// Of a block, at most a half-thickness long. On the ellipse through the next singularity, 2 i away, Chebyshev
@@ -77,12 +75,13 @@ double ContactBlocks::left_end(std::size_t block) const {
   return inner_ * (static_cast<double>(block) - static_cast<double>(of_side_));
 }
 
-ContactBlocks::Range ContactBlocks::near(double left, double right, double reach) const {
+ContactBlocks::Range ContactBlocks::near(double alpha, double reach) const {
   const auto first_not = [&](const auto& is_before) {
     return *std::ranges::partition_point(std::views::iota(std::size_t{0}, count()), is_before);
   };
-  const std::size_t begin = first_not([&](std::size_t block) { return left_end(block + 1) <= left - reach; });
-  const std::size_t end = first_not([&](std::size_t block) { return left_end(block) < right + reach; });
+  const std::size_t begin =
+      first_not([&](std::size_t block) { return left_end(block + 1) <= alpha - reach; });
+  const std::size_t end = first_not([&](std::size_t block) { return left_end(block) < alpha + reach; });
   return {begin, std::max(begin, end)};
 }
 
@@ -166,7 +165,7 @@ void SheetPart::sum_far() {
     to_the_right_[block - 1] = joined(to_the_right_[block], block - 1, false);
 }
 
-ContactBlocks::Range SheetPart::near(double alpha) const { return blocks_.near(alpha, alpha, nearest_far); }
+ContactBlocks::Range SheetPart::near(double alpha) const { return blocks_.near(alpha, nearest_far); }
 
 std::optional<FarLoads> SheetPart::to_the_left(const ContactBlocks::Range& near, double alpha) const {
   if (near.begin == 0) return std::nullopt;
@@ -205,52 +204,6 @@ internal::FromFace SheetPart::from_face(double alpha, double depth, const intern
   }
   if (const auto loads = to_the_left(seen, alpha)) add(1, there.far(*loads, 1), 0, {});
   if (const auto loads = to_the_right(seen, alpha)) add(1, there.far(*loads, -1), 0, {});
-  return sum;
-}
-
-/// A cell is as long as the largest number of inner blocks that fit into a half-thickness, so that the series of a
-/// block depends only on its distance from the cell.
-SheetPartInCells::SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks)
-    : part_(part), blocks_(blocks) {
-  if (blocks.inner() == 0) return;
-  blocks_of_cell_ = static_cast<long>(1 / blocks.inner());
-  length_ = blocks.inner() * static_cast<double>(blocks_of_cell_);
-}
-
-std::optional<long> SheetPartInCells::cell_of(double alpha) const {
-  constexpr double faded = 50;
-  if (!(std::fabs(alpha) < blocks_.half_length() + faded)) return std::nullopt;
-  return static_cast<long>(std::floor(alpha / length_));
-}
-
-ContactBlocks::Range SheetPartInCells::near(long cell) const {
-  return blocks_.near(centre(cell) - length_ / 2, centre(cell) + length_ / 2, nearest_far_of_cell);
-}
-
-const std::vector<FieldSeries>& SheetPartInCells::by_nodes(std::size_t block, long cell) {
-  const bool is_end = block == 0 || block + 1 == blocks_.count(), right = block >= blocks_.of_side();
-  const long away = static_cast<long>(block) - static_cast<long>(blocks_.of_side()) - cell * blocks_of_cell_;
-  std::vector<FieldSeries>& known = known_[{is_end, right, away}];
-  if (known.empty()) {
-    for (const SheetPart::Node& node : part_.nodes_of({block, block + 1}))
-      known.push_back(internal::rest_series(centre(cell) - node.alpha));
-  }
-  return known;
-}
-
-internal::StressSeries SheetPartInCells::series(long cell) {
-  internal::StressSeries sum;
-  const ContactBlocks::Range seen = near(cell);
-  for (std::size_t block = seen.begin; block < seen.end; ++block) {
-    const std::vector<FieldSeries>& of_unit_loads = by_nodes(block, cell);
-    const std::span<const SheetPart::Node> nodes = part_.nodes_of({block, block + 1});
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      sum.pressure.add(nodes[j].pressure, of_unit_loads[j]);
-      if (nodes[j].shear != 0) sum.shear.add(nodes[j].shear, of_unit_loads[j]);
-    }
-  }
-  if (const auto loads = part_.to_the_left(seen, centre(cell))) sum.add_far(*loads, 1);
-  if (const auto loads = part_.to_the_right(seen, centre(cell))) sum.add_far(*loads, -1);
   return sum;
 }
 

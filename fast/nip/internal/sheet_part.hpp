@@ -1,14 +1,11 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <vector>
 
 #include <nipref/fast/sheet/field.hpp>
-#include <nipref/fast/sheet/internal/field_series.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
 
 namespace nipref::fast {
@@ -41,8 +38,8 @@ class ContactBlocks {
   [[nodiscard]] double length(std::size_t block) const {
     return block == 0 || block + 1 == count() ? graded_ : inner_;
   }
-  /// The blocks that are nearer than `reach` to the interval from left to right.
-  [[nodiscard]] Range near(double left, double right, double reach) const;
+  /// The blocks that are nearer than `reach` to alpha.
+  [[nodiscard]] Range near(double alpha, double reach) const;
 
  private:
   double half_length_, graded_, inner_;
@@ -75,14 +72,14 @@ class SheetPart {
   [[nodiscard]] SheetStresses at(double alpha, double depth) const;
   /// The same of the displacements from the face at a depth of 0 to 1.
   [[nodiscard]] internal::FromFace from_face(double alpha, double depth, const internal::Shares& share) const;
+
+ private:
   [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
   /// The residues' coefficients of the loads beyond `near`, for places about alpha.
   [[nodiscard]] std::optional<internal::FarLoads> to_the_left(const ContactBlocks::Range& near,
                                                               double alpha) const;
   [[nodiscard]] std::optional<internal::FarLoads> to_the_right(const ContactBlocks::Range& near,
                                                                double alpha) const;
-
- private:
   void add_nodes(std::size_t block, const LoadsOfBlock& loads);
   void mirror();  ///< makes the left half's nodes from the right half's
   void sum_far();
@@ -92,33 +89,6 @@ class SheetPart {
   /// Coefficients of all blocks to the left or to the right of the beginning of a block, for places about that
   /// beginning.
   std::vector<internal::FarLoads> to_the_left_, to_the_right_;
-};
-
-/// The same at many places: a power series in each of the cells along the sheet, which are laid out like the blocks.
-class SheetPartInCells {
- public:
-  /// `blocks` as for the part.
-  SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks);
-
-  /// Nothing for a place far beyond the contact.
-  [[nodiscard]] std::optional<long> cell_of(double alpha) const;
-  [[nodiscard]] double centre(long cell) const { return length_ * (static_cast<double>(cell) + 0.5); }
-  /// The blocks that are near to a cell.
-  [[nodiscard]] ContactBlocks::Range near(long cell) const;
-  /// The power series about the centre of a cell.
-  [[nodiscard]] internal::StressSeries series(long cell);
-
- private:
-  /// Whether the block is at an end, its side, and its distance in blocks. The series are those of a unit load at each
-  /// of the block's nodes.
-  using Key = std::tuple<bool, bool, long>;
-  [[nodiscard]] const std::vector<internal::FieldSeries>& by_nodes(std::size_t block, long cell);
-
-  const SheetPart& part_;
-  ContactBlocks blocks_;
-  double length_ = 1;
-  long blocks_of_cell_ = 1;
-  std::map<Key, std::vector<internal::FieldSeries>> known_;
 };
 
 inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {

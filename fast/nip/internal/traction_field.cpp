@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include <nipref/fast/nip/internal/traction_field.hpp>
@@ -64,9 +62,6 @@ std::array<std::complex<double>, order> second_kind(std::complex<double> z, std:
   for (Complex& value : q) value *= scale;
   return q;
 }
-
-/// From this number of places on the preparation of cells pays.
-constexpr std::size_t many_places = 600;
 
 }  // namespace
 
@@ -345,28 +340,10 @@ internal::FromFace TractionField::from_face(const SheetPoint& place, const inter
 }
 
 SheetStresses TractionField::at(const SheetPoint& place) const {
-  return half_planes(sheet_part_.near(place.alpha), place) + sheet_part_.at(place.alpha, place.depth);
-}
-
-std::vector<SheetStresses> TractionField::at(std::span<const SheetPoint> places) const {
-  std::vector<SheetStresses> result(places.size());
-  const bool many = places.size() >= many_places;
-  SheetPartInCells cells(sheet_part_, blocks_);
-  std::map<std::optional<long>, std::vector<std::size_t>> by_cell;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    by_cell[many ? cells.cell_of(folded(places[i]).first.alpha) : std::nullopt].push_back(i);
-  for (const auto& [cell, members] : by_cell) {
-    std::optional<internal::StressSeries> series;
-    if (cell && members.size() > 1) series = cells.series(*cell);
-    for (const std::size_t i : members) {
-      const auto [place, turned] = folded(places[i]);
-      result[i] = series ? half_planes(cells.near(*cell), place) +
-                               series->at(place.alpha - cells.centre(*cell), place.depth)
-                         : at(place);
-      if (turned) result[i].shear = -result[i].shear;
-    }
-  }
-  return result;
+  const auto [at, turned] = folded(place);
+  SheetStresses stresses = half_planes(sheet_part_.near(at.alpha), at) + sheet_part_.at(at.alpha, at.depth);
+  if (turned) stresses.shear = -stresses.shear;
+  return stresses;
 }
 
 }  // namespace nipref::fast

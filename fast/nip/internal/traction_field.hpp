@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <complex>
 #include <cstddef>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -25,24 +24,20 @@ struct SheetPoint {
 /// coefficients are as small as rounding. A panel beside the place is integrated by
 /// Legendre functions of the second kind, which hold on the faces too; other panels by Gauss's rule; distant panels at
 /// an end together, by moments. SheetPart adds what the sheet adds to the half-planes and the whole field of distant
-/// tractions; for many places it does so by cells.
+/// tractions.
 class TractionField {
  public:
   /// `symmetric`: the pressure is even about the middle and the shear odd.
   TractionField(double half_length, bool symmetric, const FaceTractions& traction);
 
   [[nodiscard]] SheetStresses at(const SheetPoint& place) const;
-  /// The same at many places.
-  [[nodiscard]] std::vector<SheetStresses> at(std::span<const SheetPoint> places) const;
   /// What the displacements have at a place beyond those of the face there, see internal::FromFace, in the tractions' unit
   /// times theta1 + theta2; u towards the middle plane.
   [[nodiscard]] internal::FromFace from_face(const SheetPoint& place, const internal::Shares& share) const;
-  /// An estimate of the rounding over the largest traction, for a single place or for one of many. It is larger than
-  /// what was found at random places of contacts of all lengths. Most rounding is that of sums of values of both signs
-  /// and of the sum of the shears along the contact.
-  [[nodiscard]] double rounding(bool of_many) const {
-    return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded() + 5e-16 * blocks_.half_length();
-  }
+  /// Rounding over the largest traction: the fields of both half-planes and the sheet's are at most 4 times that, and their
+  /// terms have some three roundings each, in all 36 u; and of the sums over the 18 nodes of each half-thickness of the
+  /// contact, to which the force of the shears adds a traction at most, each addition rounds by half a unit.
+  [[nodiscard]] double rounding() const { return 0x1p-53 * (36 + 9 * blocks_.half_length()); }
   /// The largest of the last coefficients of the series, in the tractions' unit.
   [[nodiscard]] double unresolved() const { return std::max(sides_[0].unresolved, sides_[1].unresolved); }
 

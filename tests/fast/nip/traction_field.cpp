@@ -48,8 +48,7 @@ double distance(const SheetStresses& a, const SheetStresses& b) {
 
 }  // namespace
 
-TEST_CASE("the field is the sum of those of line loads") {
-  double worst = 0;
+TEST_CASE("the field is the sum of those of line loads, to its rounding") {
   for (const double half_length : {1e-3, 0.3, 1.0, 4.0}) {
     CAPTURE(half_length);
     // The second swings as a contact with a memory that does.
@@ -64,35 +63,12 @@ TEST_CASE("the field is the sum of those of line loads") {
       for (const double depth : {0.0, -0.4, 1 - std::min(0.1 * half_length, 0.5)}) {
         for (const double share : {0.0, 0.37, -1.1}) {
           const SheetPoint at{share * half_length, depth};
-          worst = std::max(worst, distance(field.at(at), by_line_loads(half_length, traction, at)));
+          const double rounding_of_loads = 8e-15;
+          CHECK(distance(field.at(at), by_line_loads(half_length, traction, at)) <
+                field.rounding() + field.unresolved() + rounding_of_loads);
         }
       }
     }
-  }
-  MESSAGE("largest distance from line loads ", worst);
-  CHECK(worst < 3e-12);
-}
-
-TEST_CASE(
-    "columns and crowds of places differ from single ones by no more than what rounding is said to be") {
-  for (const double half_length : {0.01, 0.5, 2.0, 9.4, 100.0}) {
-    CAPTURE(half_length);
-    const TractionField field(half_length, false, ellipse(half_length, 0.1 / std::max(1.0, half_length)));
-    const double span = std::max(half_length, 1.0);
-    double worst = 0;
-    const auto look = [&](const std::vector<SheetPoint>& places, std::size_t step) {
-      const auto together = field.at(places);
-      for (std::size_t i = 0; i < places.size(); i += step)
-        worst = std::max(worst, distance(together[i], field.at(places[i])));
-    };
-    std::vector<SheetPoint> columns, crowd;
-    for (int i = 0; i < 20; ++i) {
-      for (int j = 0; j < 30; ++j) columns.push_back({1.3 * span * std::sin(i * 1.7), std::cos(j * 2.3 + i)});
-    }
-    for (int i = 0; i < 800; ++i) crowd.push_back({span / 2 + 0.8 * std::sin(i * 1.7), std::cos(i * 2.3)});
-    look(columns, 1);
-    look(crowd, 3);
-    CHECK(worst < field.rounding(false) + field.rounding(true));
   }
 }
 
@@ -143,25 +119,6 @@ TEST_CASE("under a long smooth pressure the stress across is the pressure throug
     CHECK(s.across / peak == doctest::Approx(-1).epsilon(2e-3));
     CHECK(std::fabs(s.along / peak) < 2e-3);
     CHECK(std::fabs(s.shear / peak) < 1e-12);
-  }
-}
-
-TEST_CASE("many places have the field of each, by series or not") {
-  for (const double half_length : {1e-3, 0.9, 1.0, 1 + 1e-9, 1.3, 5.0, 60.0}) {
-    for (const bool symmetric : {true, false}) {
-      CAPTURE(half_length);
-      const TractionField field(half_length, symmetric, ellipse(half_length, symmetric ? 0.5 : 0.3));
-      std::vector<SheetPoint> places{{1e300, 0.2}, {-half_length, 1}, {half_length, -1}};
-      for (int i = -30; i <= 30; ++i) {
-        for (int j = 0; j < 12; ++j)
-          places.push_back({(half_length + 3) * std::sin(0.05 * i + 0.01 * j), std::cos(0.27 * j)});
-      }
-      const std::vector<SheetStresses> all = field.at(places);
-      double worst = 0;
-      for (std::size_t i = 0; i < places.size(); ++i)
-        worst = std::max(worst, distance(all[i], field.at(places[i])));
-      CHECK(worst < field.rounding(true));
-    }
   }
 }
 

@@ -158,20 +158,15 @@ TEST_CASE("in the middle of a face, where the shear changes its sign, coarse sol
   }
 }
 
-TEST_CASE("many places have the stresses of each, and errors that cover a contact solved to 1e-13") {
+TEST_CASE("stresses at many places have errors that cover a contact solved to 1e-13") {
   const auto compared = [](const auto& contact, const auto& truth, double length) {
     std::vector<fast::InnerPoint> points;
     for (int i = -12; i <= 12; ++i) {
       for (int j = 0; j < 26; ++j) points.push_back({length * (i + 0.3) / 18, std::cos(0.125 * j)});
     }
     const auto many = contact.inner_stresses(points), exact = truth.inner_stresses(points);
-    const double peak = contact.peak_pressure().value;
     const auto compare = [&](Estimate fast::InnerStresses::*part) {
       for (std::size_t k = 0; k < points.size(); ++k) check_covered(many[k].*part, exact[k].*part);
-      for (std::size_t k = 0; k < points.size(); k += 29) {
-        const auto one = truth.inner_stresses(std::span(points).subspan(k, 1)).front();
-        CHECK(std::fabs((one.*part).value - (exact[k].*part).value) < 2e-14 * peak);
-      }
     };
     compare(&fast::InnerStresses::across);
     compare(&fast::InnerStresses::along);
