@@ -16,6 +16,13 @@ class ScratchFolder {
   ~ScratchFolder() { std::filesystem::remove_all(path_); }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
+
+  /// The file that it writes.
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(file(name)) << text;
+    return file(name);
+  }
 
  private:
   std::filesystem::path path_;

@@ -1,9 +1,8 @@
-#include <unistd.h>
-
 #include <nipref/data/table/csv.hpp>
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
 
+#include "support/scratch_folder.hpp"
 #include "support/test.hpp"
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
@@ -11,31 +10,6 @@
 using namespace nipref::data;
 
 namespace {
-
-/// A folder of its own for one test, removed afterwards.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / unique_name()) {
-    std::filesystem::create_directories(path_);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name) << text;
-    return path_ / name;
-  }
-
- private:
-  /// Unlike any other folder of this process or of another that runs the tests at the same time.
-  static std::string unique_name() {
-    static int folders = 0;
-    return "nipref-tables-" + std::to_string(getpid()) + "-" + std::to_string(folders++);
-  }
-
-  std::filesystem::path path_;
-};
 
 const std::string header =
     "# title: T\n# source: S\n# after: A\n# before: B\n# parameter: B = 2 in; thickness\n"
@@ -53,7 +27,7 @@ std::string refusal(const std::filesystem::path& file) {
 }
 
 std::string refusal_of(const std::string& table, const std::string& errata = "") {
-  const Folder folder;
+  const ScratchFolder folder;
   if (!errata.empty()) folder.write("errata.csv", "table,row,column,printed,read_as,kind,reason\n" + errata);
   return refusal(folder.write("t.csv", table));
 }
@@ -119,7 +93,7 @@ TEST_CASE("what is not a plain number is not read as one") {
 }
 
 TEST_CASE("a well-formed table is read with its errata") {
-  const Folder folder;
+  const ScratchFolder folder;
   folder.write("errata.csv",
                "table,row,column,printed,read_as,kind,reason\n"
                "other,1,L,1,2,identity,of another table\n"
@@ -139,7 +113,7 @@ TEST_CASE("a well-formed table is read with its errata") {
 }
 
 TEST_CASE("a coordinate in a column's name is read") {
-  const Folder folder;
+  const ScratchFolder folder;
   const Table table = load_table(folder.write(
       "t.csv",
       "# title: T\n# source: S\n# after: A\n# before: B\n# column: c=0.25; 1; 1; ratio\nc=0.25\n1\n"));
@@ -203,7 +177,7 @@ TEST_CASE("errata that do not fit are refused with file, line and column") {
 
 TEST_CASE("known misses that are malformed are refused with file, line and column") {
   const auto refusal_of_misses = [](const std::string& text) {
-    const Folder folder;
+    const ScratchFolder folder;
     try {
       (void)load_known_misses(folder.write("known_misses.csv", text));
     } catch (const BadInput& error) {
@@ -222,7 +196,7 @@ TEST_CASE("known misses that are malformed are refused with file, line and colum
 }
 
 TEST_CASE("a line may be as long as is stated and no longer, with an end or without") {
-  const Folder folder;
+  const ScratchFolder folder;
   const std::string longest(longest_csv_line, 'x');
   for (const std::string end : {"", "\n"})
     CHECK(read_csv(folder.write("t.csv", "a\n" + longest + end)).records[1][0].text == longest);
@@ -231,7 +205,7 @@ TEST_CASE("a line may be as long as is stated and no longer, with an end or with
 }
 
 TEST_CASE("a byte order mark is left out, semicolons between fields are refused as such") {
-  const Folder folder;
+  const ScratchFolder folder;
   const CsvFile marked = read_csv(folder.write("t.csv", "\xef\xbb\xbf# of a spreadsheet\na,b\n1,2\n"));
   CHECK(marked.comments.at(0).text == "of a spreadsheet");
   CHECK(read_csv(folder.write("t.csv",
@@ -245,7 +219,7 @@ TEST_CASE("a byte order mark is left out, semicolons between fields are refused 
 }
 
 TEST_CASE("a file that is not there is refused") {
-  const Folder folder;
+  const ScratchFolder folder;
   CHECK(refusal(folder.write("t.csv", "").parent_path() / "absent.csv") ==
         "absent.csv: must be a file that exists: there is none of that name");
 }

@@ -1,7 +1,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/house.hpp>
 
-#include "support/run_nipref.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/test.hpp"
 
 using nipref::verify::touched_subjects;
@@ -39,9 +39,8 @@ TEST_CASE("every quantity has a subject that a file can touch") {
 
 TEST_CASE("changed files are those that git sees, new ones too") {
   namespace fs = std::filesystem;
-  std::string pattern = (fs::temp_directory_path() / "nipref-git-XXXXXX").string();
-  REQUIRE(mkdtemp(pattern.data()) != nullptr);
-  const fs::path tree = pattern, before = fs::current_path();
+  const ScratchFolder scratch;
+  const fs::path tree = scratch.path(), before = fs::current_path();
   fs::create_directories(tree / "fast/memory");
   std::ofstream(tree / "fast/memory/old.cpp") << "1";
   std::ofstream(tree / "README.md") << "1";
@@ -60,5 +59,4 @@ TEST_CASE("changed files are those that git sees, new ones too") {
     MESSAGE("skipped: git cannot be run");
   }
   fs::current_path(before);
-  fs::remove_all(tree);
 }
