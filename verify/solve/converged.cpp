@@ -8,7 +8,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
@@ -20,23 +19,13 @@ namespace {
 fast::Work work_of(const fast::ConvergedNip& contact) { return contact.work(); }
 
 /// Numbers of values of I1, of I3, and of the part of I6 that is not in I1.
-fast::Work counted(int unknowns, long normal, long coupling, long stretch = 0) {
+fast::Work work_of(const ref::ConvergedNip& contact) {
   fast::Work work;
-  work.kernel_evaluations[0] = static_cast<std::uint64_t>(normal);
-  work.kernel_evaluations[2] = static_cast<std::uint64_t>(coupling);
-  work.kernel_evaluations[5] = static_cast<std::uint64_t>(stretch);
-  work.unknowns = unknowns;
+  work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact.normal_values());
+  work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact.coupling_values());
+  work.kernel_evaluations[5] = static_cast<std::uint64_t>(contact.stretch_values());
+  work.unknowns = contact.unknowns();
   return work;
-}
-fast::Work work_of(const ref::ProvenElasticNip& contact) {
-  return counted(contact.terms(), contact.kernel_values(), contact.coupling_values());
-}
-fast::Work work_of(const ref::ConvergedElasticNip& contact) {
-  return counted(contact.unknowns(), contact.normal_values(), contact.coupling_values(),
-                 contact.stretch_values());
-}
-fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
-  return counted(contact.unknowns(), contact.normal_values(), contact.coupling_values());
 }
 
 /// A contact and what its results inside the sheet have in common, which is computed once.
@@ -64,12 +53,8 @@ void set_inside(SolvedContact<typename Path::Number>& solved, const std::shared_
   using Points = typename InnerFields<Path>::Points;
   Contact* const contact = &nip->contact;
   nip->fields.stresses_of = [contact](Points points) { return contact->inner_stresses(points); };
-  if constexpr (requires(Contact & any, Points points) { any.inner_displacements(points); }) {
-    if (is_elastic)
-      nip->fields.displacements_of = [contact](Points points) {
-        return contact->inner_displacements(points);
-      };
-  }
+  if (is_elastic)
+    nip->fields.displacements_of = [contact](Points points) { return contact->inner_displacements(points); };
   set_inner_fields<Path>([&](ResultId id, auto function) { solved.set(id, function); },
                          std::shared_ptr<InnerFields<Path>>(nip, &nip->fields));
   solved.set(ResultId::greatest_shear, [nip]() -> Number { return nip->greatest_shear().value; });
@@ -124,24 +109,7 @@ SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, doub
           [&](double length) { return fast::converged_for_length(problem.nip, length, accuracy); }));
 }
 
-namespace {
-
-/// The frictionless contact with proven bounds; nothing where the proof does not reach that contact or those digits.
-SolvedByRef proven(const data::ElasticNipProblem& problem, int digits) try {
-  if (problem.friction != data::Friction::none) return nullptr;
-  return converged<RefPath>(
-      problem,
-      solve_given(
-          problem.given, [&](double load) { return ref::proven_for_load(problem.nip, load, digits); },
-          [&](double length) { return ref::proven_for_length(problem.nip, length, digits); }));
-} catch (const data::BadInput&) {
-  return nullptr;
-}
-
-}  // namespace
-
 SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits) {
-  if (SolvedByRef solved = proven(problem, digits)) return solved;
   return converged<RefPath>(
       problem,
       solve_given(

@@ -26,11 +26,6 @@ double length_of(const data::ViscoelasticNipProblem& problem, const data::GivenL
 }
 
 double seconds_for_length(const data::ElasticNipProblem& problem, double length, int digits) {
-  try {
-    if (problem.friction == data::Friction::none) return likely_seconds_proven(problem.nip, length, digits);
-  } catch (const data::BadInput&) {
-    // The proof does not reach this contact or these digits.
-  }
   return likely_seconds(problem.nip, problem.friction, length, digits);
 }
 double seconds_for_length(const data::ViscoelasticNipProblem& problem, double length, int digits) {

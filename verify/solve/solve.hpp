@@ -124,7 +124,7 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// scene's accuracy is not used, and the errors of line loads are those of the discrete system, not its distance to
 /// the continuous contact. It throws BadInput for every scene and every result that is not in this list:
 /// - the continuous contact of an elastic nip, without friction with proven bounds where these reach it, otherwise
-///   estimated; digits from 16 to 100 (ref/elastic_nip/proven.hpp, converged.hpp);
+///   estimated; digits from 16 to 100 (ref/elastic_nip/converged.hpp);
 /// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
 /// - the continuous contact of a viscoelastic nip, lengths, load, resistance and pressure mostly proven, the rest estimated;
 ///   digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);

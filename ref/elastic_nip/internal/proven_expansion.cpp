@@ -107,7 +107,10 @@ ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
                                     decay.power(2 * n) / (1 - decay.power(4 * n));
   ProvenExpansion result{
       half_length, {}, magnitude_of(radius), energy_radius, magnitude_of(quadrature_error)};
-  for (long m = 0; m < n; ++m) result.coefficients.push_back(coefficients(m));
+  for (long m = 0; m < n; ++m) {
+    result.coefficients.emplace_back(precision);
+    result.coefficients.push_back(interval_of(coefficients(m)));
+  }
   return result;
 }
 

@@ -58,8 +58,41 @@ std::vector<TractionPanel> panels_of(const Float& half_length, const Resolution&
 }
 
 namespace {
-
 std::atomic<long> solutions = 0;
+}
+
+NipSolution::NipSolution(Tractions tractions) : tractions_(std::move(tractions)) { ++solutions; }
+
+long NipSolution::solved() { return solutions; }
+
+PressureAndShear NipSolution::tractions(const Float& x) const {
+  const Float left = 2 * half_length() - x;
+  return x > 0 && left > 0 ? tractions(x, left) : PressureAndShear{0, 0};
+}
+
+PressureAndShear NipSolution::tractions(const Float& from_leading, const Float& from_trailing) const {
+  if (from_leading <= from_trailing) return tractions_.at(from_leading, leading_);
+  const PressureAndShear mirrored = tractions_.at(from_trailing, trailing_);
+  return {mirrored.pressure, -mirrored.shear};
+}
+
+Float NipSolution::on_roller(const Float& x) const {
+  return edge_displacement_ + x * (2 * half_length() - x) + 2 * offset_ * x;
+}
+
+std::vector<Float> NipSolution::signature() const {
+  const Float &size = half_length(), pressure = load_ / size;
+  std::vector<Float> numbers{log(load_), log(size), edge_displacement_ / (size * size), offset_ / size};
+  constexpr int samples = 14;
+  for (int i = 1; i < samples; ++i) {
+    const PressureAndShear here = tractions((1 - cos(i * pi() / samples)) * size);
+    numbers.push_back(here.pressure / pressure);
+    numbers.push_back(here.shear / pressure);
+  }
+  return numbers;
+}
+
+namespace {
 
 /// The slowest wave between the faces: without friction the zero of sinh^2 x = 0 beside the real axis, i pi; between gripped
 /// faces i zeta, 2 zeta that of (3 - 4 poisson) sin x = x, 3 - 4 poisson = (1 + beta)/(1 - beta).
@@ -75,19 +108,23 @@ double decay_of(bool grips, double beta) {
 
 }  // namespace
 
-ElasticSheet::ElasticSheet(bool the_grips, Float the_beta) : grips(the_grips), beta(std::move(the_beta)) {}
+Float ElasticSheet::epsilon() const { return grips_ ? Float(atanh(beta_) / pi()) : Float(0); }
 
-Float ElasticSheet::epsilon() const { return grips ? Float(atanh(beta) / pi()) : Float(0); }
+Resolution ElasticSheet::resolution() const { return {decay_of(grips_, static_cast<double>(beta_)), {}, 1}; }
 
-Resolution ElasticSheet::resolution() const { return {decay_of(grips, static_cast<double>(beta)), {}, 1}; }
+std::unique_ptr<NipSolution> ElasticSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
+                                                  double nats, SheetKernels& kernels) const {
+  return std::make_unique<ElasticSolution>(
+      *this, Tractions(half_length, std::move(panels), epsilon(), grips_, nats), kernels);
+}
 
 ElasticSolution::ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
-    : sheet_(sheet), tractions_(std::move(tractions)) {
+    : NipSolution(std::move(tractions)), sheet_(sheet) {
   const std::vector<Float> points = tractions_.matching_points();
   const auto count = static_cast<Index>(points.size());
   const Index columns = tractions_.columns(), size = unknowns();
   std::vector<LineFunctional> functionals{normal()};
-  if (sheet_.grips) functionals.push_back(tangential());
+  if (sheet_.grips()) functionals.push_back(tangential());
   Matrix matrix(size, size);
   Vector right(size);
   for (Index i = 0; i < count; ++i) {
@@ -95,79 +132,67 @@ ElasticSolution::ElasticSolution(const ElasticSheet& sheet, Tractions tractions,
     const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels);
     for (Index k = 0; k < columns; ++k) {
       matrix(i, k) = rows[0](k);
-      if (sheet_.grips) matrix(count + i, k) = rows[1](k);
+      if (sheet_.grips()) matrix(count + i, k) = rows[1](k);
     }
     // The displacement at the end over A, so that all unknowns are of about one size.
     matrix(i, columns) = -half_length();
     right(i) = e * (2 * half_length() - e);
-    if (sheet_.grips) matrix(count + i, columns + 1) = -(half_length() - e);
+    if (sheet_.grips()) matrix(count + i, columns + 1) = -(half_length() - e);
   }
   const Vector solution = refined_solution(matrix, right);
-  coefficients_ = solution.block(0, 0, columns, 1);
+  leading_ = trailing_ = solution.block(0, 0, columns, 1);
   edge_displacement_ = solution(columns) * half_length();
-  if (sheet_.grips) creep_ = solution(columns + 1);
-  load_ = 2 * tractions_.integral().cwiseProduct(coefficients_).sum();
-  ++solutions;
+  if (sheet_.grips()) creep_ = solution(columns + 1);
+  load_ = 2 * tractions_.integral().cwiseProduct(leading_).sum();
 }
 
-long ElasticSolution::solved() { return solutions; }
+int ElasticSolution::unknowns() const { return tractions_.columns() + (sheet_.grips() ? 2 : 1); }
 
 Float ElasticSolution::growth() const {
-  const auto [a, b] = tractions_.at_root(coefficients_);
+  const auto [a, b] = tractions_.at_root(leading_);
   const Float epsilon = sheet_.epsilon(), cosine = cosh(pi() * epsilon);
   return pi() * half_length() * (a * a + b * b) * (1 + 4 * epsilon * epsilon) /
-         (4 * tractions_.panels().front().width * load_ * cosine * cosine);
-}
-
-std::vector<Float> ElasticSolution::signature() const {
-  const Float &size = half_length(), pressure = load_ / size;
-  std::vector<Float> numbers{log(load_), log(size), edge_displacement_ / (size * size)};
-  constexpr int samples = 7;
-  for (int i = 1; i <= samples; ++i) {
-    const PressureAndShear here = tractions((1 - cos(i * pi() / (2 * samples))) * size);
-    numbers.push_back(here.pressure / pressure);
-    numbers.push_back(here.shear / pressure);
-  }
-  return numbers;
-}
-
-PressureAndShear ElasticSolution::tractions(const Float& e) const {
-  return e > 0 ? tractions_.at(e, coefficients_) : PressureAndShear{0, 0};
+         (4 * panels().front().width * load_ * cosine * cosine);
 }
 
 LineFunctional ElasticSolution::normal() const {
   LineFunctional result;
   result.pressure(Influence::normal, 1 / pi());
-  if (sheet_.grips) result.shear(Influence::sign, sheet_.beta / 2).shear(Influence::coupling, -1 / pi());
+  if (sheet_.grips()) result.shear(Influence::sign, sheet_.beta() / 2).shear(Influence::coupling, -1 / pi());
   return result;
 }
 
 LineFunctional ElasticSolution::tangential() const {
   LineFunctional result;
-  result.pressure(Influence::sign, -sheet_.beta / 2).pressure(Influence::coupling, 1 / pi());
-  if (sheet_.grips) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
+  result.pressure(Influence::sign, -sheet_.beta() / 2).pressure(Influence::coupling, 1 / pi());
+  if (sheet_.grips()) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
   return result;
 }
 
-Float ElasticSolution::value(const Float& e, const LineFunctional& functional, SheetKernels& kernels) const {
-  return tractions_.rows(e, {functional}, kernels).front().cwiseProduct(coefficients_).sum();
+Float ElasticSolution::before_end(const Float& x) const {
+  return x <= half_length() ? x : Float(2 * half_length() - x);
 }
 
-Float ElasticSolution::normal(const Float& e, SheetKernels& kernels) const {
-  return e < 0 ? value(e, normal(), kernels) : Float(edge_displacement_ + e * (2 * half_length() - e));
+Float ElasticSolution::value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const {
+  return tractions_.rows(before_end(x), {functional}, kernels).front().cwiseProduct(leading_).sum();
 }
 
-Float ElasticSolution::tangential(const Float& e, SheetKernels& kernels) const {
-  if (sheet_.grips && e >= 0) return creep_ * (half_length() - e);
-  return value(e, tangential(), kernels);
+Float ElasticSolution::normal(const Float& x, SheetKernels& kernels) const {
+  return before_end(x) < 0 ? value(x, normal(), kernels) : on_roller(x);
 }
 
-Float ElasticSolution::strain(const Float& e, SheetKernels& kernels) const {
-  if (sheet_.grips && e >= 0) return creep_;
+Float ElasticSolution::tangential(const Float& x, SheetKernels& kernels) const {
+  if (sheet_.grips() && before_end(x) >= 0) return creep_ * (half_length() - x);
+  const Float along = value(x, tangential(), kernels);
+  return x <= half_length() ? along : Float(-along);
+}
+
+Float ElasticSolution::strain(const Float& x, SheetKernels& kernels) const {
+  if (sheet_.grips() && before_end(x) >= 0) return creep_;
   LineFunctional slope;
   slope.pressure(Influence::coupling_slope, 1 / pi());
-  if (sheet_.grips) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
-  return value(e, slope, kernels) - sheet_.beta * tractions(e).pressure;
+  if (sheet_.grips()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
+  return value(x, slope, kernels) - sheet_.beta() * tractions(x).pressure;
 }
 
 }  // namespace nipref::ref

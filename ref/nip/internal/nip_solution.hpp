@@ -1,5 +1,7 @@
 #pragma once
 #include <complex>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <nipref/ref/nip/internal/tractions.hpp>
@@ -25,55 +27,115 @@ struct Fineness {
 std::vector<TractionPanel> panels_of(const Float& half_length, const Resolution& resolution,
                                      const Fineness& fineness);
 
-/// The elastic sheet of a nip.
-struct ElasticSheet {
-  bool grips;  ///< full friction, otherwise none
-  Float beta;  ///< theta2/N
-
-  ElasticSheet(bool the_grips, Float the_beta);
-  /// Of the power 1/2 - i epsilon with which the tractions vanish at the ends: atanh(beta)/pi with full friction.
-  [[nodiscard]] Float epsilon() const;
-  [[nodiscard]] Resolution resolution() const;
-};
-
-/// An elastic contact of half length A (half-thicknesses), dimensionless: tractions times 2 R N/b, displacements times
-/// 2 R/b^2, the creep times 2 R/b. In the contact u = edge_displacement + e (2A - e), with full friction v = creep y. Both
-/// are collocated.
-class ElasticSolution {
+/// A solved contact of half length A (half-thicknesses), dimensionless: tractions times 2 R N/b, displacements times
+/// 2 R/b^2, slopes times 2 R/b, with N at once. x is the way behind the leading end. In the contact
+/// u = edge_displacement + x (2A - x) + 2 offset x.
+class NipSolution {
  public:
-  ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels);
+  virtual ~NipSolution() = default;
+  NipSolution(const NipSolution&) = delete;
+  NipSolution& operator=(const NipSolution&) = delete;
   /// How many this program has solved so far: nearly all of the work.
   static long solved();
 
   [[nodiscard]] const Float& half_length() const { return tractions_.half_length(); }
-  [[nodiscard]] const Float& load() const { return load_; }
-  /// d ln W/d ln A: dW/dA goes with the square of how the tractions' derivatives grow at the ends.
-  [[nodiscard]] Float growth() const;
-  /// Load, length, displacement and tractions at places between the ends, over the scales of their kinds; logarithms of the
-  /// first two. They differ by what solutions differ by, relative to the scales.
-  [[nodiscard]] std::vector<Float> signature() const;
+  /// Of the middle of the contact from the line through the rollers' centres, towards the leading side.
+  [[nodiscard]] const Float& offset() const { return offset_; }
   [[nodiscard]] const Float& edge_displacement() const { return edge_displacement_; }
-  [[nodiscard]] Float indentation() const { return edge_displacement_ + half_length() * half_length(); }
+  [[nodiscard]] const Float& load() const { return load_; }
+  /// Of the resultant from the line through the centres.
+  [[nodiscard]] Float lever() const { return offset_ + moment_ / load_; }
   [[nodiscard]] const std::vector<TractionPanel>& panels() const { return tractions_.panels(); }
-  [[nodiscard]] int unknowns() const { return tractions_.columns() + (sheet_.grips ? 2 : 1); }
+  /// Load, length, displacement, offset and tractions at places between the ends, over the scales of their kinds;
+  /// logarithms of the first two. They differ by what solutions differ by, relative to the scales.
+  [[nodiscard]] std::vector<Float> signature() const;
 
-  // At y = A - e, e <= A, outside the contact where e < 0.
-  [[nodiscard]] PressureAndShear tractions(const Float& e) const;
-  [[nodiscard]] Float normal(const Float& e, SheetKernels& kernels) const;
-  [[nodiscard]] Float tangential(const Float& e, SheetKernels& kernels) const;
-  [[nodiscard]] Float strain(const Float& e, SheetKernels& kernels) const;
-  /// v/y at the end; with full friction anywhere in the contact.
-  [[nodiscard]] Float creep(SheetKernels& kernels) const { return tangential(0, kernels) / half_length(); }
+  [[nodiscard]] PressureAndShear tractions(const Float& x) const;  ///< 0 outside the contact
+  /// The same between the ends, by the distances from both.
+  [[nodiscard]] PressureAndShear tractions(const Float& from_leading, const Float& from_trailing) const;
+
+  [[nodiscard]] virtual int unknowns() const = 0;
+  /// d ln W/d ln A: dW/dA goes with the square of how the tractions' derivatives grow at the ends.
+  [[nodiscard]] virtual Float growth() const = 0;
+  [[nodiscard]] virtual Float normal(const Float& x, SheetKernels& kernels) const = 0;
+  /// Upstream, up to a constant, which is 0 in the middle of a contact without memory; and its slope upstream.
+  [[nodiscard]] virtual Float tangential(const Float& x, SheetKernels& kernels) const = 0;
+  [[nodiscard]] virtual Float strain(const Float& x, SheetKernels& kernels) const = 0;
+
+ protected:
+  explicit NipSolution(Tractions tractions);
+  /// The displacement towards the middle plane in the contact.
+  [[nodiscard]] Float on_roller(const Float& x) const;
+
+  Tractions tractions_;
+  /// Coefficients of the tractions on both halves, by the distance from their ends.
+  Vector leading_, trailing_;
+  Float edge_displacement_, load_, offset_ = 0, moment_ = 0;
+};
+
+/// The sheet of a nip, for SolvedNip.
+class NipSheet {
+ public:
+  virtual ~NipSheet() = default;
+  [[nodiscard]] virtual Resolution resolution() const = 0;
+  /// Of a contact of which each half has so many terms.
+  [[nodiscard]] virtual int unknowns(int terms) const = 0;
+  /// Digits that are lost as parts of the solution cancel.
+  [[nodiscard]] virtual int lost_digits() const { return 0; }
+  /// BadInput for half lengths (half-thicknesses) of which the sheet is not solved.
+  virtual void check(double /*half_length*/) const {}
+  /// Integrals are good to about e^-nats. The solution refers to the sheet.
+  [[nodiscard]] virtual std::unique_ptr<NipSolution> solved(const Float& half_length,
+                                                            std::vector<TractionPanel> panels, double nats,
+                                                            SheetKernels& kernels) const = 0;
+  [[nodiscard]] virtual bool grips() const = 0;
+  /// Whether both halves of a contact are alike.
+  [[nodiscard]] virtual bool is_symmetric() const = 0;
+  /// Of theta2 at once over N.
+  [[nodiscard]] virtual const Float& beta() const = 0;
+};
+
+/// The elastic sheet of a nip with full friction or none.
+class ElasticSheet : public NipSheet {
+ public:
+  ElasticSheet(bool grips, Float beta) : grips_(grips), beta_(std::move(beta)) {}
+
+  [[nodiscard]] Resolution resolution() const override;
+  [[nodiscard]] int unknowns(int terms) const override { return grips_ ? 2 * terms + 2 : terms + 1; }
+  [[nodiscard]] std::unique_ptr<NipSolution> solved(const Float& half_length,
+                                                    std::vector<TractionPanel> panels, double nats,
+                                                    SheetKernels& kernels) const override;
+  [[nodiscard]] bool grips() const override { return grips_; }
+  [[nodiscard]] bool is_symmetric() const override { return true; }
+  [[nodiscard]] const Float& beta() const override { return beta_; }
+  /// Of the power 1/2 - i epsilon with which the tractions vanish at the ends: atanh(beta)/pi with full friction.
+  [[nodiscard]] Float epsilon() const;
+
+ private:
+  bool grips_;
+  Float beta_;
+};
+
+/// With full friction v = creep y in the contact. Displacements are collocated.
+class ElasticSolution : public NipSolution {
+ public:
+  ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels);
+
+  [[nodiscard]] int unknowns() const override;
+  [[nodiscard]] Float growth() const override;
+  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override;
+  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override;
+  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override;
 
  private:
   [[nodiscard]] LineFunctional normal() const;
   [[nodiscard]] LineFunctional tangential() const;
-  [[nodiscard]] Float value(const Float& e, const LineFunctional& functional, SheetKernels& kernels) const;
+  /// Distance from the nearer end, negative outside.
+  [[nodiscard]] Float before_end(const Float& x) const;
+  [[nodiscard]] Float value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const;
 
-  ElasticSheet sheet_;
-  Tractions tractions_;
-  Vector coefficients_;
-  Float edge_displacement_, creep_, load_;
+  const ElasticSheet& sheet_;
+  Float creep_;
 };
 
 }  // namespace nipref::ref

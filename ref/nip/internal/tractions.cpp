@@ -4,6 +4,7 @@
 
 #include <nipref/ref/nip/internal/end_integrals.hpp>
 #include <nipref/ref/nip/internal/tractions.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
@@ -481,15 +482,12 @@ PressureAndShear Tractions::at(const Float& e, const Vector& coefficients) const
   std::size_t p = 0;
   while (p + 1 < panels_.size() && e >= panels_[p + 1].left) ++p;
   const TractionPanel& panel = panels_[p];
-  std::vector<Float> polynomials(static_cast<std::size_t>(panel.terms));
-  const Float x = (e - panel.left) / panel.width;
-  chebyshev_values(2 * x - 1, polynomials);
-  Float a = 0, b = 0, product;
-  for (Index k = 0; k < panel.terms; ++k) {
-    const Float& polynomial = polynomials[static_cast<std::size_t>(k)];
-    accumulate(a, product, coefficients(first_columns_[p] + k), polynomial);
-    if (has_shear_) accumulate(b, product, coefficients(first_columns_[p] + panel.terms + k), polynomial);
-  }
+  const Float x = (e - panel.left) / panel.width, place = 2 * x - 1;
+  const auto sum_from = [&](int column) {
+    return chebyshev_sum({coefficients.data() + column, static_cast<std::size_t>(panel.terms)}, place);
+  };
+  const Float a = sum_from(first_columns_[p]),
+              b = has_shear_ ? sum_from(first_columns_[p] + panel.terms) : Float(0);
   if (p > 0) return {a, b};
   if (!(x > 0)) return {0, 0};
   const Float size = sqrt(x);

@@ -2,7 +2,7 @@
 
 namespace nipref::ref {
 
-Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x) {
+Float chebyshev_sum(std::span<const Float> coefficients, const Float& x) {
   Float now, last, next;
   Float twofold = 2 * x;
   for (std::size_t n = coefficients.size(); n-- > 0;) {

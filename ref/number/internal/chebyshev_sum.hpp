@@ -1,5 +1,5 @@
 #pragma once
-#include <vector>
+#include <span>
 
 #include <nipref/ref/number/float.hpp>
 
@@ -8,6 +8,6 @@ namespace nipref::ref {
 /// sum_n c_n T_n(x), |x| <= 1, by Clenshaw's recurrence b_n = c_n + 2 x b_{n+1} - b_{n+2}. The rounding error of b_n is
 /// at most 4 units of |c_n| + 2 |b_{n+1}| + |b_{n+2}| and has the effect of the same change of c_n; |b_n| is at most
 /// the sum of all (k + 1) |c_k|.
-Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x);
+Float chebyshev_sum(std::span<const Float> coefficients, const Float& x);
 
 }  // namespace nipref::ref

@@ -308,7 +308,7 @@ int proven_rolling_working_digits(const ProvenMemories& memories, double half_le
   return expansion_digits(memories, half_length, digits) + static_cast<int>(lost) + 20;
 }
 
-std::optional<ProvenRolling> proven_rolling(const ProvenMemories& memories, const Interval& A, int digits) {
+std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, const Interval& A, int digits) {
   const double near = approximate(A), growth = largest_growth(memories, near);
   if (growth > most_growth) return std::nullopt;
   const int expansion = expansion_digits(memories, near, digits);
@@ -370,13 +370,13 @@ std::optional<ProvenRolling> proven_rolling(const ProvenMemories& memories, cons
   const std::optional<Intervals> amplitudes = eliminated(std::move(rows));
   if (!amplitudes) return std::nullopt;
 
-  ProvenRolling result{A, A * amplitudes->back(), zero(), Intervals(solved[0].coefficients.size(), zero()),
-                       zero()};
+  ProvenExpansion pressure{A, Intervals(solved[0].coefficients.size(), zero()), zero(), zero(), zero()};
   for (std::size_t k = 0; k <= n; ++k) {
     const Interval& factor = k == 0 ? stiffness : (*amplitudes)[k - 1];
-    for (std::size_t m = 1; m < result.coefficients.size(); ++m)
-      result.coefficients[m] = result.coefficients[m] + factor * interval_of(solved[k].coefficients[m]);
-    result.radius = result.radius + magnitude_of(factor) * solved[k].radius;
+    for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
+      pressure.coefficients[m] = pressure.coefficients[m] + factor * interval_of(solved[k].coefficients[m]);
+    pressure.radius = pressure.radius + magnitude_of(factor) * solved[k].radius;
+    pressure.energy_radius = pressure.energy_radius + magnitude_of(factor) * solved[k].energy_radius;
   }
 
   // d1 = (A/pi) int (I1 + sum a_i M_i) p: moments of all.
@@ -387,13 +387,13 @@ std::optional<ProvenRolling> proven_rolling(const ProvenMemories& memories, cons
     size = size + 4 * magnitude_of(memory->a[i]);
   }
   Interval sum = zero();
-  for (std::size_t m = 1; m < result.coefficients.size(); ++m)
-    sum = sum + result.coefficients[m] * (all[m - 1] - all[m + 1]);
-  result.edge_displacement = square(A) * sum.widened(magnitude_of(2 * size * result.radius));
-  return result;
+  for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
+    sum = sum + pressure.coefficients[m] * (all[m - 1] - all[m + 1]);
+  const Interval edge_displacement = square(A) * sum.widened(magnitude_of(2 * size * pressure.radius));
+  return ProvenContact(std::move(pressure), A * amplitudes->back(), edge_displacement);
 }
 
-std::optional<ProvenRolling> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
+std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
                                                      const Float& near, const Float& growth, int digits) {
   constexpr int spare_digits = 10;  // of the half length
   const Interval wanted(load, working_bits());
@@ -410,32 +410,6 @@ std::optional<ProvenRolling> proven_rolling_for_load(const ProvenMemories& memor
       mpfr_sgn((carries_more->load() - wanted).lower()) <= 0)
     return std::nullopt;
   return proven_rolling(memories, Interval(lower, higher, working_bits()), digits + spare_digits / 2);
-}
-
-bool ProvenRolling::is_good_to(int digits) const {
-  const Float part = pow(Float(10), -digits), A = middle_of(half_length), peak = middle_of(load()) / A;
-  const auto is_known = [&](const Interval& x, const Float& size) {
-    return upper_end(distance_from(middle_of(x), x)) <= part * size;
-  };
-  return is_known(half_length, A) && is_known(offset, A) && is_known(lever(), A) &&
-         is_known(load(), middle_of(load())) && is_known(edge_displacement, middle_of(edge_displacement)) &&
-         upper_end(radius) * 2 * A <= part * peak;
-}
-
-Interval ProvenRolling::load() const {
-  return Interval::pi(working_bits()) * square(half_length) * coefficients[1].widened(radius);
-}
-
-Interval ProvenRolling::lever() const {
-  return offset + half_length * coefficients[2].widened(radius) / (2 * coefficients[1].widened(radius));
-}
-
-Interval ProvenRolling::pressure(const Interval& cosine) const {
-  const Interval theta = acos(cosine), sine = sqrt((1 - cosine) * (cosine + 1));
-  Interval sum = zero();
-  for (std::size_t m = 1; m < coefficients.size(); ++m)
-    sum = sum + coefficients[m] * sin(static_cast<long>(m) * theta);
-  return 2 * (half_length * sum.widened(magnitude_of(sine * radius)));
 }
 
 }  // namespace nipref::ref

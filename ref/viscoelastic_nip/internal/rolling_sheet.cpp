@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
 namespace nipref::ref {
@@ -81,6 +82,23 @@ Resolution RollingSheet::resolution() const {
     }
   }
   return resolution;
+}
+
+int RollingSheet::unknowns(int terms) const {
+  return 2 * (terms + 1) + 2 + 2 * static_cast<int>(inverse.size());
+}
+
+void RollingSheet::check(double half_length) const {
+  constexpr double shortest_memory = 1e-8, longest_memory = 1e8;
+  for (const RollingMemory& term : material.normal) {
+    const double length = 2 * half_length;
+    if (is_flow(term)) continue;
+    const double shortest = 1 / static_cast<double>(abs(term.rate)),
+                 longest = 1 / static_cast<double>(term.rate.re);
+    if (shortest < shortest_memory * length || longest > longest_memory * length)
+      throw data::BadInput("nip.material", shortest / length,
+                           "must have relaxation lengths from 1e-8 to 1e8 contacts for the reference");
+  }
 }
 
 int RollingSheet::lost_digits() const {

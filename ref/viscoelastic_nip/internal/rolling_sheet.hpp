@@ -12,16 +12,24 @@ namespace nipref::ref {
 ///     f = u/C = (1 + sum_j b_j/(D + s_j)) u,   C(-s_j) = 0,   b_j = 1/C'(-s_j).
 ///
 /// Both lists have both terms of a pair of conjugate ones.
-struct RollingSheet {
+struct RollingSheet : NipSheet {
   RollingMaterial material;
   std::vector<RollingMemory> memory, inverse;
 
   explicit RollingSheet(RollingMaterial the_material);
-  /// Of the pressure in a contact, on panels on which all r_i and s_j change little at an end.
-  [[nodiscard]] Resolution resolution() const;
-  /// Digits that are lost where memories make the sheet far softer than it is at once, a fluid over a half-thickness:
-  /// their parts cancel.
-  [[nodiscard]] int lost_digits() const;
+  /// On panels on which all r_i and s_j change little at an end.
+  [[nodiscard]] Resolution resolution() const override;
+  [[nodiscard]] int unknowns(int terms) const override;
+  /// Where memories make the sheet far softer than it is at once, a fluid over a half-thickness.
+  [[nodiscard]] int lost_digits() const override;
+  /// Relaxation lengths must be from 1e-8 to 1e8 contacts.
+  void check(double half_length) const override;
+  [[nodiscard]] std::unique_ptr<NipSolution> solved(const Float& half_length,
+                                                    std::vector<TractionPanel> panels, double nats,
+                                                    SheetKernels& kernels) const override;
+  [[nodiscard]] bool grips() const override { return false; }
+  [[nodiscard]] bool is_symmetric() const override { return false; }
+  [[nodiscard]] const Float& beta() const override { return material.theta2_at_once; }
 };
 
 }  // namespace nipref::ref

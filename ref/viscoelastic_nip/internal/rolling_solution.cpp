@@ -93,11 +93,17 @@ Matrix refined_solutions(const Matrix& matrix, const Matrix& right) {
 
 }  // namespace
 
-RollingSolution::RollingSolution(std::shared_ptr<const RollingSheet> sheet, Tractions tractions, double nats,
+std::unique_ptr<NipSolution> RollingSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
+                                                  double nats, SheetKernels& kernels) const {
+  return std::make_unique<RollingSolution>(*this, Tractions(half_length, std::move(panels), 0, false, nats),
+                                           nats, kernels);
+}
+
+RollingSolution::RollingSolution(const RollingSheet& sheet, Tractions tractions, double nats,
                                  SheetKernels& kernels)
-    : sheet_(std::move(sheet)),
-      tractions_(std::move(tractions)),
-      outside_(outside_panels(kernels.far(), sheet_->resolution(), tractions_.panels().front(), nats)),
+    : NipSolution(std::move(tractions)),
+      sheet_(sheet),
+      outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
       nats_(nats) {
   solve(kernels);
 }
@@ -106,11 +112,11 @@ RollingSolution::RollingSolution(std::shared_ptr<const RollingSheet> sheet, Trac
 /// b_j n_j, A^2.
 Vector RollingSolution::direct_row(const Float& x) const {
   const Float& size = half_length();
-  const auto modes = static_cast<Index>(sheet_->inverse.size());
+  const auto modes = static_cast<Index>(sheet_.inverse.size());
   Vector row(first_memory + 2 * modes);
   std::array<Float, 3> powers{1, x, x * x / 2};
   for (Index j = 0; j < modes; ++j) {
-    const auto& [amplitude, rate] = sheet_->inverse[static_cast<std::size_t>(j)];
+    const auto& [amplitude, rate] = sheet_.inverse[static_cast<std::size_t>(j)];
     const std::array<ComplexFloat, 3> faded = faded_powers(rate, x);
     for (std::size_t k = 0; k < 3; ++k) powers[k] += (amplitude * faded[k]).re;
     const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
@@ -127,13 +133,13 @@ Vector RollingSolution::direct_row(const Float& x) const {
 /// rows for each memory, its real and its imaginary part.
 Matrix RollingSolution::memory_rows(SheetKernels& kernels) const {
   const Index columns = tractions_.columns();
-  const auto count = static_cast<Index>(sheet_->memory.size());
+  const auto count = static_cast<Index>(sheet_.memory.size());
   Matrix result(2 * count, 2 * columns);
-  Float slowest = sheet_->memory.empty() ? Float(0) : sheet_->memory.front().rate.re;
-  for (const RollingMemory& term : sheet_->memory) slowest = std::min(slowest, term.rate.re);
+  Float slowest = sheet_.memory.empty() ? Float(0) : sheet_.memory.front().rate.re;
+  for (const RollingMemory& term : sheet_.memory) slowest = std::min(slowest, term.rate.re);
   for (const TractionPanel& panel : outside_) {
     if (count == 0 || slowest * panel.left > nats_) break;
-    const UnitRule rule = gauss_rule(nodes_of(panel, sheet_->resolution()));
+    const UnitRule rule = gauss_rule(nodes_of(panel, sheet_.resolution()));
     for (std::size_t i = 0; i < rule.size(); ++i) {
       // Next to the end f is analytic in the root of the distance.
       const Float& xi = rule.from_left[i];
@@ -142,7 +148,7 @@ Matrix RollingSolution::memory_rows(SheetKernels& kernels) const {
       const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
       const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
       for (Index m = 0; m < count; ++m) {
-        const ComplexFloat factor = exp(-(sheet_->memory[static_cast<std::size_t>(m)].rate * way)) * weight;
+        const ComplexFloat factor = exp(-(sheet_.memory[static_cast<std::size_t>(m)].rate * way)) * weight;
         for (Index part = 0; part < 2; ++part) {
           const Vector& row = rows[static_cast<std::size_t>(part)];
           for (Index k = 0; k < columns; ++k) {
@@ -191,11 +197,11 @@ Matrix RollingSolution::conditions(const std::array<Matrix, 2>& parts, SheetKern
   result.row(0) = parts[0].row(columns);
   result.row(1) = parts[1].row(columns);
   Index row = 2;
-  for (const auto& [amplitude, rate] : sheet_->inverse) {
+  for (const auto& [amplitude, rate] : sheet_.inverse) {
     result(row, row + 1) = 1;
     result(row + 1, row + 2) = 1;
     Index re = 0;
-    for (const auto& [its_amplitude, its_rate] : sheet_->memory) {
+    for (const auto& [its_amplitude, its_rate] : sheet_.memory) {
       const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
       for (Index k = 0; k < sides; ++k) {
         result(row, k) -= factor.re * remembered(re, k) - factor.im * remembered(re + 1, k);
@@ -232,24 +238,6 @@ Float RollingSolution::growth() const {
   return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
 }
 
-std::vector<Float> RollingSolution::signature() const {
-  const Float &size = half_length(), scale = load_ / size;
-  std::vector<Float> numbers{log(load_), log(size), edge_displacement_ / (size * size), offset_ / size};
-  constexpr int samples = 14;
-  for (int i = 1; i < samples; ++i) numbers.push_back(pressure((1 - cos(i * pi() / samples)) * size) / scale);
-  return numbers;
-}
-
-Float RollingSolution::pressure(const Float& x) const {
-  const Float left = 2 * half_length() - x;
-  return x > 0 && left > 0 ? pressure(x, left) : Float(0);
-}
-
-Float RollingSolution::pressure(const Float& from_leading, const Float& from_trailing) const {
-  return from_leading <= from_trailing ? tractions_.at(from_leading, leading_).pressure
-                                       : tractions_.at(from_trailing, trailing_).pressure;
-}
-
 /// int kind p/pi with alpha = x' - x, upstream.
 Float RollingSolution::elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
   const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
@@ -268,7 +256,7 @@ const Trace& RollingSolution::pressure_trace() const {
     append(panels, own, 0, true, true, own.front().terms + 1);
     append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
     pressure_ = Trace(
-        std::move(panels), [&](const Float& x) { return pressure(x); }, nats_);
+        std::move(panels), [&](const Float& x) { return tractions(x).pressure; }, nats_);
   }
   return *pressure_;
 }
@@ -285,7 +273,7 @@ const Trace& RollingSolution::elastic_trace(Influence kind, SheetKernels& kernel
   };
   // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
   const bool has_roots = kind == Influence::normal;
-  Resolution resolution = sheet_->resolution();
+  Resolution resolution = sheet_.resolution();
   if (!has_roots) resolution.first = 1;
   const Fineness fineness = fineness_of_traces(nats_);
   const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
@@ -301,16 +289,16 @@ const Trace& RollingSolution::elastic_trace(Influence kind, SheetKernels& kernel
 
 Float RollingSolution::normal(const Float& x, SheetKernels& kernels) const {
   const Float& size = half_length();
-  if (x >= 0 && x <= 2 * size) return edge_displacement_ + x * (2 * size - x) + 2 * offset_ * x;
+  if (x >= 0 && x <= 2 * size) return on_roller(x);
   Float sum = elastic(Influence::normal, x, kernels);
-  for (const auto& [amplitude, rate] : sheet_->material.normal)
+  for (const auto& [amplitude, rate] : sheet_.material.normal)
     sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
   return sum;
 }
 
 /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
 Float RollingSolution::tangential(const Float& x, SheetKernels& kernels) const {
-  const RollingMaterial& material = sheet_->material;
+  const RollingMaterial& material = sheet_.material;
   const ComplexFloat at_once;
   Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
               (load_ / 4 - elastic(Influence::coupling, x, kernels));
@@ -327,8 +315,9 @@ Float RollingSolution::tangential(const Float& x, SheetKernels& kernels) const {
 }
 
 Float RollingSolution::strain(const Float& x, SheetKernels& kernels) const {
-  const RollingMaterial& material = sheet_->material;
-  Float sum = elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * pressure(x);
+  const RollingMaterial& material = sheet_.material;
+  Float sum =
+      elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * tractions(x).pressure;
   for (const auto& [amplitude, rate] : material.theta2)
     sum -= (amplitude * pressure_trace().faded(rate, x)).re;
   for (const auto& [amplitude, rate] : material.normal)

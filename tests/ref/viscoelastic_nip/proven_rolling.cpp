@@ -34,9 +34,9 @@ void check_agree(const ref::Estimate& few, const ref::Estimate& many) {
 }
 
 /// The results of a contact that its proof gives.
-std::vector<Interval> results_of(const ref::ProvenRolling& contact) {
-  return {contact.load(), contact.offset, contact.edge_displacement, contact.lever(),
-          contact.pressure(Interval(0.25, ref::working_bits()))};
+std::vector<Interval> results_of(const ref::ProvenContact& contact) {
+  return {contact.load(), contact.offset(), contact.edge_displacement(), contact.lever(),
+          contact.pressure({Interval(0.75, ref::working_bits())})};
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
-#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
@@ -118,7 +118,7 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
                      shear ? std::optional(fast::oscillation(sampled_shear(contact, 40))) : std::nullopt,
                      load.error / load.value};
   if (shear || ratio > longest_ref_converged) return audit;
-  const ref::Estimate truth = ref::proven_for_length(nip, length, contact_digits).load();
+  const ref::Estimate truth = ref::converged_for_length(nip, friction, length, contact_digits).load();
   audit.error = std::fabs(truth.error_of(load.value)) / load.value;
   return audit;
 }

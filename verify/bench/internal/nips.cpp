@@ -13,7 +13,7 @@
 #include <nipref/fast/number/caches.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/ref/elastic_nip/proven.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
@@ -66,7 +66,8 @@ std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
   for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13})
     methods.push_back({fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy)});
   methods.push_back({"converged 1e-10, full friction", converged(Friction::full, 1e-10), false});
-  const ref::Estimate truth = ref::proven_for_load(nip, load, length_digits).contact_length();
+  const ref::Estimate truth =
+      ref::converged_for_load(nip, Friction::none, load, length_digits).contact_length();
   return rows_of_lengths(elastic_nip, fmt::format("B={} W=100", thickness), methods, {4, rounds},
                          [&](double length) {
                            const double error = std::fabs(truth.error_of(length));

@@ -9,7 +9,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/proven.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/catalogue/nip_seconds.hpp>
 
@@ -22,6 +21,9 @@ constexpr double shortest_thin = 14, longest_audited = 1e3;
 constexpr double largest_long_gripped_poisson = 0.499;
 
 bool is_gripped(const NamedPoint& x) { return x["friction"] != 0; }
+data::Friction friction_of(const NamedPoint& x) {
+  return is_gripped(x) ? data::Friction::full : data::Friction::none;
+}
 
 data::ElasticNip unit_nip(const NamedPoint& x) {
   check_nip_length(x["L_over_B"]);
@@ -31,8 +33,7 @@ data::ElasticNip unit_nip(const NamedPoint& x) {
 NipEstimates nip_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
   const data::ElasticNip nip = unit_nip(x);
   const double length = x["L_over_B"];
-  const auto contact = fast::converged_for_length(
-      nip, is_gripped(x) ? data::Friction::full : data::Friction::none, length, nip_accuracy(accuracy));
+  const auto contact = fast::converged_for_length(nip, friction_of(x), length, nip_accuracy(accuracy));
   const double stress = nip.material.normal_compliance() * nip_roller_radius / length;
   return {in_unit(contact.load(), stress / length),
           in_unit(contact.indentation(), nip_roller_radius / length / length),
@@ -40,40 +41,26 @@ NipEstimates nip_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
           in_unit(contact.peak_pressure(), stress), in_unit(contact.peak_shear(), stress)};
 }
 
-struct NipResults {
-  ref::Estimate load, indentation, creep_ratio, peak_pressure, peak_shear;
-};
-
-template <class Contact>
-NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
-  return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
-}
-
 /// Frictionless contacts are proven where that does not take too long; all others are estimated.
-NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
-  const ref::Estimate nothing = ref::exact_zero(digits);
-  const auto proven_in_time = [&] {
-    return most_digits_in_time([&](int some) { return likely_seconds_proven(nip, length, some); });
-  };
-  if (!gripped && digits <= proven_in_time())
-    return results_of(ref::proven_for_length(nip, length, digits), nothing);
-  const data::Friction friction = gripped ? data::Friction::full : data::Friction::none;
-  const int most = most_digits_in_time([&](int some) { return likely_seconds(nip, friction, length, some); });
+ref::ConvergedNip solved_nip(const data::ElasticNip& nip, double length, data::Friction friction,
+                             int digits) {
+  const int most = most_digits_in_time(
+      [&](int some) { return likely_seconds(nip, friction, length, some, terms_in_long_time); });
   if (digits > most)
     throw data::BadInput("digits", std::to_string(digits),
                          fmt::format("must be at most {} for L_over_B = {:.6g}{}: more take too long", most,
-                                     length, gripped ? " with full friction" : ""));
-  const auto contact = ref::converged_for_length(nip, friction, length, digits);
-  return results_of(contact, contact.peak_shear());
+                                     length, friction == data::Friction::full ? " with full friction" : ""));
+  return ref::converged_for_length(nip, friction, length, digits, terms_in_long_time);
 }
 
 NipReferences nip_by_ref(const NamedPoint& x, int digits) {
-  const NipResults results = solved_nip(unit_nip(x), x["L_over_B"], is_gripped(x), digits);
+  const ref::ConvergedNip contact = solved_nip(unit_nip(x), x["L_over_B"], friction_of(x), digits);
   const mpq_class length = x["L_over_B"], poisson = x["poisson"], radius = nip_roller_radius;
   const mpq_class stress = 2 * (1 - poisson * poisson) * radius / length;
-  return {in_unit(results.load, stress / length), in_unit(results.indentation, radius / (length * length)),
-          in_unit(results.creep_ratio, radius / length), in_unit(results.peak_pressure, stress),
-          in_unit(results.peak_shear, stress)};
+  return {in_unit(contact.load(), stress / length),
+          in_unit(contact.indentation(), radius / (length * length)),
+          in_unit(contact.creep_ratio(), radius / length), in_unit(contact.peak_pressure(), stress),
+          in_unit(contact.peak_shear(), stress)};
 }
 
 void keep_nip_in_domain(const NamedNumbers& x) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <nipref/ref/elastic_nip/internal/functionals.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -28,7 +28,8 @@ template <class Inside, class Outside>
 Interval by_side(const SurfacePoint& place, const Inside& inside, const Outside& outside) {
   if (is_inside(place)) return inside(place);
   if (is_outside(place)) return outside(place);
-  return hull(inside({not_below_zero(place.before_end)}), outside({not_above_zero(place.before_end)}));
+  return hull(inside({not_below_zero(place.before_end), place.is_trailing}),
+              outside({not_above_zero(place.before_end), place.is_trailing}));
 }
 
 Interval position(const SurfacePoint& place) { return 1 - place.before_end; }
@@ -51,72 +52,70 @@ Interval I3_over(const Interval& alpha, double nats) {
   return value.widened(2 * distance_from(near, alpha));
 }
 
-/// sqrt(1 - s^2) p(s)/(2A) at the nodes.
-std::vector<Interval> pressures_at_nodes(const std::vector<Float>& coefficients, const Cosines& cosines) {
-  const long n = static_cast<long>(coefficients.size());
-  std::vector<Interval> result;
-  for (long j = 0; j < n; ++j) {
-    const auto sine = [&](long m) -> const Interval& { return cosines(2 * n - (2 * m + 1) * (2 * j + 1)); };
-    Interval sum(working_bits());
-    for (long m = 0; m < n; ++m) sum = sum + interval_of(coefficients[static_cast<std::size_t>(m)]) * sine(m);
-    result.push_back(sum * sine(0));
-  }
-  return result;
-}
-
-/// d(p/(2A))/dtheta at the nodes.
-std::vector<Interval> slopes_at_nodes(const std::vector<Float>& coefficients, const Cosines& cosines) {
-  const long n = static_cast<long>(coefficients.size());
-  std::vector<Interval> result;
-  for (long j = 0; j < n; ++j) {
-    Interval sum(working_bits());
-    for (long m = 0; m < n; ++m) {
-      const long mu = 2 * m + 1;
-      sum = sum + mu * (interval_of(coefficients[static_cast<std::size_t>(m)]) * cosines(mu * (2 * j + 1)));
-    }
-    result.push_back(sum);
-  }
-  return result;
-}
-
 }  // namespace
 
-ContactFunctionals::ContactFunctionals(ProvenExpansion expansion, SmoothKernel& kernel, double nats)
-    : expansion_(std::move(expansion)), kernel_(kernel), nats_(nats) {
+ProvenContact::ProvenContact(ProvenExpansion expansion, std::shared_ptr<SmoothKernel> kernel, double nats)
+    : expansion_(std::move(expansion)), offset_(working_bits()), kernel_(std::move(kernel)), nats_(nats) {
   const Cosines cosines(2 * size(), working_bits());
-  for (long j = 0; j < size(); ++j) nodes_.push_back(cosines(2 * j + 1));
-  node_pressures_ = pressures_at_nodes(expansion_.coefficients, cosines);
-  node_slopes_ = slopes_at_nodes(expansion_.coefficients, cosines);
+  for (long j = 0; j < size(); ++j) {
+    const auto sine = [&](long mu) -> const Interval& { return cosines(2 * size() - mu * (2 * j + 1)); };
+    Interval pressure(working_bits()), slope(working_bits());
+    for (long m = 0; m < size(); ++m) {
+      const long mu = 2 * m + 1;
+      pressure = pressure + odd(m) * sine(mu);
+      slope = slope + mu * (odd(m) * cosines(mu * (2 * j + 1)));
+    }
+    nodes_.push_back(cosines(2 * j + 1));
+    node_pressures_.push_back(pressure * sine(1));
+    node_slopes_.push_back(slope);
+  }
 }
 
-Interval ContactFunctionals::coefficient(long m) const {
-  return interval_of(expansion_.coefficients[static_cast<std::size_t>(m)]);
+ProvenContact::ProvenContact(ProvenExpansion expansion, Interval offset, Interval edge_displacement)
+    : expansion_(std::move(expansion)),
+      offset_(std::move(offset)),
+      edge_displacement_(std::move(edge_displacement)) {}
+
+const Interval& ProvenContact::odd(long m) const {
+  return expansion_.coefficients[static_cast<std::size_t>(2 * m + 1)];
 }
 
-Interval ContactFunctionals::load() const {
-  const Interval first = coefficient(0).widened(expansion_.energy_radius);
-  return Interval::pi(working_bits()) * square(half_length()) * first;
+Interval ProvenContact::first() const { return odd(0).widened(expansion_.energy_radius); }
+
+Interval ProvenContact::load() const {
+  return Interval::pi(working_bits()) * square(half_length()) * first();
 }
 
-Interval ContactFunctionals::pressure(const SurfacePoint& place) const {
+Interval ProvenContact::lever() const {
+  if (!remembers()) return offset_;
+  const Interval second = expansion_.coefficients[2].widened(expansion_.energy_radius);
+  return offset_ + half_length() * second / (2 * first());
+}
+
+Interval ProvenContact::pressure(const SurfacePoint& place) const {
   return by_side(
       place, [&](const SurfacePoint& p) { return pressure_between(p); },
       [&](const SurfacePoint&) { return Interval(working_bits()); });
 }
 
-/// |dp|/(2A) <= sum |dc_m sin(mu theta)| <= sin(theta) radius.
-Interval ContactFunctionals::pressure_between(const SurfacePoint& place) const {
+/// |dp|/(2A) <= sum |dc_m sin(m theta)| <= sin(theta) radius. From the other end even m change their sign.
+Interval ProvenContact::pressure_between(const SurfacePoint& place) const {
   const Interval theta = angle(place);
+  const auto& c = expansion_.coefficients;
+  const std::size_t step = remembers() ? 1 : 2;
   Interval sum(working_bits());
-  for (long m = 0; m < size(); ++m) sum = sum + coefficient(m) * sin((2 * m + 1) * theta);
+  for (std::size_t m = 1; m < c.size(); m += step) {
+    const Interval term = c[m] * sin(static_cast<long>(m) * theta);
+    sum = m % 2 == 0 && place.is_trailing ? sum - term : sum + term;
+  }
   const Interval sine = sqrt(place.before_end * (2 - place.before_end));
   return 2 * (half_length() * sum.widened(sine * expansion_.radius));
 }
 
 /// p(s)/(2A) is off by at most radius sqrt(1 - s^2), whose integral is pi/2 of radius.
 template <class Kernel>
-Interval ContactFunctionals::smooth_integral(const SurfacePoint& place, const Kernel& kernel,
-                                             const Interval& largest) const {
+Interval ProvenContact::smooth_integral(const SurfacePoint& place, const Kernel& kernel,
+                                        const Interval& largest) const {
   const Interval t = position(place);
   Interval sum(working_bits());
   for (std::size_t j = 0; j < nodes_.size(); ++j) {
@@ -130,7 +129,7 @@ Interval ContactFunctionals::smooth_integral(const SurfacePoint& place, const Ke
 
 /// u pi/(2 A^2): -ln|t - s| acts on sin(mu theta) in closed form, cosines inside, powers outside. On what the
 /// coefficients miss it is at most int |ln|t - s|| ds <= 3 + 2t, and |J| <= 1 + 2|alpha|.
-Interval ContactFunctionals::normal_by_pressure(const SurfacePoint& place) const {
+Interval ProvenContact::normal_by_pressure(const SurfacePoint& place) const {
   const mpfr_prec_t precision = working_bits();
   const Interval& A = half_length();
   const Interval t = position(place);
@@ -144,32 +143,32 @@ Interval ContactFunctionals::normal_by_pressure(const SurfacePoint& place) const
   Interval sum(precision);
   for (long m = 0; m < size(); ++m) {
     const Interval upper = wave(2 * m + 2) / (2 * m + 2);
-    sum = sum + coefficient(m) * (lower - upper);
+    sum = sum + odd(m) * (lower - upper);
     lower = upper;
   }
   const Interval pi = Interval::pi(precision);
-  sum = pi * (sum - log(A) * coefficient(0)) / 2;
+  sum = pi * (sum - log(A) * odd(0)) / 2;
   const Interval missed = (2 * magnitude_of(log(A)) + magnitude_of(2 * t + 3)) * expansion_.radius;
   const Interval smooth = smooth_integral(
-      place, [&](const Interval& alpha) { return kernel_.over(alpha); }, 2 * (A * (t + 1)) + 1);
+      place, [&](const Interval& alpha) { return kernel_->over(alpha); }, 2 * (A * (t + 1)) + 1);
   return sum.widened(missed) + smooth;
 }
 
 /// v pi/(2 A^2).
-Interval ContactFunctionals::tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const {
+Interval ProvenContact::tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const {
   const mpfr_prec_t precision = working_bits();
   const Interval pi = Interval::pi(precision);
   const bool inside = is_inside(place);
   // Half of what the load is between 0 and t, by sin(mu theta) sin(theta) = [cos(2m theta) - cos((2m + 2)
   // theta)]/2.
-  Interval between = pi * coefficient(0) / 4;
+  Interval between = pi * odd(0) / 4;
   if (inside) {
     const Interval theta = angle(place);
     Interval lower = pi / 2 - theta;
     between = Interval(precision);
     for (long m = 0; m < size(); ++m) {
       const Interval upper = -(sin((2 * m + 2) * theta) / (2 * m + 2));
-      between = between + coefficient(m) * (lower - upper) / 2;
+      between = between + odd(m) * (lower - upper) / 2;
       lower = upper;
     }
   }
@@ -181,28 +180,40 @@ Interval ContactFunctionals::tangential_by_pressure(const SurfacePoint& place, c
   return smooth - pi * beta * between;
 }
 
-Interval ContactFunctionals::indentation() const {
-  if (!indentation_) {
+Interval ProvenContact::edge_displacement() const {
+  if (!edge_displacement_) {
     const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
-    indentation_ = scale * normal_by_pressure({Interval(1L, working_bits())});
+    const SurfacePoint middle{Interval(1L, working_bits())};
+    edge_displacement_ = scale * normal_by_pressure(middle) - square(half_length());
   }
-  return *indentation_;
+  return *edge_displacement_;
 }
 
-Interval ContactFunctionals::normal_displacement(const SurfacePoint& place) const {
+bool ProvenContact::reaches(const SurfacePoint& place) const {
+  constexpr long farthest_of_kernels = 1000;
+  return !remembers() && upper_end(half_length() * (position(place) + 1)) <= farthest_of_kernels;
+}
+
+std::optional<Interval> ProvenContact::normal(const SurfacePoint& place) const {
+  if (!is_inside(place) && !reaches(place)) return std::nullopt;
   const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
-  return by_side(
-      place, [&](const SurfacePoint& p) { return indentation() - square(half_length() * position(p)); },
-      [&](const SurfacePoint& p) { return scale * normal_by_pressure(p); });
+  const auto on_roller = [&](const SurfacePoint& p) {
+    const Interval y = half_length() * position(p), leading = half_length() + offset_;
+    return edge_displacement() + square(leading) - square(p.is_trailing ? offset_ - y : offset_ + y);
+  };
+  return by_side(place, on_roller, [&](const SurfacePoint& p) { return scale * normal_by_pressure(p); });
 }
 
-Interval ContactFunctionals::tangential_displacement(const SurfacePoint& place, const Interval& beta) const {
+std::optional<Interval> ProvenContact::tangential(const SurfacePoint& place, const Interval& beta) const {
+  if (!reaches(place)) return std::nullopt;
   const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
   const auto displacement = [&](const SurfacePoint& p) { return scale * tangential_by_pressure(p, beta); };
-  return by_side(place, displacement, displacement);
+  const Interval away = by_side(place, displacement, displacement);
+  return place.is_trailing ? -away : away;
 }
 
-Interval ContactFunctionals::strain(const SurfacePoint& place, const Interval& beta) const {
+std::optional<Interval> ProvenContact::strain(const SurfacePoint& place, const Interval& beta) const {
+  if (!reaches(place)) return std::nullopt;
   const Interval t = position(place), pi = Interval::pi(working_bits());
   Interval sum(working_bits());
   // P is even: its slopes are opposite at opposite nodes.
@@ -217,14 +228,29 @@ Interval ContactFunctionals::strain(const SurfacePoint& place, const Interval& b
   return 2 * half_length() * by_parts / pi - beta * pressure(place);
 }
 
-bool ContactFunctionals::falls_outwards() const {
+std::optional<Interval> ProvenContact::peak_pressure() const {
+  if (remembers() || !falls_outwards()) return std::nullopt;
+  return pressure({Interval(1L, working_bits())});
+}
+
+bool ProvenContact::is_good_to(int digits) const {
+  const Float part = pow(Float(10), -digits), A = middle_of(half_length()), W = middle_of(load());
+  const auto is_known = [&](const Interval& x, const Float& size) {
+    return upper_end(distance_from(middle_of(x), x)) <= part * size;
+  };
+  return is_known(half_length(), A) && is_known(offset(), A) && is_known(lever(), A) && is_known(load(), W) &&
+         is_known(edge_displacement(), middle_of(edge_displacement())) &&
+         upper_end(expansion_.radius) * 2 * A <= part * W / A;
+}
+
+bool ProvenContact::falls_outwards() const {
   // F = sum_k w_k cos(2 k phi), as sin(mu phi)/sin(phi) = 1 + 2 cos(2 phi) + .. + 2 cos(2m phi).
   std::vector<Interval> weights(static_cast<std::size_t>(size()), Interval(coarse));
   Interval sum(coarse);
   Interval slope(coarse);
   for (long m = size() - 1; m >= 0; --m) {
     Interval term(coarse);
-    mpfi_set(term.get(), ((2 * m + 1) * coefficient(m)).get());
+    mpfi_set(term.get(), ((2 * m + 1) * odd(m)).get());
     sum = m % 2 == 0 ? sum + term : sum - term;
     weights[static_cast<std::size_t>(m)] = m == 0 ? sum : 2 * sum;
     slope = slope + 2 * m * magnitude_of(weights[static_cast<std::size_t>(m)]);

@@ -1,0 +1,489 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/nip/internal/converged_parts.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::BadInput;
+
+constexpr int fewest_digits = 16;
+/// Contact lengths in sheet thicknesses. Stresses inside sum the waves of all of the contact, so that they are computed of
+/// shorter ones only.
+constexpr double longest_nip = 1000, longest_inside = 80;
+/// The distance from the contact at which displacements are computed, half-thicknesses.
+constexpr double farthest = 900;
+
+}  // namespace
+
+void NipTask::check_digits() const {
+  if (digits < fewest_digits || digits > most_digits)
+    throw BadInput("digits", std::to_string(digits),
+                   fmt::format("must be from {} to {} for {}", fewest_digits, most_digits, kind));
+}
+
+double NipTask::longest() const { return std::min(longest_nip, roller_radius / sheet_thickness); }
+
+std::string NipTask::allowed_lengths() const {
+  return fmt::format("must be at most the roller's radius and from {:g} to {:g} sheet thicknesses for {}",
+                     shortest, longest_nip, kind);
+}
+
+bool NipTask::allows(double contact_length) const {
+  return contact_length >= shortest * sheet_thickness && contact_length <= longest_nip * sheet_thickness &&
+         contact_length <= roller_radius;
+}
+
+Exact NipTask::half_length(double contact_length) const {
+  if (!allows(contact_length)) throw BadInput("contact_length", contact_length, allowed_lengths());
+  return Exact(mpq_class(mpq_class(contact_length) / mpq_class(sheet_thickness)));
+}
+
+void NipTask::refuse_load(double load) const {
+  throw BadInput("load", load, "gives a contact whose length " + allowed_lengths());
+}
+
+SolvedNip NipTask::solved_for_load(const SolvedNip::Sheet& sheet, double load, const Float& wanted,
+                                   double guess) const {
+  const auto check = [&](double half_length) {
+    if (!(half_length > 0.1 * shortest && half_length < 8 * longest())) refuse_load(load);
+    sheet->check(half_length);
+  };
+  SolvedNip solved =
+      SolvedNip::of_load(sheet, wanted, std::clamp(guess, 0.5 * shortest, 2 * longest()), digits, check);
+  if (!allows(static_cast<double>(solved.fine().half_length()) * sheet_thickness)) refuse_load(load);
+  return solved;
+}
+
+double guessed_half_length(double load, const std::function<double(double half_length)>& softness) {
+  double size = 1;
+  for (int i = 0; i < 60; ++i)
+    size = std::sqrt(size * std::sqrt(load * softness(size) / (std::numbers::pi + 8 * size / 3)));
+  return size;
+}
+
+namespace {
+
+using Traction = Float PressureAndShear::*;
+using Unit = NipUnits;
+
+// Sizes of kinds of results.
+Float itself(const NipSolution&) { return 0; }
+Float half_length_of(const NipSolution& of) { return of.half_length(); }
+Float square_of(const NipSolution& of) { return of.half_length() * of.half_length(); }
+/// More than the mean, and than the pressure in the middle.
+Float pressure_of(const NipSolution& of) { return of.load() / of.half_length(); }
+
+/// Proven of nothing.
+std::optional<Interval> unproven(const ProvenContact&) { return std::nullopt; }
+
+/// x of samples on all panels of both halves, rising.
+std::vector<Float> samples_of(const NipSolution& of) {
+  constexpr int per_panel = 40;
+  std::vector<Float> samples;
+  for (const TractionPanel& panel : of.panels())
+    for (int i = 0; i < per_panel; ++i) samples.push_back(panel.left + i * panel.width / per_panel);
+  const Float end = 2 * of.half_length();
+  samples.push_back(of.half_length());
+  for (std::size_t i = samples.size() - 1; i-- > 0;) samples.push_back(end - samples[i]);
+  return samples;
+}
+
+/// x of the largest |part| of the tractions, to all digits: the zero of its slope between the neighbours of the largest
+/// sample. Of places that are alike the leading one.
+Float place_of_largest(const NipSolution& of, Traction part) {
+  const std::vector<Float> samples = samples_of(of);
+  std::size_t best = 1;
+  Float largest = 0;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const Float here = abs(of.tractions(samples[i]).*part);
+    if (here > largest) largest = here, best = i;
+  }
+  const Float end = 2 * of.half_length(), near = samples[best];
+  const int sign = of.tractions(near).*part < 0 ? -1 : 1;
+  const auto traction = [&](const Float& x) -> Float { return sign * (of.tractions(x).*part); };
+  const auto slope = [&](const Float& x) -> Float {
+    return local_slope(traction, x, std::min({Float(x / 5), Float((end - x) / 5), Float(1)}));
+  };
+  // Not at the ends themselves, where the slope is infinite.
+  const Float low = std::max(samples[best - 1], Float(near / 64)),
+              high = std::min(samples[best + 1], Float(end - (end - near) / 64));
+  const auto zero =
+      bracketed_root<Float>(slope, low, high, near * std::numeric_limits<Float>::epsilon() * 1e4);
+  return zero ? *zero : near;
+}
+
+/// Places x over the half length, falling, between which and the next the shear of both solutions changes its sign.
+std::vector<std::pair<Float, Float>> shear_changes(const SolvedNip& nip) {
+  constexpr int steps = 400;
+  std::vector<std::pair<Float, Float>> changes;
+  std::optional<Float> last;
+  bool was_positive = false;
+  for (int i = 1; i <= steps; ++i) {
+    const Float place = exp(log(Float(1e-6)) * i / steps);
+    const auto shear_of = [&](const NipSolution& of) { return of.tractions(place * of.half_length()).shear; };
+    const Float here = shear_of(nip.fine()), other = shear_of(nip.coarse());
+    if (!(abs(here) > 2 * abs(here - other))) continue;
+    if (last && was_positive != (here > 0)) changes.emplace_back(*last, place);
+    last = place;
+    was_positive = here > 0;
+  }
+  return changes;
+}
+
+FieldSource field_source(const NipSolution& of) {
+  const auto tractions = [&of](const Float& left, const Float& right) -> FaceTraction {
+    const PressureAndShear here = of.tractions(right, left);
+    return {here.pressure, here.shear};
+  };
+  return {of.offset(), of.half_length(), tractions};
+}
+
+}  // namespace
+
+const SolvedNip& ConvergedNip::Parts::by_panels() const {
+  if (!solved) solved = SolvedNip::of_half_length(sheet, size(), digits);
+  return *solved;
+}
+
+Float ConvergedNip::Parts::size() const {
+  if (half_length) return to_float(*half_length);
+  return proof ? middle_of(proof->contact.half_length()) : fine().half_length();
+}
+
+Estimate ConvergedNip::Parts::number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
+                                     const SolvedNip::Functional& size) const {
+  if (proof) {
+    const WorkingDigits working(proof->working_digits);
+    const std::optional<Interval> value = proven(proof->contact);
+    if (value) return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
+  }
+  const WorkingDigits working(working_digits());
+  return estimated(unit, functional, size(fine()));
+}
+
+Estimate ConvergedNip::Parts::estimated(Unit unit, const SolvedNip::Functional& functional,
+                                        const Float& least, const Float& beside) const {
+  const data::WithError<Float> estimate = by_panels().estimate(functional, least);
+  return {in_unit(unit) * estimate.value, in_unit(unit) * (estimate.error + beside), digits};
+}
+
+Float ConvergedNip::Parts::behind(const NipSolution& of, double y) const {
+  return of.half_length() + of.offset() - Float(y) / in_unit(&NipUnits::length);
+}
+
+SurfacePoint ConvergedNip::Parts::place(double y) const {
+  const ProvenContact& of = proof->contact;
+  const mpq_class distance = mpq_class(y) / units.length;
+  // Exact where the ends are.
+  const Interval ahead = sheet->is_symmetric() && half_length
+                             ? Interval(Exact(mpq_class(distance / half_length->value())), working_bits())
+                             : (Interval(Exact(distance), working_bits()) - of.offset()) / of.half_length();
+  const bool is_trailing = mpfr_sgn(ahead.lower()) < 0;
+  return {is_trailing ? ahead + 1 : 1 - ahead, is_trailing};
+}
+
+/// Of where the leading end is.
+Float ConvergedNip::Parts::end_error() const {
+  if (sheet->is_symmetric() && half_length) return 0;
+  return by_panels()
+      .estimate([&](const NipSolution& of) { return behind(of, 0); }, fine().half_length())
+      .error;
+}
+
+/// Where the contact surely is not.
+bool ConvergedNip::Parts::is_outside(const Float& x) const {
+  const Float known = end_error();
+  return !(x > -known && x < 2 * fine().half_length() + known);
+}
+
+/// What a traction at x may miss as the ends do: where it is as steep as a square root they count for as much as they are
+/// known.
+Float ConvergedNip::Parts::by_ends(const Float& x, Float PressureAndShear::*part) const {
+  const Float known = end_error(), here = fine().tractions(x).*part;
+  return abs(fine().tractions(x + known).*part - here) + abs(fine().tractions(x - known).*part - here);
+}
+
+Estimate ConvergedNip::Parts::traction(double y, Traction part) const {
+  const WorkingDigits working(working_digits());
+  const Float x = behind(fine(), y);
+  if (is_outside(x)) return sheet->is_symmetric() ? Estimate(exact_zero(digits)) : Estimate(0, 0, digits);
+  return estimated(
+      &NipUnits::pressure, [&](const NipSolution& of) { return of.tractions(behind(of, y)).*part; },
+      pressure_of(fine()), by_ends(x, part));
+}
+
+void ConvergedNip::Parts::check_place(double y) const {
+  const WorkingDigits working(working_digits());
+  if (!std::isfinite(y) || abs(Float(y) / in_unit(&NipUnits::length)) > farthest + size())
+    throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
+}
+
+void ConvergedNip::Parts::check_has_shear() const {
+  if (!sheet->grips()) throw BadInput("friction.model", "none", "must be full for places of the shear");
+}
+
+const Float& ConvergedNip::Parts::tangential_at_middle(const NipSolution& of) const {
+  const auto [place, is_new] = at_middle.try_emplace(&of, 0);
+  if (is_new && !sheet->is_symmetric()) place->second = of.tangential(behind(of, 0), by_panels().kernels());
+  return place->second;
+}
+
+ContactField ConvergedNip::Parts::field() const {
+  const NipSolution& of = fine();
+  if (of.half_length() > longest_inside) {
+    throw BadInput("contact_length", static_cast<double>(2 * of.half_length() * in_unit(&NipUnits::length)),
+                   "must be at most 80 sheet thicknesses for stresses inside on the reference path");
+  }
+  const Float scale = pressure_of(of);
+  return {field_source(by_panels().coarse()), field_source(of), scale, scale * by_panels().difference(),
+          digits};
+}
+
+ConvergedNip::ConvergedNip(std::unique_ptr<const Parts> parts) : parts_(std::move(parts)) {
+  const WorkingDigits working(parts_->working_digits());
+  if (!parts_->proof) (void)parts_->by_panels();
+}
+ConvergedNip::ConvergedNip(ConvergedNip&&) noexcept = default;
+ConvergedNip::~ConvergedNip() = default;
+
+Estimate ConvergedNip::contact_length() const {
+  const auto formula = [](const auto& of) { return 2 * of.half_length(); };
+  return parts_->number(&Unit::length, formula, formula, itself);
+}
+
+Estimate ConvergedNip::leading_length() const {
+  const auto formula = [](const auto& of) { return of.half_length() + of.offset(); };
+  return parts_->number(&Unit::length, formula, formula, half_length_of);
+}
+
+Estimate ConvergedNip::trailing_length() const {
+  const auto formula = [](const auto& of) { return of.half_length() - of.offset(); };
+  return parts_->number(&Unit::length, formula, formula, half_length_of);
+}
+
+Estimate ConvergedNip::load() const {
+  const auto formula = [](const auto& of) { return of.load(); };
+  return parts_->number(&Unit::force, formula, formula, itself);
+}
+
+Estimate ConvergedNip::indentation() const {
+  const auto formula = [](const auto& of) {
+    const auto leading = of.half_length() + of.offset();
+    return of.edge_displacement() + leading * leading;
+  };
+  return parts_->number(&Unit::displacement, formula, formula, square_of);
+}
+
+Estimate ConvergedNip::leading_displacement() const {
+  const auto formula = [](const auto& of) { return of.edge_displacement(); };
+  return parts_->number(&Unit::displacement, formula, formula, [&](const NipSolution& of) -> Float {
+    return square_of(of) * (parts_->sheet->is_symmetric() ? SolvedNip::kernel_share() : Float(1));
+  });
+}
+
+Estimate ConvergedNip::trailing_displacement() const {
+  if (parts_->sheet->is_symmetric()) return leading_displacement();
+  const auto formula = [](const auto& of) {
+    return of.edge_displacement() + 4 * (of.offset() * of.half_length());
+  };
+  return parts_->number(&Unit::displacement, formula, formula, square_of);
+}
+
+Estimate ConvergedNip::rolling_resistance() const {
+  if (parts_->sheet->is_symmetric()) return exact_zero(parts_->digits);
+  const auto formula = [](const auto& of) { return 2 * of.lever(); };
+  return parts_->number(&Unit::slope, formula, formula, half_length_of);
+}
+
+Estimate ConvergedNip::creep_ratio() const {
+  const auto proven = [&](const ProvenContact& of) -> std::optional<Interval> {
+    const Interval beta(Exact(parts_->beta), working_bits());
+    const std::optional<Interval> end = of.tangential({Interval(working_bits())}, beta);
+    return end ? std::optional(*end / of.half_length()) : end;
+  };
+  const auto stretch = [&](const NipSolution& of) -> Float {
+    SheetKernels& kernels = parts_->by_panels().kernels();
+    const Float length = 2 * of.half_length();
+    return (of.tangential(0, kernels) - of.tangential(length, kernels)) / length;
+  };
+  return parts_->number(&Unit::slope, proven, stretch, half_length_of);
+}
+
+Estimate ConvergedNip::peak_pressure() const {
+  const auto largest = [](const NipSolution& of) {
+    return of.tractions(place_of_largest(of, &PressureAndShear::pressure)).pressure;
+  };
+  return parts_->number(&Unit::pressure, std::mem_fn(&ProvenContact::peak_pressure), largest, itself);
+}
+
+Estimate ConvergedNip::peak_pressure_position() const {
+  if (parts_->sheet->is_symmetric()) return exact_zero(parts_->digits);
+  const auto place = [](const NipSolution& of) -> Float {
+    return of.half_length() + of.offset() - place_of_largest(of, &PressureAndShear::pressure);
+  };
+  return parts_->number(&Unit::length, unproven, place, half_length_of);
+}
+
+Estimate ConvergedNip::peak_shear() const {
+  if (!parts_->sheet->grips()) return exact_zero(parts_->digits);
+  const auto largest = [](const NipSolution& of) -> Float {
+    return abs(of.tractions(place_of_largest(of, &PressureAndShear::shear)).shear);
+  };
+  return parts_->number(&Unit::pressure, unproven, largest, [](const NipSolution& of) -> Float {
+    return pressure_of(of) * SolvedNip::kernel_share();
+  });
+}
+
+Estimate ConvergedNip::peak_shear_position() const {
+  parts_->check_has_shear();
+  const auto place = [](const NipSolution& of) -> Float {
+    return abs(of.half_length() - place_of_largest(of, &PressureAndShear::shear));
+  };
+  return parts_->number(&Unit::length, unproven, place, half_length_of);
+}
+
+std::vector<Estimate> ConvergedNip::shear_zeros() const {
+  parts_->check_has_shear();
+  const WorkingDigits working(parts_->working_digits());
+  std::vector<Estimate> zeros{exact_zero(parts_->digits)};
+  for (const auto& [inner, outer] : shear_changes(parts_->by_panels())) {
+    const NipSolution& fine = parts_->fine();
+    const int sign = fine.tractions(inner * fine.half_length()).shear > 0 ? 1 : -1;
+    const auto zero = [&, inner = inner, outer = outer](const NipSolution& of) -> Float {
+      const Float& size = of.half_length();
+      const auto shear = [&](const Float& x) -> Float { return sign * of.tractions(x).shear; };
+      const auto place = bracketed_root<Float>(shear, inner * size, outer * size,
+                                               outer * size * std::numeric_limits<Float>::epsilon() * 1e4);
+      if (!place) throw std::logic_error("a zero of the shear that is not found");
+      return size - *place;
+    };
+    zeros.push_back(parts_->estimated(&Unit::length, zero, fine.half_length()));
+  }
+  return zeros;
+}
+
+Estimate ConvergedNip::pressure(double y) const {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  if (!parts_->proof) return parts_->traction(y, &PressureAndShear::pressure);
+  const WorkingDigits working(parts_->proof->working_digits);
+  const Interval pressure = parts_->proof->contact.pressure(parts_->place(y));
+  return enclosure_of(Interval(Exact(parts_->units.pressure), working_bits()) * pressure, parts_->digits);
+}
+
+Estimate ConvergedNip::shear(double y) const {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  if (!parts_->sheet->grips() || y == 0) return exact_zero(parts_->digits);
+  return parts_->traction(y, &PressureAndShear::shear);
+}
+
+Estimate ConvergedNip::normal_displacement(double y) const {
+  parts_->check_place(y);
+  return parts_->number(
+      &Unit::displacement, [&](const ProvenContact& of) { return of.normal(parts_->place(y)); },
+      [&](const NipSolution& of) { return of.normal(parts_->behind(of, y), parts_->by_panels().kernels()); },
+      square_of);
+}
+
+Estimate ConvergedNip::tangential_displacement(double y) const {
+  parts_->check_place(y);
+  if (y == 0) return exact_zero(parts_->digits);
+  return parts_->number(
+      &Unit::displacement,
+      [&](const ProvenContact& of) {
+        return of.tangential(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
+      },
+      [&](const NipSolution& of) -> Float {
+        return of.tangential(parts_->behind(of, y), parts_->by_panels().kernels()) -
+               parts_->tangential_at_middle(of);
+      },
+      [&](const NipSolution& of) -> Float {
+        const Float distance = abs(Float(y) / parts_->in_unit(&Unit::length)), &size = of.half_length();
+        return size * std::clamp(distance, Float(size * SolvedNip::kernel_share()), size);
+      });
+}
+
+Estimate ConvergedNip::surface_strain(double y) const {
+  parts_->check_place(y);
+  if (parts_->proof) {
+    const WorkingDigits working(parts_->proof->working_digits);
+    const auto proven =
+        parts_->proof->contact.strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
+    if (proven)
+      return enclosure_of(Interval(Exact(parts_->units.slope), working_bits()) * *proven, parts_->digits);
+  }
+  const WorkingDigits working(parts_->working_digits());
+  const NipSolution& fine = parts_->fine();
+  const Float x = parts_->behind(fine, y);
+  // It is no surer than the pressure that stretches the surface at once, where no friction holds that.
+  const Float at_once = parts_->sheet->grips() ? Float(0) : parts_->sheet->beta();
+  return parts_->estimated(
+      &Unit::slope,
+      [&](const NipSolution& of) { return of.strain(parts_->behind(of, y), parts_->by_panels().kernels()); },
+      fine.half_length() + (parts_->is_outside(x) ? Float(0) : Float(at_once * pressure_of(fine))),
+      at_once * parts_->by_ends(x, &PressureAndShear::pressure));
+}
+
+std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {
+  const WorkingDigits working(parts_->working_digits());
+  const ContactField field = parts_->field();
+  std::vector<InnerStresses> stresses;
+  for (const InnerPoint& point : points)
+    stresses.push_back(field.at(checked_point(point, parts_->in_unit(&Unit::length)),
+                                parts_->sheet->is_symmetric(), parts_->in_unit(&Unit::pressure)));
+  return stresses;
+}
+
+/// What both solutions have in common is wrong by their largest difference, of the scales of surface displacements and, where
+/// pressures are larger than those, of the sheet's answer to them.
+std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<const InnerPoint> points) const {
+  const WorkingDigits working(parts_->working_digits());
+  const NipSolution& fine = parts_->fine();
+  const Float pressed = pressure_of(fine) * std::min(Float(1), fine.half_length()),
+              uncertain = (parts_->by_panels().difference() + pow(Float(10), -parts_->digits - 2)) *
+                          std::max(square_of(fine), pressed);
+  const Float& beta = parts_->sheet->beta();
+  const ContactField field = parts_->field();
+  std::vector<InnerDisplacements> displacements;
+  for (const InnerPoint& point : points)
+    displacements.push_back(field.displacements_at(checked_point(point, parts_->in_unit(&Unit::length)),
+                                                   {1 - beta, beta}, uncertain,
+                                                   parts_->in_unit(&Unit::displacement)));
+  return displacements;
+}
+
+GreatestShear ConvergedNip::greatest_shear() const {
+  const WorkingDigits working(parts_->working_digits());
+  return parts_->field().greatest(parts_->sheet->is_symmetric(), parts_->in_unit(&Unit::pressure),
+                                  parts_->in_unit(&Unit::length));
+}
+
+int ConvergedNip::unknowns() const {
+  return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact.terms();
+}
+long ConvergedNip::normal_values() const {
+  return (parts_->solved ? parts_->solved->kernels().normal_values() : 0) +
+         (parts_->proof ? parts_->proof->contact.normal_values() : 0);
+}
+long ConvergedNip::coupling_values() const {
+  return (parts_->solved ? parts_->solved->kernels().coupling_values() : 0) +
+         (parts_->proof ? parts_->proof->contact.coupling_values() : 0);
+}
+long ConvergedNip::stretch_values() const {
+  return parts_->solved ? parts_->solved->kernels().stretch_values() : 0;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,83 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <nipref/ref/nip/converged.hpp>
+#include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/nip/internal/nip_units.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
+#include <nipref/ref/nip/internal/solved_nip.hpp>
+#include <nipref/ref/number/exact.hpp>
+
+namespace nipref::ref {
+
+/// A nip that is to be solved to so many digits, and of which the reference solves contacts from `shortest` sheet
+/// thicknesses on.
+struct NipTask {
+  double roller_radius, sheet_thickness;
+  const char* kind;
+  int most_digits;
+  double shortest;
+  int digits;
+
+  void check_digits() const;  ///< BadInput
+  [[nodiscard]] bool allows(double contact_length) const;
+  /// In half-thicknesses; BadInput unless it is allowed.
+  [[nodiscard]] Exact half_length(double contact_length) const;
+  [[nodiscard]] double longest() const;  ///< L/B
+  [[noreturn]] void refuse_load(double load) const;
+  /// By panels; `wanted` is the load without its unit. BadInput where no allowed length carries it.
+  [[nodiscard]] SolvedNip solved_for_load(const SolvedNip::Sheet& sheet, double load, const Float& wanted,
+                                          double guess) const;
+
+ private:
+  [[nodiscard]] std::string allowed_lengths() const;
+};
+
+/// A guess at the half length that carries a load without friction, a few tens of per cent off at most: between a
+/// half-space and springs; dimensionless. `softness`: the compliance over that at once which a contact so long meets.
+double guessed_half_length(double load, const std::function<double(double half_length)>& softness);
+
+struct ConvergedNip::Parts {
+  NipUnits units;
+  mpq_class beta;  ///< theta2 at once over N; of the proof, so only without memory
+  SolvedNip::Sheet sheet;
+  int digits;
+  std::optional<Exact> half_length;  ///< where it is given
+  std::optional<Proof> proof;
+  /// Where it is not there yet, it is solved when it is first needed.
+  mutable std::optional<SolvedNip> solved = std::nullopt;
+  mutable std::map<const NipSolution*, Float> at_middle = {};
+
+  using Unit = mpq_class NipUnits::*;
+  using Proven = std::function<std::optional<Interval>(const ProvenContact&)>;
+
+  [[nodiscard]] int working_digits() const { return SolvedNip::working_digits(digits, sheet->lost_digits()); }
+  // The rest at the working precision.
+  [[nodiscard]] const SolvedNip& by_panels() const;
+  [[nodiscard]] Float size() const;  ///< half length
+  [[nodiscard]] const NipSolution& fine() const { return by_panels().fine(); }
+  [[nodiscard]] Float in_unit(Unit unit) const { return to_float(Exact(units.*unit)); }
+  /// What `proven` gives of the proof, or else the estimate of a functional with the size of its kind.
+  [[nodiscard]] Estimate number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
+                                const SolvedNip::Functional& size) const;
+  /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
+  [[nodiscard]] Estimate estimated(Unit unit, const SolvedNip::Functional& functional, const Float& least,
+                                   const Float& beside = 0) const;
+  /// Of Y, from the leading end.
+  [[nodiscard]] Float behind(const NipSolution& of, double y) const;
+  [[nodiscard]] SurfacePoint place(double y) const;
+  [[nodiscard]] Float end_error() const;
+  [[nodiscard]] bool is_outside(const Float& x) const;
+  [[nodiscard]] Float by_ends(const Float& x, Float PressureAndShear::*part) const;
+  [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part) const;
+  void check_place(double y) const;
+  void check_has_shear() const;
+  [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const;
+  [[nodiscard]] ContactField field() const;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,100 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
+
+namespace nipref::ref {
+
+/// A place on the surface, by its distance from the nearer end in half lengths of the contact, negative outside: so that
+/// the distance from the end is known as well as the place.
+struct SurfacePoint {
+  Interval before_end;
+  bool is_trailing = false;  ///< which end is nearer
+};
+
+/// The pressure of a frictionless contact, p = 2A sum_m c_m sin(m theta), A cos(theta) from its middle to the leading side,
+/// and what of the infinite sum these coefficients may miss; A is any in an interval.
+struct ProvenExpansion {
+  Interval half_length;                ///< A
+  std::vector<Interval> coefficients;  ///< c_0 = 0, c_1 ..
+  Interval radius;                     ///< sum_m m |dc_m| <= this, all m
+  Interval energy_radius;              ///< sqrt(sum_m m dc_m^2) <= this, so |dc_1|
+  /// Of Gauss-Chebyshev at as many nodes: int k(t, s) p(s)/(2A) ds by the values of its integrand, k the kernel
+  /// J(A (t - s)) or I3(A (t - s)), is off by at most this.
+  Interval quadrature_error;
+};
+
+/// What follows from a proven expansion, in half-thicknesses b, pressures in b/(2 R N), displacements in b^2/(2R), N at
+/// once. Intervals contain the truth for each half length of the expansion's. (ref/elastic_nip/README.md, Contacts without
+/// friction)
+class ProvenContact {
+ public:
+  /// Of a sheet without memory: both halves are alike.
+  ProvenContact(ProvenExpansion expansion, std::shared_ptr<SmoothKernel> kernel, double nats);
+  /// Of a rolling sheet with a memory, of which less is proven.
+  ProvenContact(ProvenExpansion expansion, Interval offset, Interval edge_displacement);
+
+  [[nodiscard]] const Interval& half_length() const { return expansion_.half_length; }
+  /// Of the middle from the line through the rollers' centres, towards the leading side.
+  [[nodiscard]] const Interval& offset() const { return offset_; }
+  [[nodiscard]] Interval edge_displacement() const;  ///< at the leading end
+  [[nodiscard]] Interval load() const;               ///< pi A^2 c_1
+  [[nodiscard]] Interval lever() const;              ///< of the resultant from the line through the centres
+  [[nodiscard]] Interval pressure(const SurfacePoint& place) const;  ///< 0 outside
+  /// Towards the middle plane. With a memory, only in the contact.
+  [[nodiscard]] std::optional<Interval> normal(const SurfacePoint& place) const;
+  /// Along Y; beta = theta2/N. Without memory.
+  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place, const Interval& beta) const;
+  /// Its derivative along the surface, in b/(2R), by parts and by the same nodes. Without memory.
+  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place, const Interval& beta) const;
+  /// The largest pressure, which without memory is that in the middle if the pressure that the coefficients give falls from
+  /// there to the ends, as a proof.
+  [[nodiscard]] std::optional<Interval> peak_pressure() const;
+  /// Whether all of these are known to so many digits of their scale.
+  [[nodiscard]] bool is_good_to(int digits) const;
+
+  [[nodiscard]] const ProvenExpansion& expansion() const { return expansion_; }
+  [[nodiscard]] int terms() const { return static_cast<int>(size()); }
+  [[nodiscard]] long normal_values() const {
+    return kernel_ ? kernel_->kernel_values() : 0;
+  }                                                                        ///< of I1, so far
+  [[nodiscard]] long coupling_values() const { return coupling_values_; }  ///< of I3, so far
+
+ private:
+  [[nodiscard]] bool remembers() const { return kernel_ == nullptr; }
+  /// Whether the integrals of the kernels over the pressure are known.
+  [[nodiscard]] bool reaches(const SurfacePoint& place) const;
+  /// c_{2m + 1}, m < size(): there are no others without memory.
+  [[nodiscard]] const Interval& odd(long m) const;
+  [[nodiscard]] Interval first() const;  ///< c_1
+  [[nodiscard]] long size() const { return static_cast<long>(expansion_.coefficients.size()) / 2; }
+  [[nodiscard]] Interval normal_by_pressure(const SurfacePoint& place) const;
+  [[nodiscard]] Interval tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const;
+  [[nodiscard]] Interval pressure_between(const SurfacePoint& place) const;
+  [[nodiscard]] bool falls_outwards() const;
+  /// int k(A (t - s)) p/(2A) ds, |k| <= largest.
+  template <class Kernel>
+  [[nodiscard]] Interval smooth_integral(const SurfacePoint& place, const Kernel& kernel,
+                                         const Interval& largest) const;
+
+  ProvenExpansion expansion_;
+  Interval offset_;
+  std::shared_ptr<SmoothKernel> kernel_;
+  double nats_ = 0;
+  mutable long coupling_values_ = 0;
+  mutable std::optional<Interval> edge_displacement_;
+  std::vector<Interval> nodes_;           ///< s_j > 0
+  std::vector<Interval> node_pressures_;  ///< sqrt(1 - s_j^2) p(s_j)/(2A)
+  std::vector<Interval> node_slopes_;     ///< sum_m mu c_m cos(mu theta_j), mu = 2m + 1
+};
+
+/// A proof, with the working precision at which what it has is to be computed.
+struct Proof {
+  ProvenContact contact;
+  int working_digits;
+};
+
+}  // namespace nipref::ref
