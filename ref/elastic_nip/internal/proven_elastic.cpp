@@ -3,7 +3,8 @@
 #include <utility>
 
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
-#include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
+#include <nipref/ref/nip/internal/chebyshev_system.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -30,22 +31,30 @@ ContactPrecision precision_for(double half_length, int digits, bool for_load) {
   return {expansion, kernel, kernel + 4};
 }
 
-/// pi A^2 c_0.
-Float load_of(const ChebyshevSystem& system, const Vector& c) {
-  return pi() * system.half_length() * system.half_length() * c(0);
-}
+/// A contact that is solved, but not proven.
+struct SolvedSystem {
+  ChebyshevSystem system;
+  SlopeSeries right;
+  std::vector<Float> c;
 
-/// d ln W/d ln A = 2 (sum mu c_m)^2/c_0: dW/dA goes with the square of how p' grows at the ends.
-Float growth_of(const Vector& c) {
-  Float sum = 0;
-  for (Matrix::Index m = 0; m < c.size(); ++m) sum += (2 * m + 1) * c(m);
-  return 2 * sum * sum / c(0);
-}
+  SolvedSystem(const Float& half_length, int size, SmoothKernel& kernel)
+      : system(std::move(ChebyshevSystem::of_half_length(half_length, size, kernel, false).front())),
+        right(SlopeSeries::line(size)),
+        c(system.solution(right)) {}
 
-/// Newton's step for ln W as a function of ln A, as a factor of A.
-Float length_factor(const ChebyshevSystem& system, const Vector& c, const Float& load) {
-  return exp(log(load / load_of(system, c)) / growth_of(c));
-}
+  /// Newton's step for ln W as a function of ln A, as a factor of A: W = pi A^2 c_1 and d ln W/d ln A = 2 (sum m c_m)^2/c_1,
+  /// as dW/dA goes with the square of how p' grows at the ends.
+  [[nodiscard]] Float length_factor(const Float& load) const {
+    Float sum = 0;
+    for (std::size_t m = 1; m < c.size(); m += 2) sum += m * c[m];
+    const Float growth = 2 * sum * sum / c[1];
+    return exp(log(load / (pi() * system.half_length() * system.half_length() * c[1])) / growth);
+  }
+  [[nodiscard]] ProvenContact proven(const Interval& half_length, const std::shared_ptr<SmoothKernel>& kernel,
+                                     const ContactPrecision& precision) const {
+    return {system.proven(c, right, half_length), kernel, precision.kernel * std::numbers::ln10};
+  }
+};
 
 /// The half length that carries a load, to about so many digits, from one good to `known`: half of them
 /// first. Nothing is proven.
@@ -56,18 +65,11 @@ Float improved_half_length(const Float& load, double near, int known, int digits
   Float change = 1;
   for (int step = 0; step < most_steps && change * change > enough; ++step) {
     const int size = size_for(static_cast<double>(half_length), digits);
-    const ChebyshevSystem system(half_length, size, kernel);
-    const Float factor = length_factor(system, system.solution(), load);
+    const Float factor = SolvedSystem(half_length, size, kernel).length_factor(load);
     half_length *= factor;
     change = factor - 1;
   }
   return half_length;
-}
-
-ProvenContact contact_of(const ChebyshevSystem& system, const Vector& coefficients,
-                         const Interval& half_length, const std::shared_ptr<SmoothKernel>& kernel,
-                         const ContactPrecision& precision) {
-  return {prove(system, coefficients, half_length), kernel, precision.kernel * std::numbers::ln10};
 }
 
 }  // namespace
@@ -84,10 +86,8 @@ std::optional<Proof> proven_elastic(const Exact& half_length, int digits, const 
   const ContactPrecision precision = precision_for(near, digits, false);
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
-  const ChebyshevSystem system(to_float(half_length), size, *smooth);
-  return Proof{
-      contact_of(system, system.solution(), Interval(half_length, working_bits()), smooth, precision),
-      precision.working};
+  const SolvedSystem solved(to_float(half_length), size, *smooth);
+  return Proof{solved.proven(Interval(half_length, working_bits()), smooth, precision), precision.working};
 }
 
 std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
@@ -103,18 +103,17 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
       improved_half_length(wanted, near, first_digits - 1, precision.expansion / 2 + 2, *smooth);
   for (int step = 0;; ++step) {
     const int size = size_for(static_cast<double>(half_length), precision.expansion);
-    const ChebyshevSystem system(half_length, size, *smooth);
-    const Vector coefficients = system.solution();
-    const Float factor = length_factor(system, coefficients, wanted);
+    const SolvedSystem solved(half_length, size, *smooth);
+    const Float factor = solved.length_factor(wanted);
     if (abs(factor - 1) > enough && step < most_steps) {
       half_length *= factor;
       continue;
     }
     // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
     const Interval here = interval_of(half_length);
-    const Interval found = contact_of(system, coefficients, here, smooth, precision).load();
+    const Interval found = solved.proven(here, smooth, precision).load();
     const Interval there = here * sqrt(Interval(load, working_bits()) / found);
-    return Proof{contact_of(system, coefficients, hull(here, there), smooth, precision), precision.working};
+    return Proof{solved.proven(hull(here, there), smooth, precision), precision.working};
   }
 }
 

@@ -6,10 +6,10 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/exact_material.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/bounded_columns.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
 
 namespace nipref::ref {
@@ -114,25 +114,26 @@ SlopeSeries exponential_series(const Interval& s, const Interval& half_length, i
 /// (1/pi) int_0^pi F cos(k theta), k = 0 .. N, of a function F of x = A (1 - cos theta) that is L ln(x) + S, S analytic.
 class Moments {
  public:
-  explicit Moments(const BoundedColumns& columns) : columns_(columns) {
-    for (int i = 0; i < columns.points(); ++i)
-      places_.push_back(columns.half_length() * (1 - columns.cosines()(2 * i + 1)));
-    logarithms_.push_back(log(columns.half_length() / 2));
-    for (long k = 1; k <= 2L * columns.points(); ++k)
-      logarithms_.push_back(Interval(-1L, working_bits()) / k);
+  Moments(const ChebyshevSystem& system, const Interval& half_length)
+      : cosines_(system.cosines()), half_length_(half_length), points_(2L * system.size()) {
+    for (long i = 0; i < points_; ++i) places_.push_back(half_length * (1 - cosines_(2 * i + 1)));
+    logarithms_.push_back(log(half_length / 2));
+    for (long k = 1; k <= 2 * points_; ++k) logarithms_.push_back(Interval(-1L, working_bits()) / k);
   }
 
   [[nodiscard]] const Intervals& places() const { return places_; }
+  [[nodiscard]] const Interval& half_length() const { return half_length_; }
+  [[nodiscard]] long points() const { return points_; }
 
   /// Of S, whose Chebyshev coefficients are at most 2 bound e^{-l rate}.
   [[nodiscard]] Intervals smooth(const Intervals& values, const Interval& bound, const Interval& rate) const {
-    const long n = columns_.points();
+    const long n = points_;
     const Interval first = exp(-(n * rate)), missed = 2 * bound * first / (1 - first);
     Intervals moments;
     for (long k = 0; k <= n; ++k) {
       Interval sum = zero();
       for (long i = 0; i < n; ++i)
-        sum = sum + values[static_cast<std::size_t>(i)] * columns_.cosines()(k * (2 * i + 1));
+        sum = sum + values[static_cast<std::size_t>(i)] * cosines_(k * (2 * i + 1));
       moments.push_back((sum / n).widened(magnitude_of(missed)));
     }
     return moments;
@@ -141,7 +142,7 @@ class Moments {
   [[nodiscard]] Intervals logarithmic(const Intervals& e, const Interval& left_out) const {
     Intervals moments;
     const Interval missed = magnitude_of(left_out) * (magnitude_of(logarithm(0)) + 1);
-    for (long k = 0; k <= columns_.points(); ++k) {
+    for (long k = 0; k <= points_; ++k) {
       Interval sum = zero();
       for (long l = 0; l < static_cast<long>(e.size()); ++l)
         sum = sum + e[static_cast<std::size_t>(l)] * (logarithm(l + k) + logarithm(std::abs(l - k)));
@@ -153,7 +154,9 @@ class Moments {
  private:
   [[nodiscard]] const Interval& logarithm(long k) const { return logarithms_[static_cast<std::size_t>(k)]; }
 
-  const BoundedColumns& columns_;
+  const Cosines& cosines_;
+  Interval half_length_;
+  long points_;
   Intervals places_;
   Intervals logarithms_;  ///< (1/pi) int ln(A (1 - cos theta)) cos(k theta)
 };
@@ -176,9 +179,9 @@ Interval larger(const Interval& x, const Interval& y) {
 }
 
 /// Those of I1.
-Intervals kernel_moments(const Moments& moments, const BoundedColumns& columns, SmoothKernel& kernel) {
-  const Interval A = upper(columns.half_length());
-  const Ellipse ellipse(A, entry_bounds(A, columns.points() / 2).rate);
+Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
+  const Interval A = upper(moments.half_length());
+  const Ellipse ellipse(A, entry_bounds(A, static_cast<int>(moments.points() / 2)).rate);
   Intervals values;
   for (const Interval& x : moments.places()) values.push_back(kernel.over(x));
   Intervals result = moments.smooth(values, ellipse.smooth_kernel(A), ellipse.rate);
@@ -188,10 +191,9 @@ Intervals kernel_moments(const Moments& moments, const BoundedColumns& columns, 
 }
 
 /// Those of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
-Intervals memory_moments(const Moments& moments, const BoundedColumns& columns, const mpq_class& rate,
-                         const Interval& share, double nats) {
-  const Interval r = exactly(rate), A = columns.half_length(), top = upper(A);
-  const long n = columns.points();
+Intervals memory_moments(const Moments& moments, const mpq_class& rate, const Interval& share, double nats) {
+  const Interval r = exactly(rate), A = moments.half_length(), top = upper(A);
+  const long n = moments.points();
   // E in cosines.
   Intervals e{A, -A};
   Interval left_out = zero();
@@ -214,7 +216,7 @@ Intervals memory_moments(const Moments& moments, const BoundedColumns& columns, 
     values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));
   }
   // The ellipse's rate is at most 3/2, and S in it follows from S on the axis by S' = r S - J - E/x.
-  const Interval tau = entry_bounds(top, columns.points() / 2).rate, most_tau(1.5, working_bits());
+  const Interval tau = entry_bounds(top, static_cast<int>(n / 2)).rate, most_tau(1.5, working_bits());
   const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
   const Interval way = ellipse.height + ellipse.width - top;
   const Interval far = exp(r * (top + ellipse.width)), two_A = 2 * top;
@@ -233,7 +235,7 @@ Intervals memory_moments(const Moments& moments, const BoundedColumns& columns, 
 Interval slope_functional(const BoundedColumn& column, const Intervals& moments) {
   Interval sum = zero();
   for (std::size_t m = 1; m < column.coefficients.size(); ++m)
-    sum = sum + static_cast<long>(m) * (interval_of(column.coefficients[m]) * moments[m]);
+    sum = sum + static_cast<long>(m) * (column.coefficients[m] * moments[m]);
   return sum;
 }
 
@@ -320,23 +322,23 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   const std::optional<Memory> memory = memory_of(memories);
   if (!memory) return std::nullopt;
   SmoothKernel kernel(I1_interval, expansion + 6);
-  const BoundedColumns columns(A, 2 * static_cast<int>(points / 2 + 1), kernel);
-  const Moments moments(columns);
+  const int size = static_cast<int>(points / 2 + 1);
+  const auto systems = ChebyshevSystem::of_half_length(middle_of(A), size, kernel, true);
+  const Moments moments(systems[0], A);
 
   // The elastic contact, and one for each exponential.
-  std::vector<SlopeSeries> right{{Intervals(static_cast<std::size_t>(columns.points()), zero()), zero()}};
-  right.front().coefficients[1] = Interval(1L, working_bits());
-  for (const Interval& s : memory->s) right.push_back(exponential_series(s, A, columns.points()));
-  const std::vector<BoundedColumn> solved = columns.solved(right);
+  std::vector<SlopeSeries> right{SlopeSeries::line(size)};
+  for (const Interval& s : memory->s) right.push_back(exponential_series(s, A, 2 * size));
+  const std::vector<BoundedColumn> columns = solved(systems, right, A);
   const std::size_t n = memory->s.size();
 
   // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each; |moments of M| <= 4.
   const Interval share = exactly(memories.error);
   std::vector<Intervals> memories_at, ahead;
   for (const ProvenMemory& term : memories.terms) {
-    memories_at.push_back(memory_moments(moments, columns, term.rate, share, nats));
+    memories_at.push_back(memory_moments(moments, term.rate, share, nats));
     Intervals of_columns;
-    for (const BoundedColumn& column : solved)
+    for (const BoundedColumn& column : columns)
       of_columns.push_back(
           (-slope_functional(column, memories_at.back())).widened(magnitude_of(4 * column.radius)));
     ahead.push_back(of_columns);
@@ -361,35 +363,35 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   Intervals last(n + 2, zero());
   for (std::size_t k = 0; k < n; ++k) {
     const Interval mean = scaled_bessel(memory->s[k] * A, 0).front();
-    last[k] = solved[k + 1].constant - mean;
+    last[k] = columns[k + 1].constant - mean;
     last[n + 1] = last[n + 1] - memory->b[k] / (A * square(memory->s[k]));
   }
   last[n] = stiffness;
-  last[n + 1] = last[n + 1] - stiffness * solved[0].constant;
+  last[n + 1] = last[n + 1] - stiffness * columns[0].constant;
   rows.push_back(std::move(last));
   const std::optional<Intervals> amplitudes = eliminated(std::move(rows));
   if (!amplitudes) return std::nullopt;
 
-  ProvenExpansion pressure{A, Intervals(solved[0].coefficients.size(), zero()), zero(), zero(), zero()};
+  ProvenExpansion pressure{A, Intervals(columns[0].coefficients.size(), zero()), zero(), zero(), zero()};
   for (std::size_t k = 0; k <= n; ++k) {
     const Interval& factor = k == 0 ? stiffness : (*amplitudes)[k - 1];
     for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
-      pressure.coefficients[m] = pressure.coefficients[m] + factor * interval_of(solved[k].coefficients[m]);
-    pressure.radius = pressure.radius + magnitude_of(factor) * solved[k].radius;
-    pressure.energy_radius = pressure.energy_radius + magnitude_of(factor) * solved[k].energy_radius;
+      pressure.coefficients[m] = pressure.coefficients[m] + factor * columns[k].coefficients[m];
+    pressure.radius = pressure.radius + magnitude_of(factor) * columns[k].radius;
+    pressure.energy_radius = pressure.energy_radius + magnitude_of(factor) * columns[k].energy_radius;
   }
 
   // d1 = (A/pi) int (I1 + sum a_i M_i) p: moments of all.
-  Intervals all = kernel_moments(moments, columns, kernel);
-  Interval size = magnitude_of(log(A / 2)) + 5;
+  Intervals all = kernel_moments(moments, kernel);
+  Interval largest = magnitude_of(log(A / 2)) + 5;
   for (std::size_t i = 0; i < memories.terms.size(); ++i) {
     for (std::size_t k = 0; k < all.size(); ++k) all[k] = all[k] + memory->a[i] * memories_at[i][k];
-    size = size + 4 * magnitude_of(memory->a[i]);
+    largest = largest + 4 * magnitude_of(memory->a[i]);
   }
   Interval sum = zero();
   for (std::size_t m = 1; m < pressure.coefficients.size(); ++m)
     sum = sum + pressure.coefficients[m] * (all[m - 1] - all[m + 1]);
-  const Interval edge_displacement = square(A) * sum.widened(magnitude_of(2 * size * pressure.radius));
+  const Interval edge_displacement = square(A) * sum.widened(magnitude_of(2 * largest * pressure.radius));
   return ProvenContact(std::move(pressure), A * amplitudes->back(), edge_displacement);
 }
 

@@ -9,11 +9,9 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/bounded_columns.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
 
 using namespace nipref;
@@ -118,65 +116,6 @@ TEST_CASE("ref rolling contact: an interval of lengths has the contacts of each"
     const auto one = results_of(*ref::proven_rolling(memories, ref::interval_of(A), 30));
     for (std::size_t k = 0; k < one.size(); ++k) CHECK(mpfi_is_inside(one[k].get(), all[k].get()) > 0);
   }
-}
-
-TEST_CASE("bounded columns: too few points have a radius that covers what they miss, of either parity") {
-  const ref::WorkingDigits working(60);
-  for (const double half_length : {0.02, 1.0, 3.0}) {
-    CAPTURE(half_length);
-    const Interval A(half_length, ref::working_bits());
-    ref::SmoothKernel kernel(ref::I1_interval, 50);
-    const auto solved = [&](int points) {
-      ref::SlopeSeries line{{}, Interval(ref::working_bits())}, wave = line;
-      for (int m = 0; m < points; ++m) {
-        line.coefficients.emplace_back(m == 1 ? 1L : 0L, ref::working_bits());
-        wave.coefficients.push_back(m == 0 ? Interval(ref::working_bits())
-                                           : exp(Interval(-1.5 * m, ref::working_bits())));
-      }
-      wave.next = exp(Interval(-1.5 * points, ref::working_bits()));
-      return ref::BoundedColumns(A, points, kernel).solved({line, wave});
-    };
-    const int enough = 2 * ref::size_for(half_length, 40) + 60;
-    const auto truth = solved(enough);
-    for (const int points : {10, 2 * ref::size_for(half_length, 5), 2 * ref::size_for(half_length, 15)}) {
-      CAPTURE(points);
-      const auto rough = solved(points);
-      for (std::size_t k = 0; k < rough.size(); ++k) {
-        double missed = 0, energy = 0;
-        for (std::size_t m = 1; m < truth[k].coefficients.size(); ++m) {
-          const Float mine = m < rough[k].coefficients.size() ? rough[k].coefficients[m] : Float(0);
-          const double off = static_cast<double>(abs(truth[k].coefficients[m] - mine));
-          missed += static_cast<double>(m) * off;
-          energy += static_cast<double>(m) * off * off;
-        }
-        CHECK(missed <= upper_bound(rough[k].radius) + upper_bound(truth[k].radius));
-        CHECK(std::sqrt(energy) <= upper_bound(rough[k].energy_radius) + upper_bound(truth[k].energy_radius));
-        CHECK(meet(rough[k].constant, truth[k].constant));
-        CHECK(upper_bound(truth[k].radius) < 1e-30);
-      }
-    }
-  }
-}
-
-TEST_CASE(
-    "bounded columns: a wrong kernel value in the 25th digit makes the proof fail, one known to no more widens it") {
-  const ref::WorkingDigits working(50);
-  const Interval A(0.5, ref::working_bits()), error(1e-25, 64);
-  const auto radius = [&](const Interval& wrong) {
-    ref::SmoothKernel kernel(
-        [left = 7, &wrong](const ref::Exact& alpha, double nats) mutable {
-          const Interval value = ref::I1_interval(alpha, nats);
-          return left-- == 0 ? value + wrong : value;
-        },
-        40);
-    ref::SlopeSeries line{std::vector<Interval>(60, Interval(ref::working_bits())),
-                          Interval(ref::working_bits())};
-    line.coefficients[1] = Interval(1L, ref::working_bits());
-    return upper_bound(ref::BoundedColumns(A, 60, kernel).solved({line}).front().radius);
-  };
-  CHECK_THROWS_AS(radius(error), std::logic_error);
-  CHECK_THROWS_AS(radius(-error), std::logic_error);
-  CHECK(radius(ref::either_side(error)) > 1e4 * radius(Interval(64)));
 }
 
 TEST_CASE("bounded columns: the even part of a slope has no more of the low frequencies than the odd one") {

@@ -1,0 +1,93 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <nipref/ref/nip/internal/proven_contact.hpp>
+#include <nipref/ref/number/internal/cosines.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
+
+namespace nipref::ref {
+
+/// A right-hand side f_0 .. f_{2n-1}; and a bound of f_{2n} that each further one is at most half of the one before.
+struct SlopeSeries {
+  std::vector<Interval> coefficients;
+  Interval next;
+
+  /// f_1 = 1: the elastic contact.
+  static SlopeSeries line(int size);
+};
+
+/// What solves a system: a pressure, and the constant beside the given slope.
+struct BoundedColumn : ProvenExpansion {
+  Interval constant;
+};
+
+/// The pressure 2A sum c_m sin(m theta) that is 0 at both ends and makes the slope of an elastic contact of half length A a
+/// given function of t = cos(theta) but for a constant, at 2n Chebyshev points theta_i = (2i + 1) pi/(4n):
+///
+///     (1/pi) int_{-1}^{1} I1(A (t - s)) q(s) ds = constant - sum f_m T_m(t),    q = p'/(2A),   all m >= 1,
+///     c_m + (1/2) sum_k g_mk k c_k = f_m,    J(A(t - s)) = sum g_mk T_m(t) T_k(s).
+///
+/// Odd and even m are two systems, whose kernels at the n points t > 0 are the odd and the even part of J. With
+/// x_m = sqrt(m) c_m each is x + G x = sqrt(m) f, G symmetric. The residual of given coefficients is enclosed in rows
+/// m < 2n and bounded in all others; divided by a lower bound lambda of the quadratic form it bounds what they miss.
+/// (1) to (3) in the code are those of the proof: ref/elastic_nip/README.md, Contacts without friction.
+class ChebyshevSystem {
+ public:
+  /// Of odd m, and with `both` of even m too. A to the working precision.
+  static std::vector<ChebyshevSystem> of_half_length(const Float& half_length, int size, SmoothKernel& kernel,
+                                                     bool both);
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] const Float& half_length() const { return half_length_; }
+  /// cos(k pi/(4n)).
+  [[nodiscard]] const Cosines& cosines() const { return nodes_->cosines; }
+  /// [J(A (t_i - t_j)) -+ J(A (t_i + t_j))]/2, to the kernel's error and what rounding the arguments does.
+  [[nodiscard]] const Float& part(int i, int j) const;
+
+  /// c_0 .. c_{2n-1} to about the working precision, 0 where m is not of the parity.
+  [[nodiscard]] std::vector<Float> solution(const SlopeSeries& right) const;
+  /// What solves the system, for all half lengths of the interval, about half_length().
+  [[nodiscard]] BoundedColumn proven(const std::vector<Float>& coefficients, const SlopeSeries& right,
+                                     const Interval& half_length) const;
+
+ private:
+  struct Nodes {
+    Cosines cosines;
+    std::vector<Float> middles;
+    std::vector<double> in_double;
+  };
+  /// What of sum_k k c_k cos(k theta) at the nodes t > 0, and of the kernel times that.
+  template <class Number>
+  struct Applied {
+    std::vector<Number> at_nodes, smooth;
+  };
+
+  ChebyshevSystem(bool is_odd, const Float& half_length, int size, std::shared_ptr<const Nodes> nodes,
+                  std::vector<Float> part, const Float& kernel_error);
+  [[nodiscard]] long first() const { return is_odd_ ? 1 : 2; }
+  [[nodiscard]] long end() const { return 2L * size_; }
+  template <class Number>
+  [[nodiscard]] const Number& cosine(long k) const;
+  template <class Number>
+  [[nodiscard]] Applied<Number> applied_to(const std::vector<Number>& coefficients) const;
+
+  [[nodiscard]] Eigen::VectorXd solved_in_double(const Eigen::VectorXd& right) const;
+
+  bool is_odd_;
+  Float half_length_;
+  int size_;
+  std::shared_ptr<const Nodes> nodes_;
+  std::vector<Float> part_;  ///< its lower triangle
+  Float kernel_error_;
+  Eigen::MatrixXd cosines_in_double_;   ///< cos(m theta_i), m = first(), first() + 2, ..
+  Eigen::LLT<Eigen::MatrixXd> factor_;  ///< of the system of the values of q sin(theta) at the nodes
+};
+
+/// The solutions of odd and even m together.
+std::vector<BoundedColumn> solved(const std::vector<ChebyshevSystem>& systems,
+                                  const std::vector<SlopeSeries>& right, const Interval& half_length);
+
+}  // namespace nipref::ref
