@@ -11,19 +11,13 @@
 #include <nipref/ref/viscoelastic_nip/internal/rolling_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 
+#include "support/reference_values.hpp"
+
 using namespace nipref;
 
 namespace {
 
 data::ViscoelasticNip nip_of(const data::ViscoelasticMaterial& material) { return {6, 0.5, material, 1}; }
-
-double error(const ref::Estimate& number) { return mpfr_get_d(ref::raw(number.error), MPFR_RNDU); }
-
-double difference(const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Float both = ref::zero_of_bits(200);
-  mpfr_sub(ref::raw(both), ref::raw(a.value), ref::raw(b.value), MPFR_RNDN);
-  return std::fabs(mpfr_get_d(ref::raw(both), MPFR_RNDN));
-}
 
 double half_width(const ref::Interval& x) {
   return mpfi_get_d(ref::distance_from(ref::middle_of(x), x).get());

@@ -1,0 +1,494 @@
+// Converged contacts in multiprecision, of every kind: against the double path, each other and themselves.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+
+#include "support/reference_values.hpp"
+#include "support/softening_sheet.hpp"
+#include "support/thesis_nips.hpp"
+
+using namespace nipref;
+using data::ElasticNip;
+using data::Friction;
+using data::ViscoelasticNip;
+using test::quarter_inch_nip;
+
+namespace {
+
+using Places = std::vector<double>;
+template <class Number>
+using Numbers = std::map<std::string, Number>;
+
+/// The results that a contact of either path has, by their names, and at places Y.
+template <class Contact>
+auto numbers_of(const Contact& contact, const Places& places) {
+  Numbers<decltype(contact.load())> all{{"contact_length", contact.contact_length()},
+                                        {"leading_length", contact.leading_length()},
+                                        {"trailing_length", contact.trailing_length()},
+                                        {"load", contact.load()},
+                                        {"indentation", contact.indentation()},
+                                        {"leading_displacement", contact.leading_displacement()},
+                                        {"trailing_displacement", contact.trailing_displacement()},
+                                        {"rolling_resistance", contact.rolling_resistance()},
+                                        {"creep_ratio", contact.creep_ratio()},
+                                        {"peak_pressure", contact.peak_pressure()},
+                                        {"peak_shear", contact.peak_shear()}};
+  for (const double y : places) {
+    const std::string at = " at " + std::to_string(y);
+    all.insert({{"pressure" + at, contact.pressure(y)},
+                {"shear" + at, contact.shear(y)},
+                {"normal_displacement" + at, contact.normal_displacement(y)},
+                {"tangential_displacement" + at, contact.tangential_displacement(y)}});
+  }
+  return all;
+}
+
+/// A nip by either path, of a length or a load.
+struct Kind {
+  std::string name;
+  std::function<ref::ConvergedNip(double given, int digits)> of_length, of_load;
+  using Fast = std::function<Numbers<fast::Estimate>(double given, double accuracy, const Places&)>;
+  Fast fast_of_length, fast_of_load;
+};
+
+template <class Nip, class... Options>
+Kind kind_of(const std::string& name, const Nip& nip, Options... options) {
+  return {name, [=](double x, int digits) { return ref::converged_for_length(nip, options..., x, digits); },
+          [=](double x, int digits) { return ref::converged_for_load(nip, options..., x, digits); },
+          [=](double x, double accuracy, const Places& places) {
+            return numbers_of(fast::converged_for_length(nip, options..., x, accuracy), places);
+          },
+          [=](double x, double accuracy, const Places& places) {
+            return numbers_of(fast::converged_for_load(nip, options..., x, accuracy), places);
+          }};
+}
+Kind frictionless(const ElasticNip& nip) { return kind_of("frictionless", nip, Friction::none); }
+Kind gripped(const ElasticNip& nip) { return kind_of("gripped", nip, Friction::full); }
+Kind rolling(const ViscoelasticNip& nip) { return kind_of("rolling", nip); }
+
+ElasticNip nip_of(double poisson, double thickness = 1, double radius = 1e3) {
+  ElasticNip nip = data::seed::nip(thickness);
+  nip.material.poisson = poisson;
+  nip.roller_radius = radius;
+  return nip;
+}
+
+/// Relaxation lengths `way` and three times that, the compliances grow by `growth` of themselves.
+ViscoelasticNip rolled_nip(double thickness, double way, double growth) {
+  const data::MaterialFunction theta1{9e-6, {{9e-6 * growth / way, 1 / way}}};
+  const data::MaterialFunction theta2{3e-6, {{1e-6 * growth / way, 1 / (3 * way)}}};
+  return {6, thickness, data::ViscoelasticMaterial(theta1, theta2), 1};
+}
+
+/// The same, and a pair of conjugate rates whose imaginary part is `swing` times the real one.
+ViscoelasticNip swinging_nip(double thickness, double way, double swing) {
+  const auto function = [&](double compliance) -> data::MaterialFunction {
+    const std::complex<double> amplitude{compliance * 0.1 / way, -compliance * 0.05 / way};
+    const std::complex<double> rate{1 / way, swing / way};
+    return {
+        compliance,
+        {{compliance * 0.2 / way, 0.5 / way}, {amplitude, rate}, {std::conj(amplitude), std::conj(rate)}}};
+  };
+  return {6, thickness, data::ViscoelasticMaterial(function(9e-6), function(3e-6)), 1};
+}
+
+Places places_of(double length) { return {-0.7 * length, -0.2 * length, 0.3 * length}; }
+
+/// Whether fast is off by no more than it says, and what a number is rounded by at most.
+void check_covered(const Numbers<ref::Estimate>& truth, const Numbers<fast::Estimate>& computed,
+                   double rounding = 0) {
+  for (const auto& [name, estimate] : computed) {
+    CAPTURE(name);
+    const ref::Estimate& exact = truth.at(name);
+    CAPTURE(exact.value_text());
+    CAPTURE(estimate.value);
+    CHECK(std::fabs(exact.error_of(estimate.value)) <=
+          estimate.error + rounding * std::fabs(estimate.value) + error(exact));
+  }
+}
+
+void check_meet(const Numbers<ref::Estimate>& few, const Numbers<ref::Estimate>& many) {
+  for (const auto& [name, fine] : many) {
+    CAPTURE(name);
+    CHECK(difference(few.at(name), fine) <= error(few.at(name)) + error(fine));
+  }
+}
+
+/// Log-uniform from a low to a high number.
+auto random_between(std::mt19937_64& generator) {
+  return [&generator](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(generator() >> 11) * 0x1p-53);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("ref contact: the double path's estimates cover what they are off by at random nips of each kind") {
+  std::mt19937_64 generator(11);
+  const auto between = random_between(generator);
+  for (int i = 0; i < 24; ++i) {
+    const double poisson = i % 6 == 0 ? 0.5 : 1.4 - between(0.9001, 2.3), thickness = between(0.4, 2.7);
+    const double length = thickness * between(1e-6, 2), accuracy = between(1e-11, 1e-3);
+    CAPTURE(poisson);
+    CAPTURE(length / thickness);
+    const ElasticNip nip = nip_of(poisson, thickness, 100 * thickness);
+    for (const Kind& kind : {gripped(nip), frictionless(nip)}) {
+      CAPTURE(kind.name);
+      const auto computed = kind.fast_of_length(length, accuracy, places_of(length));
+      check_covered(numbers_of(kind.of_length(length, 20), places_of(length)), computed, 1e-16);
+      if (i % 4 != 0) continue;
+      const double load = computed.at("load").value;
+      check_covered(numbers_of(kind.of_load(load, 20), places_of(length)),
+                    kind.fast_of_load(load, accuracy, places_of(length)), 1e-16);
+    }
+  }
+  for (int i = 0; i < 6; ++i) {
+    const double length = between(1e-3, 0.2);
+    CAPTURE(length);
+    const Kind kind = rolling(rolled_nip(0.25, length * between(0.3, 1e5), between(0.1, 10)));
+    check_covered(numbers_of(kind.of_length(length, 16), places_of(length)),
+                  kind.fast_of_length(length, 1e-10, places_of(length)));
+  }
+}
+
+TEST_CASE("ref contact: the shortest and the longest, and what materials there are, are covered in double") {
+  const auto wide = [](ViscoelasticNip nip) {
+    nip.roller_radius = 1000;
+    return nip;
+  };
+  const auto operators = [](const data::DifferentialOperators& all) {
+    return rolling({6, 0.25, data::operator_solid(all), 1});
+  };
+  const ElasticNip long_nip{2500, 2, {3, 0.4}};
+  struct Row {
+    Kind kind;
+    double length, accuracy, most_of_ref = INFINITY, most_of_fast = INFINITY;  // errors over values
+  };
+  // Shear that flows within a way of 0.1 or 0.01 by as much as it gives way at once, or not at all; K is constant, flows as
+  // well, or is a spring beside a dashpot, so that theta2 has nothing at once.
+  const std::vector<Row> rows{
+      {gripped(long_nip), 120, 1e-12, 1e-15},
+      {gripped(long_nip), 2000, 1e-12, 1e-15},
+      {rolling(wide(rolled_nip(1, 1e-9, 1))), 1e-6, 1e-10},
+      {rolling(wide(rolled_nip(1, 2, 30))), 20, 1e-10},
+      {rolling(swinging_nip(0.25, 0.2, 1.5)), 0.1, 1e-10},
+      {operators({{6e4, 6e3}, {0, 3.6e8}, {1}, {1.4e5}}), 0.1, 1e-10, 1, 1e-10},
+      {operators({{6e4, 600}, {0, 3.6e7}, {7e4, 1.4e5}, {0, 1.4e10}}), 0.1, 1e-10, 1, 1e-10},
+      {operators({{1}, {6e4}, {1}, {1.4e5, 3e3}}), 0.1, 1e-10, 1, 1e-10}};
+  for (const auto& [kind, length, accuracy, most_of_ref, most_of_fast] : rows) {
+    CAPTURE(kind.name);
+    CAPTURE(length);
+    const bool is_long = length > 100;
+    const Places places = is_long ? Places{} : places_of(length);
+    const auto contact = kind.of_length(length, 16);
+    const auto truth = numbers_of(contact, places);
+    const auto computed = kind.fast_of_length(length, accuracy, places);
+    check_covered(truth, computed);
+    for (const char* const name : {"load", "indentation"}) {
+      CHECK(error(truth.at(name)) <= most_of_ref * std::fabs(truth.at(name).to_double()));
+      CHECK(computed.at(name).error <= most_of_fast * computed.at(name).value);
+    }
+    if (!is_long) continue;
+    for (const char* const name : {"creep_ratio", "peak_pressure", "peak_shear"})
+      CHECK(error(truth.at(name)) <= most_of_ref * std::fabs(truth.at(name).to_double()));
+    const auto found =
+        fast::converged_for_length(long_nip, Friction::full, length, accuracy).peak_shear_position();
+    CHECK(std::fabs(contact.peak_shear_position().error_of(found.value)) <= found.error);
+  }
+}
+
+TEST_CASE("ref contact: more digits stay within the error, of a length and of a load") {
+  struct Row {
+    Kind kind;
+    double length, load;
+    int few, many;
+  };
+  const std::vector<Row> rows{{gripped(nip_of(0.1)), 0.75, 20, 16, 30},
+                              {frictionless(nip_of(0.1)), 0.75, 20, 18, 40},
+                              {rolling(rolled_nip(0.25, 0.1, 2)), 0.1, 60, 16, 25}};
+  for (const auto& [kind, length, load, few, many] : rows) {
+    CAPTURE(kind.name);
+    const Places places{0.39 * length, 1.07 * length};
+    const auto check = [&](const ref::ConvergedNip& coarse, const ref::ConvergedNip& fine) {
+      const auto rough = numbers_of(coarse, places), good = numbers_of(fine, places);
+      check_meet(rough, good);
+      for (const auto& [name, number] : good) CHECK(error(number) <= 1e-7 * error(rough.at(name)) + 1e-300);
+      CHECK(fine.unknowns() > coarse.unknowns());
+      CHECK(fine.normal_values() > coarse.normal_values());
+      CHECK(fine.coupling_values() > coarse.coupling_values());
+      CHECK(fine.stretch_values() >= coarse.stretch_values());
+    };
+    check(kind.of_length(length, few), kind.of_length(length, many));
+    check(kind.of_load(load, few), kind.of_load(load, many));
+  }
+  CHECK(rows[1].kind.of_length(0.75, 18).coupling_values() == 0);
+  CHECK(rows[0].kind.of_length(0.75, 16).stretch_values() > 0);
+}
+
+TEST_CASE("ref contact: bounds of 20, 30 and 40 digits meet, keep the digits and lie within fast's") {
+  const Kind kind = frictionless({1000, 2, {3, 0.2}});
+  for (const double A : {1e-8, 1e-6, 1e-3, 0.1, 0.5, 1.0, 3.0}) {
+    CAPTURE(A);
+    const Places places{0.25 * A, 0.5 * A, 0.875 * A, A, 1.125 * A, 2.5 * A};
+    const auto at = [&](int digits) { return numbers_of(kind.of_length(2 * A, digits), places); };
+    const auto thirty = at(30), forty = at(40);
+    check_meet(at(20), thirty);
+    check_meet(thirty, forty);
+    const double largest_displacement = thirty.at("indentation").to_double() * std::fmax(A, 1);
+    for (const auto& [name, truth] : thirty) {
+      CAPTURE(name);
+      const double size = name.find("displacement") != std::string::npos ? largest_displacement
+                                                                         : std::fabs(truth.to_double());
+      CHECK(truth.proven);
+      CHECK(error(truth) <= 1e-30 * size);
+      CHECK(error(forty.at(name)) <= 1e-40 * size);
+    }
+    check_covered(thirty, kind.fast_of_length(2 * A, 1e-10, places), 1e-15);
+  }
+  for (const double thickness : {1.0, 0.0625}) {
+    for (const double load : {25.0, 200.0}) {
+      const ElasticNip nip = data::seed::nip(thickness);
+      const auto truth = ref::converged_for_load(nip, Friction::none, load, 25);
+      const auto computed = fast::converged_for_load(nip, Friction::none, load, 1e-12);
+      CHECK(relative_error(truth.contact_length(), computed.contact_length().value) < 1e-12);
+      CHECK(relative_error(truth.indentation(), computed.indentation().value) < 1e-12);
+      CHECK(relative_error(truth.leading_displacement(), computed.leading_displacement().value) < 1e-12);
+      CHECK(std::fabs(truth.load().error_of(load)) < 1e-24 * load);
+    }
+  }
+}
+
+TEST_CASE("ref contact: without friction and memory it is one, by the proof, by panels and rolled") {
+  struct Row {
+    ElasticNip nip;
+    double length;
+  };
+  for (const auto& [nip, length] : {Row{nip_of(0.3), 0x1p-10}, Row{quarter_inch_nip, 0.15},
+                                    Row{nip_of(0.3), 1.5}, Row{nip_of(0.3), 26.0}}) {
+    CAPTURE(length);
+    Places places{length / 8, -length / 4, length / 2};
+    if (length < 2) places.insert(places.end(), {0.75 * length, -1.3 * length});
+    const auto proven = ref::converged_for_length(nip, Friction::none, length, 30);
+    const auto panels = ref::converged_for_length(nip, Friction::none, length, 18, 0);
+    const auto truth = numbers_of(proven, places), by_panels = numbers_of(panels, places);
+    check_meet(by_panels, truth);
+    CHECK(truth.at("load").proven);
+    for (const char* const name : {"load", "indentation", "creep_ratio", "peak_pressure"})
+      CHECK(error(by_panels.at(name)) <= 1e-17 * std::fabs(truth.at(name).to_double()));
+    CHECK(difference(panels.surface_strain(length / 8), proven.surface_strain(length / 8)) <=
+          error(panels.surface_strain(length / 8)));
+    CHECK_THROWS_WITH_AS((void)panels.peak_shear_position(), doctest::Contains("must be full"),
+                         data::BadInput);
+    const ViscoelasticNip rolled{nip.roller_radius, nip.sheet_thickness, data::elastic_solid(nip.material),
+                                 1};
+    const auto by_rolling = numbers_of(ref::converged_for_length(rolled, length, 20), places);
+    check_meet(by_rolling, truth);
+    CHECK(std::fabs(by_rolling.at("rolling_resistance").to_double()) <= 1e-20);
+  }
+}
+
+TEST_CASE("ref contact: a memory that fades slowly is none, and conjugate rates tend to two real ones") {
+  const double length = 0.1, way = 1e6;
+  const auto slow = ref::converged_for_length(test::nip(way), length, 16),
+             proven = ref::converged_for_length(test::elastic(1), Friction::none, length, 16);
+  // To first order in the contact over the way.
+  const double near = 5 * length / way;
+  CHECK(difference(slow.load(), proven.load()) <= near * proven.load().to_double());
+  CHECK(difference(slow.creep_ratio(), proven.creep_ratio()) <= near * length / test::radius);
+  const auto still = [](double compliance) -> data::MaterialFunction {
+    return {compliance, {{compliance * 0.2 / 0.2, 0.5 / 0.2}, {compliance * 0.2 / 0.2, 1 / 0.2}}};
+  };
+  const ViscoelasticNip real{6, 0.25, data::ViscoelasticMaterial(still(9e-6), still(3e-6)), 1};
+  const auto swung = ref::converged_for_length(swinging_nip(0.25, 0.2, 1e-9), length, 16),
+             merged = ref::converged_for_length(real, length, 16);
+  CHECK(difference(swung.load(), merged.load()) <= 1e-8 * merged.load().to_double());
+  CHECK(difference(swung.creep_ratio(), merged.creep_ratio()) <=
+        1e-8 * std::fabs(merged.creep_ratio().to_double()));
+}
+
+TEST_CASE("ref contact: lengths, moduli and loads scale as they must") {
+  const ElasticNip nip{6, 0.25, {1.45e5, 0.25}};
+  ElasticNip stiffer = nip, larger{30, 1.25, nip.material};
+  stiffer.material.young *= 3;  // exactly
+  for (const auto& of : {frictionless, gripped}) {
+    const auto contact = of(nip).of_length(0.25, 25), stiff = of(stiffer).of_length(0.25, 25),
+               large = of(larger).of_length(1.25, 25);
+    const auto ratio = [](const ref::Estimate& x, const ref::Estimate& y, double factor) {
+      ref::Estimate multiple = y;
+      mpfr_mul_d(ref::raw(multiple.value), ref::raw(y.value), factor, MPFR_RNDN);
+      CHECK(difference(x, multiple) <= 1.01 * (error(x) + factor * error(y)));
+    };
+    ratio(stiff.load(), contact.load(), 3);
+    ratio(stiff.pressure(0.0625), contact.pressure(0.0625), 3);
+    ratio(stiff.shear(0.0625), contact.shear(0.0625), 3);
+    ratio(stiff.indentation(), contact.indentation(), 1);
+    ratio(large.load(), contact.load(), 5);
+    ratio(large.pressure(5 * 0.0625), contact.pressure(0.0625), 1);
+    ratio(large.leading_displacement(), contact.leading_displacement(), 5);
+    ratio(large.normal_displacement(5 * 0.1875), contact.normal_displacement(0.1875), 5);
+    ratio(large.creep_ratio(), contact.creep_ratio(), 1);
+  }
+}
+
+TEST_CASE("ref contact: the length of a load is that whose load it is") {
+  struct Row {
+    Kind kind;
+    double length;
+    int digits;
+  };
+  const ElasticNip nip{1000, 2, {3, 0.2}};
+  for (const auto& [kind, length, digits] :
+       {Row{frictionless(nip), 0.002, 30}, Row{frictionless(nip), 0.5, 30}, Row{frictionless(nip), 6, 30},
+        Row{gripped(nip_of(0.3)), 0x1p-10, 20}, Row{gripped(nip_of(0.3)), 1.5, 20},
+        Row{rolling(rolled_nip(0.25, 0.1, 2)), 0.1, 16}}) {
+    CAPTURE(kind.name);
+    CAPTURE(length);
+    const auto there = kind.of_length(length, digits);
+    const double load = there.load().to_double(), least = std::pow(10, -digits);
+    const auto back = kind.of_load(load, digits);
+    CHECK(std::fabs(back.load().error_of(load)) <= error(back.load()));
+    CHECK(error(back.contact_length()) <= 4 * least * length);
+    // ln W grows 2 to 3 times as fast as ln L, of a sheet that softens as it rolls by less.
+    const double of_load = -there.load().error_of(load) / load;
+    const double of_length = -back.contact_length().error_of(length) / length;
+    CHECK(std::fabs(of_length) <= std::fabs(of_load) / (kind.name == "rolling" ? 1 : 2) + 10 * least);
+    CHECK(std::fabs(of_length) >= std::fabs(of_load) / 3 - 10 * least);
+    if (digits == 30) CHECK(of_load * of_length < 0);
+  }
+}
+
+TEST_CASE("ref contact: tractions end with it, and displacements go on as they were") {
+  for (const auto& of : {frictionless, gripped}) {
+    const auto contact = of(nip_of(0.3)).of_length(0.5, 16);
+    const double end = 0.25, creep = contact.creep_ratio().to_double();
+    CHECK(error(contact.pressure(end)) == 0);
+    CHECK(contact.pressure(end).to_double() == 0);
+    // With friction it swings there.
+    if (error(contact.peak_shear()) == 0) CHECK(contact.pressure(end * (1 - 0x1p-52)).to_double() > 0);
+    CHECK(contact.pressure(1e300).to_double() == 0);
+    CHECK(contact.shear(-0.3).to_double() == 0);
+    CHECK(contact.shear(0).to_double() == 0);
+    CHECK(contact.shear(-0.1).to_double() == -contact.shear(0.1).to_double());
+    CHECK(contact.tangential_displacement(-0.4).to_double() ==
+          -contact.tangential_displacement(0.4).to_double());
+    CHECK(difference(contact.pressure(0.05), contact.pressure(-0.05)) <= error(contact.pressure(0.05)));
+    // By quadrature beyond the end, and in closed form before it.
+    const double step = 0x1p-40;
+    const double edge = contact.leading_displacement().to_double();
+    CHECK(difference(contact.normal_displacement(end), contact.leading_displacement()) <=
+          2 * error(contact.normal_displacement(end)));
+    CHECK(contact.normal_displacement(end + step).to_double() == doctest::Approx(edge).epsilon(1e-11));
+    CHECK(contact.tangential_displacement(end + step).to_double() ==
+          doctest::Approx(creep * end).epsilon(1e-6));
+    // u' = -2y/(2R) there, and u'' is infinite as the root of the distance.
+    const double slope =
+        difference(contact.normal_displacement(end + step), contact.leading_displacement()) / step;
+    CHECK(slope == doctest::Approx(end / 1e3).epsilon(1e-4));
+  }
+  // Line loads approach it: their distance halves with the elements.
+  const auto load = ref::converged_for_length(quarter_inch_nip, Friction::none, 0.2, 20).load();
+  const auto excess = [&](int m) {
+    return ref::line_loads_for_length(quarter_inch_nip, m, 0.2, 16).load.to_double() / load.to_double() - 1;
+  };
+  CHECK(std::fabs(excess(40)) < 0.6 * std::fabs(excess(20)));
+}
+
+TEST_CASE("ref contact: the strain is as sure next to the ends as elsewhere, and goes on from the creep") {
+  struct Row {
+    ref::ConvergedNip truth;
+    std::function<fast::Estimate(double y)> computed;
+    double length, radius,
+        per_root;  // the strain beyond an end is off the creep by this times a root of the distance
+  };
+  const auto check = [](const Row& row) {
+    const double leading = row.truth.leading_length().to_double(),
+                 trailing = row.truth.trailing_length().to_double(), size = row.length / row.radius;
+    for (const double beyond : {0x1p-46, 1e-14, 1e-10, 1e-8, 1e-5, 1e-3, 0.05, 1.0, 2.0}) {
+      for (const double y : {leading + beyond * row.length, -trailing - beyond * row.length}) {
+        CAPTURE(row.length);
+        CAPTURE(y);
+        const ref::Estimate strain = row.truth.surface_strain(y);
+        const fast::Estimate found = row.computed(y);
+        CHECK(error(strain) <= 1e-16 * size);
+        CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error(strain));
+        CHECK(std::fabs(strain.to_double() - row.truth.creep_ratio().to_double()) <=
+              row.per_root * std::sqrt(2 * beyond) * size);
+      }
+    }
+  };
+  for (const double length : {0.01, 3.0}) {
+    const ElasticNip nip = nip_of(0.3);
+    const auto computed = fast::converged_for_length(nip, Friction::full, length, 1e-12);
+    check({ref::converged_for_length(nip, Friction::full, length, 16),
+           [&](double y) { return computed.surface_strain(y); }, length, nip.roller_radius, 10});
+  }
+  for (const ViscoelasticNip& nip : {rolled_nip(0.25, 0.1, 2), swinging_nip(0.25, 0.2, 1.5)}) {
+    const auto computed = fast::converged_for_length(nip, 0.1, 1e-12);
+    check({ref::converged_for_length(nip, 0.1, 16), [&](double y) { return computed.surface_strain(y); }, 0.1,
+           nip.roller_radius, INFINITY});
+  }
+}
+
+TEST_CASE("ref contact: what it cannot give is refused by name") {
+  const Kind free = frictionless(quarter_inch_nip), grip = gripped(nip_of(0.3)),
+             rolled = rolling(rolled_nip(0.25, 0.1, 2));
+  const data::ViscoelasticMaterial ringing = data::operator_solid({{200, 1, 1}, {100, 1, 1}, {1}, {10}});
+  const auto contact = free.of_length(0.2, 16), held = grip.of_length(0.5, 16);
+  struct Row {
+    std::function<void()> solve;
+    const char* start;
+  };
+  const std::vector<Row> rows{
+      {[&] { (void)free.of_length(7, 30); }, "contact_length = 7: "},
+      {[&] { (void)free.of_load(-1, 30); }, "load = -1: "},
+      {[&] { (void)free.of_load(1e7, 30); }, "load = 10000000: gives"},
+      {[&] { (void)free.of_load(1, 101); }, "digits = 101: "},
+      {[&] { (void)contact.normal_displacement(113); }, "y = 113: "},
+      {[&] { (void)contact.tangential_displacement(NAN); }, "y = nan: "},
+      {[&] { (void)contact.pressure(NAN); }, "y = nan: "},
+      // Too small and too large for a double once they are made dimensionless.
+      {[&] { (void)free.of_load(5e-324, 30); }, "load = "},
+      {[&] {
+         (void)frictionless({6, 0.25, {1e-60, 0.3}}).of_load(1e308, 30);
+       },
+       "load = "},
+      {[&] { (void)held.pressure(NAN); }, "y = nan: "},
+      {[&] { (void)held.normal_displacement(451); }, "y = 451: "},
+      {[&] { (void)grip.of_length(0.5, 15); }, "digits = 15: "},
+      {[&] { (void)grip.of_length(0.5, 101); }, "digits = 101: "},
+      {[&] { (void)grip.of_length(1e-9, 16); }, "contact_length = "},
+      {[&] { (void)grip.of_length(1001, 16); }, "contact_length = 1001: "},
+      {[&] { (void)grip.of_load(0, 16); }, "load = 0: "},
+      {[&] { (void)grip.of_load(1e300, 16); }, "load = "},
+      {[&] { (void)grip.of_load(NAN, 16); }, "load = nan: "},
+      {[&] { (void)rolled.of_length(0.1, 15); }, "digits = 15: "},
+      {[&] { (void)rolled.of_length(7, 16); }, "contact_length = 7: "},
+      {[&] { (void)rolled.of_load(-1, 16); }, "load = -1: "},
+      {[&] { (void)rolled.of_load(1e9, 16); }, "load = 1000000000: gives"},
+      {[&] { (void)rolling(rolled_nip(0.25, 1e-11, 1)).of_length(0.1, 16); }, "nip.material = "},
+      {[&] {
+         (void)rolling({6, 0.25, ringing, 1}).of_length(0.1, 16);
+       },
+       "nip.material = 19.97"},
+      {[&] { (void)rolling(rolled_nip(0.0002, 0.1, 1)).of_length(0.02, 16).greatest_shear(); },
+       "contact_length = 0.02"},
+  };
+  for (const auto& [solve, start] : rows)
+    CHECK_THROWS_WITH_AS(solve(), doctest::Contains(start), data::BadInput);
+  // More than the proof's terms give.
+  CHECK(ref::proven_terms({1000, 2, {1, 0.3}}, Friction::none, 150, 60) == 0);
+}
