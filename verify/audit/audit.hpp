@@ -36,6 +36,7 @@ struct AuditOptions {
   Ranges ranges = {};                   ///< empty: the whole domain
   std::vector<Point> more_points = {};  ///< additional points
   std::optional<double> promise = {};   ///< units in the last place of the scale; nothing: the quantity's own
+  double absolute = 0;                  ///< an error that is allowed in any case, unit of the quantity
   std::string seed = {};                ///< any text; it determines the random points
   bool search = true;                   ///< use a tenth of each block's points to search around its worst few
   std::size_t block = points_of_block;  ///< largest number of points of a block
@@ -63,7 +64,9 @@ struct AuditResult {
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   /// The part of what points are drawn from in which so many of them meet a fault with a chance of 95 %: w with
   /// 1 - (1 - w)^points = 0.95. A narrower fault may be missed.
-  [[nodiscard]] double fault_width() const { return -std::expm1(std::log(0.05) / static_cast<double>(points)); }
+  [[nodiscard]] double fault_width() const {
+    return -std::expm1(std::log(0.05) / static_cast<double>(points));
+  }
 };
 
 /// The version of the sampling: with another one the same options give other points.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
@@ -10,6 +11,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -88,28 +90,38 @@ std::string measurements(const Graded& graded) {
 
 }  // namespace
 
-Graded graded_file(const CommandLine& line) {
+std::vector<Graded> graded_file(const CommandLine& line) {
   refuse_what_needs_kernels(line);
   if (line.words.size() > 2)
     throw BadInput("argument", line.words[2], "unexpected: grade takes a file and a quantity");
   const auto quantity = line.words.size() > 1 ? std::optional(line.words[1]) : std::nullopt;
   AuditOptions options;
-  options.promise = line.number("promise");
+  const std::string promised = take_promise(line, options);
   const std::string& file = line.words.front();
-  const MeasuredPoints measured = read_measured_points(file, quantity, line.option("column"));
-  std::optional<AuditResult> found;
-  const double seconds = seconds_of(
-      [&] { found = audit_values(*measured.quantity, measured.points, measured.values, options); });
-  return {.grade = grade_of(file == "-" ? "standard input" : std::filesystem::path(file).filename().string(),
-                            "its points", *found),
-          .seconds = seconds,
-          .remarks = remarks_on(measured)};
+  const std::string what = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+  const auto columns = read_measured_points(file, quantity, line.option("column"));
+  stop_gently_on_interrupt();
+  Progress progress(standard_error(line.has("quiet")));
+  options.progress = [&](double part) { progress.at(part); };
+  std::vector<Graded> all;
+  const auto name = [](const MeasuredPoints& column) { return column.quantity->name; };
+  progress.each("grade", columns, name, [&](const MeasuredPoints& column) {
+    std::optional<AuditResult> found;
+    const double seconds =
+        seconds_of([&] { found = audit_values(*column.quantity, column.points, column.values, options); });
+    const auto worst = std::ranges::find(column.points, found->worst) - column.points.begin();
+    all.push_back({.grade = grade_of(what, "its points", *found),
+                   .seconds = seconds,
+                   .promised = promised,
+                   .own = column.values[static_cast<std::size_t>(worst)],
+                   .remarks = remarks_on(column)});
+  });
+  return all;
 }
 
 int grade_verb(const CommandLine& line, std::ostream& out) {
   std::optional<Baseline> baseline = baseline_of(line);
-  std::vector<Graded> all =
-      names_plugin(line) ? graded_kernels(line) : std::vector<Graded>{graded_file(line)};
+  std::vector<Graded> all = names_plugin(line) ? graded_kernels(line) : graded_file(line);
   bool kept = true, to_be_written = false;
   for (Graded& graded : all) {
     const bool settled = !baseline || settle_baseline(line, *baseline, graded);

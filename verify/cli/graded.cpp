@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
@@ -55,6 +58,10 @@ bool is_error(const Fault& fault) {
          fault.kind == given_up;
 }
 
+std::string promised_by(const Graded& graded) {
+  return graded.promised.empty() ? fmt::format("{:g} ulp", graded.grade.found.promise) : graded.promised;
+}
+
 std::string why_not_kept(const Graded& graded) {
   const Grade& grade = graded.grade;
   if (graded.behaviour && !graded.behaviour->faults.empty()) {
@@ -64,12 +71,32 @@ std::string why_not_kept(const Graded& graded) {
                        first.words);
   }
   if (!grade.found.kept())
-    return fmt::format("largest error found {:.4g} ulp, promised {:g}", grade.found.max_error_ulp,
-                       grade.found.promise);
+    return fmt::format("largest error found {:.4g} ulp, promised {}", grade.found.max_error_ulp,
+                       promised_by(graded));
   if (graded.behaviour && !graded.behaviour->kept())
     return "slower than " + graded.behaviour->to_older->older;
   return fmt::format("baseline: {}: {}", words_of(graded.against_baseline->comparison),
                      graded.against_baseline->words);
+}
+
+/// A value beside the truth, with a bar behind the digits that agree.
+Json own_json(const Graded& graded) {
+  if (!graded.own) return {};
+  const double value = std::strtod(graded.grade.worst_value.c_str(), nullptr);
+  std::string own = fmt::format("{:.16e}", *graded.own);
+  const std::string truth = fmt::format("{:.16e}", value);
+  const std::size_t exponent = std::min(own.find('e'), own.size());
+  std::size_t same = 0;
+  if (own.substr(exponent) == truth.substr(std::min(truth.find('e'), truth.size())))
+    same = static_cast<std::size_t>(std::ranges::mismatch(own, truth).in1 - own.begin());
+  const auto digits =
+      std::count_if(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(std::min(same, exponent)),
+                    [](unsigned char letter) { return std::isdigit(letter) != 0; });
+  if (same < own.size()) own.insert(same, "|");
+  return {{"value", *graded.own},
+          {"agreeing_digits", digits},
+          {"error", std::fabs(*graded.own - value)},
+          {"_marked", own}};
 }
 
 constexpr int kept_digits = 50;
@@ -92,12 +119,35 @@ bool Graded::kept() const {
   return !against_baseline || against_baseline->comparison == Comparison::not_worse;
 }
 
+std::string take_promise(const CommandLine& line, AuditOptions& options) {
+  const auto text = line.option("promise");
+  if (!text) return "";
+  const auto in_unit = [&](std::string_view unit) { return text->ends_with(unit); };
+  const bool has_unit = in_unit("ulp") || in_unit("rel") || in_unit("abs");
+  const double amount = parse_real("promise", text->substr(0, text->size() - (has_unit ? 3 : 0)));
+  const bool is_relative = in_unit("rel") || (!has_unit && amount < 0.5);
+  if (!(amount > 0) || (is_relative && (amount >= 1 || amount < fast::Accuracy::best_rtol)))
+    throw data::BadInput(
+        "promise", *text,
+        "must be a number > 0: units in the last place as 4 or 4ulp, a part of the scale as 1e-6 or "
+        "0.1rel, at least 4.44e-16, or in the quantity's unit as 1e-9abs");
+  options.promise = 0;
+  if (is_relative) {
+    options.accuracy = fast::Accuracy(amount);
+    return fmt::format("{:g} of the scale", amount);
+  }
+  (in_unit("abs") ? options.absolute : *options.promise) = amount;
+  return fmt::format("{:g}{}", amount, in_unit("abs") ? " at all sizes" : " ulp");
+}
+
 std::string graded_text(const Graded& graded) { return text_of("grade.txt", graded_json(graded)); }
 
 Json graded_json(const Graded& graded) {
   Json row = grade_json(graded.grade);
   const std::vector<Fault> none;
-  row.append({{"baseline", baseline_json(graded)},
+  row.append({{"promise", promised_by(graded)},
+              {"own", own_json(graded)},
+              {"baseline", baseline_json(graded)},
               {"faults",
                faults_json(*graded.grade.found.quantity, graded.behaviour ? graded.behaviour->faults : none)},
               {"remarks", json_list(graded.remarks)},

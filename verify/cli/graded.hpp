@@ -35,7 +35,9 @@ struct Behaviour {
 struct Graded {
   Grade grade;
   double seconds;
-  std::string seed = {};  ///< of its points
+  std::string promised = {};       ///< what is allowed, in words; empty: what fast promises
+  std::optional<double> own = {};  ///< the value at the worst point; nothing where there is none
+  std::string seed = {};           ///< of its points
   std::vector<std::string> remarks = {};
   std::optional<Behaviour> behaviour = {};  ///< of a kernel
   std::optional<BaselineComparison> against_baseline = {};
@@ -47,8 +49,13 @@ std::string graded_text(const Graded& graded);
 Json graded_json(const Graded& graded);
 JUnitCase junit_case(const Graded& graded);
 
-/// Values that are there already: the words are a CSV and, if it is not said there, its quantity.
-Graded graded_file(const CommandLine& line);
+/// Allows what --promise says and returns it in words, none if it is not given: N or Nulp is in units in the last place, Nrel or N < 1/2 a part of
+/// the scale, as no double keeps less than half a unit, Nabs in the quantity's own unit.
+std::string take_promise(const CommandLine& line, AuditOptions& options);
+
+/// Values that are there already: the words are a CSV and, if it is not said there, its quantity. One for each column
+/// of contacts. Tells progress, unless quiet.
+std::vector<Graded> graded_file(const CommandLine& line);
 
 /// Whether the first word is a shared object.
 bool names_plugin(const CommandLine& line);

@@ -99,7 +99,6 @@ std::string where_text(const CommandLine& line) {
 
 AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
   AuditOptions options = sampling_options(line, quantity);
-  options.promise = line.number("promise");
   options.progress = [&progress](double part) { progress.at(part); };
   return options;
 }
@@ -123,10 +122,13 @@ Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quan
 
 Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
                      Progress& progress) {
-  const AuditOptions options = options_of(line, *chosen.quantity, progress);
+  AuditOptions options = options_of(line, *chosen.quantity, progress);
+  const std::string promised = take_promise(line, options);
   PluginKernel kernel(plugin, chosen.kernel);
   std::optional<AuditResult> found;
   const double seconds = seconds_of([&] { found = audit(*chosen.quantity, kernel.evaluator(), options); });
+  double own = 0;
+  kernel.evaluator()({&found->worst, 1}, {&own, 1});
   progress.at(1, "timing");
   // A library's version and folder are no part of what the kernel is.
   std::string file = plugin.file.filename().string();
@@ -134,6 +136,8 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   const std::string what = chosen.kernel + " of " + file;
   return {.grade = grade_of(what, where_text(line), *found),
           .seconds = seconds,
+          .promised = promised,
+          .own = own,
           .seed = options.seed,
           .behaviour = behaviour_of(line, kernel, *chosen.quantity, options.ranges)};
 }

@@ -8,8 +8,11 @@
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sampling.hpp>
+#include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
 namespace nipref::verify {
@@ -44,18 +47,23 @@ std::string command_text(const CommandLine& line) {
 }  // namespace
 
 int points_verb(const CommandLine& line, std::ostream& out) {
-  const Quantity& quantity = find_quantity(line.words.empty() ? "(missing)" : line.words.front());
+  const std::string name = line.words.empty() ? "(missing)" : line.words.front();
+  const auto answer = [&](const Quantity& quantity, const std::vector<Point>& points) {
+    const std::string csv = points_csv(
+        quantity, points, {"quantity: " + name, command_text(line), "arguments: exact in hexadecimal"});
+    return write_answer(line, out, "points", true, {{"quantity", name}, {"csv", csv}}, [&] { return csv; });
+  };
+  if (is_contact_kind(name))
+    return answer(contact_quantities(name).front(),
+                  contact_points(name, swept_scenes(contact_scene(name), line)));
+  const Quantity& quantity = find_quantity(name);
   AuditOptions options = sampling_options(line, quantity);
   options.search = false;
   options.points = options.points_of(quantity) - options.more_points.size();
   std::vector<Point> points = audit_points(quantity, options);
   std::erase_if(points, [&](const Point& point) { return std::isnan(fast_value(quantity, point, {})); });
   if (points.empty()) static_cast<void>(quantity.by_fast(audit_points(quantity, options).front(), {}));
-  const std::string csv =
-      points_csv(quantity, points,
-                 {"quantity: " + quantity.name, command_text(line), "arguments: exact in hexadecimal"});
-  return write_answer(line, out, "points", true, {{"quantity", quantity.name}, {"csv", csv}},
-                      [&] { return csv; });
+  return answer(quantity, points);
 }
 
 }  // namespace nipref::verify

@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 /// The least number of rows that are compared with the reference, however slow it is.
 constexpr std::size_t fewest = 6;
 
+/// The reference's error may be so many times the stored bound.
+constexpr long double widening = 1.5;
+
 /// The faults of one row.
 std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& row, std::size_t number,
                                      int digits, bool by_ref) {
@@ -44,6 +47,10 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
       } else if (!gap.is_covered()) {
         fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
                                              now.value_text(), now.error_text(), row.value, row.bound));
+      } else if (mpfr_get_ld(ref::raw(now.error), MPFR_RNDU) >
+                 widening * mpfr_get_ld(ref::raw(golden.error), MPFR_RNDU)) {
+        fail(GoldenFault::too_wide,
+             fmt::format("the reference's error has grown from {} to {}", row.bound, now.error_text()));
       }
     } catch (const data::BadInput& refused) {
       fail(GoldenFault::wrong, fmt::format("the reference refuses it: {}", refused.what()));

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,6 +9,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/contacts.hpp>
+#include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -22,11 +25,10 @@ constexpr auto decimal_suffix = "_decimal";
 constexpr auto quantity_key = "quantity: ";
 constexpr int exact_digits = 16;  // a decimal of fewer digits may be a rounded one
 
-const Quantity& quantity_of(const CsvFile& file, const std::optional<std::string>& name) {
-  if (name) return find_quantity(*name);
+std::string name_in(const CsvFile& file) {
   for (const CsvField& comment : file.comments) {
     if (comment.text.starts_with(quantity_key))
-      return find_quantity(trimmed(comment.text.substr(std::string_view(quantity_key).size())));
+      return trimmed(comment.text.substr(std::string_view(quantity_key).size()));
   }
   throw BadInput("quantity", "(missing)",
                  "must be named behind the file, or in its comment \"# quantity: NAME\"");
@@ -165,15 +167,49 @@ std::string points_csv(const Quantity& quantity, const std::vector<Point>& point
   return text + "\n";
 }
 
-MeasuredPoints read_measured_points(const std::string& path, const std::optional<std::string>& quantity,
-                                    const std::optional<std::string>& column) {
-  const CsvFile file = data::read_csv(path == "-" ? "/dev/stdin" : path);
-  MeasuredPoints read{&quantity_of(file, quantity), {}, {}};
-  const auto columns = argument_columns(file, *read.quantity);
-  const std::size_t value = value_column(file, *read.quantity, column);
+namespace {
+
+MeasuredPoints measured_points(const CsvFile& file, const Quantity& quantity,
+                               const std::optional<std::string>& column) {
+  MeasuredPoints read{&quantity, {}, {}};
+  const auto columns = argument_columns(file, quantity);
+  const std::size_t value = value_column(file, quantity, column);
   if (file.records.size() < 2) data::refuse(file.path, {1, 1}, "must have a row of values");
   for (std::size_t i = 1; i < file.records.size(); ++i) add_row(read, file, columns, value, file.records[i]);
   return read;
+}
+
+/// Each result of these contacts that has a column, or the one that is wanted.
+std::vector<MeasuredPoints> measured_contacts(const CsvFile& file, const std::string& kind,
+                                              const std::optional<std::string>& wanted) {
+  std::vector<MeasuredPoints> all;
+  std::vector<std::string> names;
+  for (const Quantity& result : contact_quantities(kind)) {
+    names.push_back(result.name.substr(kind.size() + 1));
+    if (place_of(file, names.back()) && wanted.value_or(names.back()) == names.back())
+      all.push_back(measured_points(file, result, names.back()));
+  }
+  for (const CsvField& head : file.records.front()) {
+    const std::string name = trimmed(head.text);
+    if (is_argument(name, contact_quantities(kind).front()) || std::ranges::count(names, name) > 0) continue;
+    data::refuse(file.path, head.position, fmt::format("{} must be one of {}", name, fmt::join(names, ", ")));
+  }
+  if (all.empty())
+    data::refuse(
+        file.path, {1, 1},
+        fmt::format("must have a column {}", wanted.value_or(fmt::format("{}", fmt::join(names, " or ")))));
+  return all;
+}
+
+}  // namespace
+
+std::vector<MeasuredPoints> read_measured_points(const std::string& path,
+                                                 const std::optional<std::string>& quantity,
+                                                 const std::optional<std::string>& column) {
+  const CsvFile file = data::read_csv(path == "-" ? "/dev/stdin" : path);
+  const std::string name = quantity ? *quantity : name_in(file);
+  if (is_contact_kind(name)) return measured_contacts(file, name, column);
+  return {measured_points(file, find_quantity(name), column)};
 }
 
 }  // namespace nipref::verify

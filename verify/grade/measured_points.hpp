@@ -28,9 +28,10 @@ struct MeasuredPoints {
 /// Reads such a file with one more column for the values. Its name is `column`, "value" or the name of the quantity,
 /// or it is the only column that belongs to no argument. An argument is read from the column of its name or from
 /// NAME_decimal; an argument without a column has its default. The quantity is the given one, or that of the comment
-/// line "quantity: NAME". "-" is standard input. BadInput that names file, line and column for a text that cannot be
-/// read.
-MeasuredPoints read_measured_points(const std::string& path, const std::optional<std::string>& quantity,
-                                    const std::optional<std::string>& column);
+/// line "quantity: NAME". Of a kind of golden contacts there may be a column for each of its results, each of which is a
+/// quantity. "-" is standard input. BadInput that names file, line and column for a text that cannot be read.
+std::vector<MeasuredPoints> read_measured_points(const std::string& path,
+                                                 const std::optional<std::string>& quantity,
+                                                 const std::optional<std::string>& column);
 
 }  // namespace nipref::verify

@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
+#include <nipref/data/directory.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/run_nipref.hpp"
@@ -59,7 +61,7 @@ TEST_CASE("values of the points that nipref gave out are graded, from a file and
             "'; (sleep 30; kill $graded) >/dev/null 2>&1 & wait $graded")
             .status == 0);
   std::filesystem::remove(pipe);
-  CHECK(run("grade '" + sound.path() + "' --promise 1e-3").status == 1);
+  CHECK(run("grade '" + sound.path() + "' --promise 1e-3ulp").status == 1);
 
   const ScratchFile wrong(with_values(
       points_of_I1(), [](double alpha) { return alpha > 5 && alpha < 6 ? 1.0 : nipref::fast::I1(alpha); }));
@@ -139,4 +141,70 @@ TEST_CASE("what cannot be graded is refused") {
   check_call_refused("grade '" + points.path() + "'", "must have the values in a column");
   check_call_refused("grade '" + points.path() + "' --promise 0", "promise = 0");
   check_call_refused("grade '" + points.path() + "' --accept x", "must be given with --baseline");
+}
+
+TEST_CASE("contacts are graded by their results, each beside its truth: relative, absolute and in ulp") {
+  const Outcome points = run("points contacts-frictionless contact.length=0.5,2 material.poisson=0.3");
+  REQUIRE(points.status == 0);
+  CHECK(points.out.find("\n# command: nipref points contacts-frictionless contact.length=0.5,2") !=
+        std::string::npos);
+  std::istringstream lines(points.out);
+  std::string table, line;
+  std::vector<std::string> contacts;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("#")) {
+      table += line + "\n";
+    } else if (line.starts_with("contact.length,")) {
+      table += line + ",load,indentation\n";
+    } else {
+      contacts.push_back(line);
+    }
+  }
+  REQUIRE(contacts.size() == 2);
+  // L/B of 0.5 and 2, R = 1e6, from the reference; the load of the second is wrong by 1e-5 of it.
+  const json solved =
+      json::parse(run("solve '" + (nipref::data::golden_directory() / "contacts-frictionless.toml").string() +
+                      "' contact.length=0.5,2 material.poisson=0.3 --path ref --json")
+                      .out)["columns"];
+  const auto number = [&](const char* name, std::size_t i) {
+    return std::stod(solved[name][i].get<std::string>());
+  };
+  const auto with = [&](double factor) {
+    std::string text = table;
+    for (std::size_t i = 0; i < 2; ++i) {
+      char values[80];
+      std::snprintf(values, sizeof values, ",%.17g,%.17g\n", number("load", i) * (i == 1 ? factor : 1),
+                    number("indentation", i));
+      text += contacts[i] + values;
+    }
+    return text;
+  };
+  const ScratchFile wrong(with(1.00001)), right(with(1));
+  const json rows = json::parse(run("grade '" + wrong.path() + "' --promise 1e-6 --json").out)["rows"];
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0]["quantity"] == "contacts-frictionless.load");
+  CHECK(rows[0]["passed"] == false);
+  CHECK(rows[0]["promise"] == "1e-06 of the scale");
+  CHECK(rows[0]["max_relative_error"].get<double>() == doctest::Approx(1e-5));
+  CHECK(rows[0]["own"]["agreeing_digits"].get<int>() >= 4);
+  CHECK(rows[0]["own"]["agreeing_digits"].get<int>() <= 6);
+  CHECK(rows[1]["passed"] == true);
+  const double off = 1e-5 * number("load", 1);
+  const auto status = [&](const ScratchFile& file, const std::string& promise) {
+    return run("grade '" + file.path() + "' --promise " + promise).status;
+  };
+  CHECK(status(wrong, fmt::format("{}abs", 1.01 * off)) == 0);
+  CHECK(status(wrong, fmt::format("{}abs", 0.99 * off)) == 1);
+  CHECK(status(wrong, "1.1e-5") == 0);
+  CHECK(status(right, "1ulp") == 0);
+  const std::string text = unfolded(run("grade '" + wrong.path() + "'").out);
+  CHECK(text.find("|") != std::string::npos);
+  CHECK(text.find("digits agree") != std::string::npos);
+
+  const ScratchFile misnamed(table.substr(0, table.rfind(",load")) + ",laod\n" + contacts[0] + ",1\n");
+  check_call_refused("grade '" + misnamed.path() + "'", "laod must be one of load, indentation");
+  check_call_refused("points contacts-frictionless roller.radius=2",
+                     "roller.radius = 2: must be left out: only contact.length, material.poisson vary");
+  check_call_refused("grade '" + right.path() + "' --promise 2rel", "promise = 2rel: must be a number > 0");
+  check_call_refused("grade '" + right.path() + "' --promise 1%", "promise");
 }

@@ -13,7 +13,7 @@ namespace {
 MeasuredPoints read(const std::string& csv, const std::optional<std::string>& quantity = std::nullopt,
                     const std::optional<std::string>& column = std::nullopt) {
   const ScratchFile file(csv);
-  return verify::read_measured_points(file.path(), quantity, column);
+  return verify::read_measured_points(file.path(), quantity, column).front();
 }
 
 /// What the refusal says is allowed.

@@ -80,7 +80,7 @@ class Comparator {
   const Quantity& quantity_;
   const Evaluator& evaluator_;
   fast::Accuracy accuracy_;
-  double promise_;
+  double promise_, absolute_;
   bool checks_own_error_;
 };
 

@@ -12,6 +12,7 @@ Comparator::Comparator(const Quantity& quantity, const Evaluator& evaluator, con
       evaluator_(evaluator),
       accuracy_(options.accuracy),
       promise_(options.promise_of(quantity)),
+      absolute_(options.absolute),
       checks_own_error_(is_fast && quantity.fast_error) {}
 
 void Comparator::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
@@ -59,7 +60,8 @@ double Comparator::allowed_ulps(double scale, const Point& point) const {
 }
 
 double Comparator::tolerated_ulps(double scale) const {
-  return accuracy_.rtol() > fast::Accuracy::best_rtol ? accuracy_.rtol() * (scale / ulp_of(scale)) : 0;
+  const double of_scale = accuracy_.rtol() > fast::Accuracy::best_rtol ? accuracy_.rtol() * scale : 0;
+  return std::max(of_scale, absolute_) / ulp_of(scale);
 }
 
 }  // namespace nipref::verify

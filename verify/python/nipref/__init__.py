@@ -184,13 +184,13 @@ def solve(scene: Union[str, os.PathLike], sweep: Union[Mapping[str, Number], Non
     return Solution(results, good[0], refused, warnings)
 
 
-def grade(kernel: Callable[..., Any], quantity: str, *, points: Union[int, None] = None, promise: Union[float, None] = None,
+def grade(kernel: Callable[..., Any], quantity: str, *, points: Union[int, None] = None, promise: Union[float, str, None] = None,
           seed: str = "1", **ranges: Union[float, str]) -> "dict[str, Any]":
     """How wrong a function is, against the reference, at points chosen as for nipref's own: what `nipref grade --json` says.
 
     kernel: takes an array for each argument of the quantity, in its order (choices: names), and returns an array; make
-    one that takes numbers into such by np.vectorize. promise: the largest error allowed, in units in the last place of
-    the scale. ranges: name="lo..hi", with :log, :linear or :bits, or a number. The member "passed" is the verdict.
+    one that takes numbers into such by np.vectorize. promise: the largest error allowed, as `grade` has it: 4 units in the
+    last place, 1e-6 of the scale, "1e-9abs". ranges: name="lo..hi", with :log, :linear or :bits, or a number. The member "passed" is the verdict.
     """
     options = [f"{name}={value}" for name, value in ranges.items()] + ["--seed", seed]
     table = _library.printed("points", quantity, *options, *(["--points", str(points)] if points else []))
@@ -201,7 +201,7 @@ def grade(kernel: Callable[..., Any], quantity: str, *, points: Union[int, None]
     values = np.broadcast_to(kernel(*(_column([row[name] for row in rows]) for name in names)), (len(rows),))
     body = [",".join([*(row[name] for name in names), float(value).hex()]) for row, value in zip(rows, values)]
     text = "\n".join([*head, ",".join([*names, "value"]), *body]) + "\n"
-    wanted = ["--promise", repr(float(promise))] if promise is not None else []
+    wanted = ["--promise", str(promise)] if promise is not None else []
     return _library.answer("grade", "-", quantity, *wanted, text=text)["rows"][0]
 
 
