@@ -89,8 +89,10 @@ TEST_CASE("second methods solve contacts as the reference does, and say where th
   const auto is_reached = [](const char* kind, const verify::Assignments& keys) {
     return static_cast<bool>(verify::second_solver(data::load_scene(verify::contact_scene(kind), keys)));
   };
-  CHECK(is_reached("contacts-frictionless", {{"contact.length", "3"}, {"material.poisson", "0.2"}}));
-  CHECK_FALSE(is_reached("contacts-frictionless", {{"contact.length", "5"}, {"material.poisson", "0.2"}}));
+  for (const char* const kind : {"contacts-frictionless", "contacts-full-friction"}) {
+    CHECK(is_reached(kind, {{"contact.length", "4"}, {"material.poisson", "0.2"}}));
+    CHECK_FALSE(is_reached(kind, {{"contact.length", "5"}, {"material.poisson", "0.2"}}));
+  }
 }
 
 TEST_CASE("a file of golden contacts that is none is refused with line and column") {
