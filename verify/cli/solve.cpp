@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/sweep.hpp>
@@ -21,9 +22,17 @@ namespace {
 
 /// 1 if something is not as accurate as was asked.
 template <class Number>
-int print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
-  return write_answer(line, out, "solve", solution.missed().empty(),
-                      solution_json(solution, line.has("full")), "solve.txt");
+int print(const data::Scene& scene, const SceneSolution<Number>& solution, const CommandLine& line,
+          std::ostream& out) {
+  const bool full = line.has("full");
+  Json answer = solution_json(solution, full);
+  const Json steps =
+      json_list(full ? thesis_search(scene) : std::vector<SearchStep>(), [](const SearchStep& step) -> Json {
+        return {{"contact_length", step.contact_length}, {"load", step.load}};
+      });
+  if (full) answer.set("search", steps);
+  answer.set("_search", steps);
+  return write_answer(line, out, "solve", solution.missed().empty(), answer, "solve.txt");
 }
 
 }  // namespace
@@ -34,9 +43,9 @@ int solve_verb(const CommandLine& line, std::ostream& out) {
   if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");
   const data::Scene scene = data::load_scene(text, scenes.assignments(0, &AxisValue::shown));
-  if (!digits) return print(solve(scene), line, out);
+  if (!digits) return print(scene, solve(scene), line, out);
   if (!line.has("quiet")) fmt::print(stderr, "{}", warning_of_time(likely_seconds_by_ref(scene, *digits)));
-  return print(solve_by_ref(scene, *digits), line, out);
+  return print(scene, solve_by_ref(scene, *digits), line, out);
 }
 
 namespace {

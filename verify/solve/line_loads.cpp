@@ -12,6 +12,7 @@
 #include <nipref/fast/nip/line_load_field.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
 #include <nipref/verify/solve/internal/paths.hpp>
@@ -276,6 +277,69 @@ SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
     return work;
   };
   return contact;
+}
+
+namespace {
+
+/// (2.13): each length is the last one times the cube root of the load over that found, which load_at(length) gives. The
+/// steps end at a length for which it finds none.
+std::vector<SearchStep> steps_of_search(double load, double first_length, double tolerance,
+                                        const auto& load_at) {
+  constexpr std::size_t most = 100;
+  std::vector<SearchStep> steps;
+  double length = first_length;
+  try {
+    while (steps.size() < most) {
+      steps.push_back({length, load_at(length)});
+      const double found = steps.back().load;
+      if (!(found > 0) || std::fabs(found / load - 1) <= tolerance) break;
+      length *= std::cbrt(load / found);
+    }
+  } catch (const data::BadInput&) {  // no creep meets the thesis's conditions there
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::vector<SearchStep> thesis_search(const data::Scene& scene) {
+  const auto of_problem = [&](auto problem) -> std::vector<SearchStep> {
+    using Problem = decltype(problem);
+    constexpr bool rolls = std::is_same_v<Problem, data::ViscoelasticNipProblem>;
+    if constexpr (!std::is_same_v<Problem, data::HalfSpaceProblem>) {
+      const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
+      if (load == nullptr || !is_by_line_loads(scene)) return {};
+      const double wanted = load->per_length;
+      const auto load_at = [&](const auto& method, auto... more) {
+        return [&problem, method, more...](double length) {
+          problem.given = data::GivenLength{length};
+          return solve_loads(problem, method, more...).load;
+        };
+      };
+      Work work;
+      if constexpr (rolls) {
+        const auto& given = std::get<data::ViscoelasticLineLoads>(problem.method);
+        ViscoelasticLineLoadMethod method{given.leading_elements, given.trailing_elements.value_or(0),
+                                          given.approach_lengths, given.residue_terms};
+        if (!given.trailing_elements)
+          method.trailing_elements =
+              static_cast<int>(solve_loads(problem, method, true).loads.size()) - method.leading_elements;
+        return steps_of_search(wanted, problem.nip.sheet_thickness, 1e-2, load_at(method, false));
+      } else {
+        const auto& given = std::get<data::LineLoads>(problem.method);
+        const LineLoadMethod method(given.leading_elements, given.residue_terms,
+                                    fast::Accuracy(scene.accuracy));
+        auto frictionless = problem;
+        frictionless.friction = data::Friction::none;
+        const double first = problem.friction == data::Friction::none
+                                 ? problem.nip.sheet_thickness
+                                 : solve_loads(frictionless, method, &work).contact_length;
+        return steps_of_search(wanted, first, 2e-3, load_at(method, &work));
+      }
+    }
+    return {};
+  };
+  return std::visit(of_problem, scene.system);
 }
 
 }  // namespace nipref::verify

@@ -120,6 +120,15 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// rollers' faces meet.
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
+/// A contact length that a search tries, and the load that it is found to carry.
+struct SearchStep {
+  double contact_length, load;
+};
+
+/// The steps of the thesis's search for a load by line loads (2.13), from the sheet's thickness on, with full friction from
+/// the length without; until the load is met to 2e-3, of a rolling nip to 1e-2, as in its tables. Empty for other scenes.
+[[nodiscard]] std::vector<SearchStep> thesis_search(const data::Scene& scene);
+
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
 /// scene's accuracy is not used, and the errors of line loads are those of the discrete system, not its distance to
 /// the continuous contact. It throws BadInput for every scene and every result that is not in this list:

@@ -45,6 +45,31 @@ TEST_CASE("a field in JSON is a list for each depth of a number for each positio
   CHECK(-middle == doctest::Approx(answer.at("results").at("peak_pressure").at("value").get<double>()));
 }
 
+TEST_CASE(
+    "solve --full tells the thesis's search for the load: each length by (2.13) from the last, the last load met") {
+  struct Search {
+    const char* scene;
+    double load, tolerance;
+  };
+  for (const auto& [scene, load, tolerance] :
+       {Search{"thick-frictionless-line-loads load.per_length=100", 100, 2e-3},
+        Search{"intermediate-full-friction-line-loads", 100, 2e-3},
+        Search{"viscoelastic-thesis-line-loads load.per_length=50", 50, 1e-2}}) {
+    CAPTURE(scene);
+    const json steps = answer_to(std::string("solve --full ") + scene).at("search");
+    REQUIRE(steps.size() > 1);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const double excess = steps[i].at("load").get<double>() / load;
+      CHECK((std::fabs(excess - 1) <= tolerance) == (i + 1 == steps.size()));
+      if (i + 1 == steps.size()) break;
+      const double next = steps[i].at("contact_length").get<double>() / std::cbrt(excess);
+      CHECK(steps[i + 1].at("contact_length").get<double>() == doctest::Approx(next).epsilon(1e-14));
+    }
+  }
+  CHECK(answer_to("solve --full thick-frictionless").at("search").empty());
+  CHECK_FALSE(answer_to("solve thick-frictionless-line-loads").contains("search"));
+}
+
 TEST_CASE("solve for people names every result with its unit, and the work") {
   const Outcome outcome = run("solve " + example("thick-full-friction"));
   CHECK(outcome.status == 0);
