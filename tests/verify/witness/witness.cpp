@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include <nipref/verify/witness/witness.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 
