@@ -1,6 +1,4 @@
 // Line loads in multiprecision: bounds, independent routes, and what the double path loses against them.
-#include <doctest/doctest.h>
-
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -14,6 +12,7 @@
 #include <nipref/ref/sheet/displacements.hpp>
 
 #include "support/reference_values.hpp"
+#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;
