@@ -26,12 +26,10 @@ int print(const data::Scene& scene, const SceneSolution<Number>& solution, const
           std::ostream& out) {
   const bool full = line.has("full");
   Json answer = solution_json(solution, full);
-  const Json steps =
-      json_list(full ? thesis_search(scene) : std::vector<SearchStep>(), [](const SearchStep& step) -> Json {
-        return {{"contact_length", step.contact_length}, {"load", step.load}};
-      });
-  if (full) answer.set("search", steps);
-  answer.set("_search", steps);
+  const auto step_json = [](const SearchStep& step) -> Json {
+    return {{"contact_length", step.contact_length}, {"load", step.load}};
+  };
+  if (full) answer.set("search", json_list(thesis_search(scene), step_json));
   return write_answer(line, out, "solve", solution.missed().empty(), answer, "solve.txt");
 }
 

@@ -33,7 +33,9 @@ struct Column {
       char* end = nullptr;
       double number = std::strtod(text.c_str(), &end);
       if (text.empty() || *end != '\0') return numbers.clear();
-      if (name.ends_with("bound") && number > 0)
+      // A bound that underflows is not 0.
+      const std::string digits = text.substr(0, text.find('e'));
+      if (name.ends_with("bound") && digits.find_first_of("123456789") != std::string::npos)
         number = std::nextafter(number, std::numeric_limits<double>::infinity());
       numbers.push_back(number);
     }
