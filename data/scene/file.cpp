@@ -199,4 +199,11 @@ std::filesystem::path example_scene(const std::string& name) {
   return file;
 }
 
+SceneText read_scene_or_example(const std::string& name) {
+  const std::filesystem::path file = name;
+  std::error_code none;  // as where a name is longer than a file's may be
+  const bool is_file = std::filesystem::exists(file, none) || file.has_parent_path() || file.has_extension();
+  return read_scene(is_file ? file : example_scene(name));
+}
+
 }  // namespace nipref::data

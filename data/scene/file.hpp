@@ -19,6 +19,8 @@ struct SceneText {
 
 /// BadInput for what cannot be read, as input_file.hpp has it, and for more than a mebibyte.
 [[nodiscard]] SceneText read_scene(const std::filesystem::path& file);
+/// The same for a file or, where there is none of that name, an example.
+[[nodiscard]] SceneText read_scene_or_example(const std::string& name);
 
 /// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
 /// same numbers exactly.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <string>
 
 #include <nipref/verify/audit/audit.hpp>
@@ -60,10 +59,8 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
                          std::span<const double> values, const AuditOptions& options) {
   const Evaluator none;
   const Comparator comparator(quantity, none, options);
-  std::vector<std::optional<Finding>> findings(points.size());
-  parallel_for(
-      points.size(), [&](std::size_t i) { findings[i] = comparator(points[i], values[i]); },
-      options.progress);
+  const auto findings = parallel_mapped(
+      points.size(), [&](std::size_t i) { return comparator(points[i], values[i]); }, options.progress);
   const Compared compared = compared_of({points.begin(), points.end()}, findings);
   AuditResult result = result_of(quantity, options, tally_of(compared), points.front());
   add_places(result.spread, quantity, compared.points, compared.findings);
@@ -79,10 +76,7 @@ std::string point_text(const Quantity& quantity, const Point& point) {
 }
 
 Json point_json(const Quantity& quantity, const Point& point) {
-  Json arguments = Json::object();
-  const auto exact = [](double x) { return fmt::format("{:a}", x); };
-  for (const auto& [name, value] : written_point(quantity, point, exact)) arguments.set(name, value);
-  return arguments;
+  return json_object(written_point(quantity, point, [](double x) { return fmt::format("{:a}", x); }));
 }
 
 Json audit_row_json(const AuditResult& result) {

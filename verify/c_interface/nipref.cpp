@@ -107,11 +107,8 @@ verify::Assignments pairs_of(const char* name, const char* const* texts) {
 }
 
 data::SceneText scene_text(const std::string& scene) {
-  if (scene.find('\n') != std::string::npos) return {"scene", scene};
-  const std::filesystem::path file = scene;
-  std::error_code none;
-  const bool is_file = std::filesystem::exists(file, none) || file.has_parent_path() || file.has_extension();
-  return data::read_scene(is_file ? file : data::example_scene(scene));
+  return scene.find('\n') != std::string::npos ? data::SceneText{"scene", scene}
+                                               : data::read_scene_or_example(scene);
 }
 
 double rounded_upwards(long double error) {

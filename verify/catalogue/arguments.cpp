@@ -173,6 +173,13 @@ std::string solid_of_scene(const Quantity& quantity, const Argument& material, c
   return fmt::format("{}({})", (*solid)["model"].value_or(std::string()), fmt::join(keys, ","));
 }
 
+template <class Number>
+std::optional<Number> whole_text_as(const std::string& text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
   const double value = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(value) || (value == 0 && exact.sign() != 0)) {
@@ -298,20 +305,15 @@ ParsedArguments parse_arguments(const Quantity& quantity, const Assignments& ass
 }
 
 long parse_integer(const std::string& name, const std::string& text) {
-  long value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
-    throw BadInput(name, text, "must be a whole number");
-  return value;
+  const auto value = whole_text_as<long>(text);
+  if (!value) throw BadInput(name, text, "must be a whole number");
+  return *value;
 }
 
 double parse_real(const std::string& name, const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw BadInput(name, text, "must be a finite number");
-  }
-  return value;
+  const auto value = whole_text_as<double>(text);
+  if (!value || !std::isfinite(*value)) throw BadInput(name, text, "must be a finite number");
+  return *value;
 }
 
 }  // namespace nipref::verify

@@ -10,11 +10,8 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
-#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/house.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/mapped.hpp>
@@ -130,18 +127,13 @@ std::string AuditWorks::fingerprint() const {
   return Json{{"program", program_json()}, {"command", command}, {"works", works}}.text();
 }
 
-CommandLine command_of_fingerprint(const std::string& fingerprint) {
-  std::vector<std::string> words{"nipref"};
-  for (const Json& word : Json::parse(fingerprint).at("command").items()) words.push_back(word.as_text());
-  const auto pointers = mapped(words, &std::string::c_str);
-  return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
-}
-
 Audited AuditWorks::found(std::size_t finished) const {
   Audited audited;
   for (std::size_t i = 0; i < std::min(finished, quantities_.size()); ++i)
     audited.quantities.push_back(quantities_[i]->result());
-  if (hard_cases_) audited.contacts = {hard_cases_->result(), scenes_->result()};
+  if (!hard_cases_) return audited;
+  audited.hard_cases = hard_cases_->result();
+  audited.scenes = scenes_->result();
   return audited;
 }
 
@@ -150,8 +142,7 @@ int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t f
   Json answer = audits_json(audited, accuracy_);
   answer.set("_of_contacts", hard_cases_ != nullptr);
   answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
-  return write_answer(line, out, "audit", all_kept(audited.quantities) && audited.contacts.kept(), answer,
-                      "audit.txt");
+  return write_answer(line, out, "audit", audited.kept(), answer, "audit.txt");
 }
 
 namespace {
@@ -173,8 +164,8 @@ Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
   const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
   return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
           {"rows", audit_json(audited.quantities)},
-          {"contacts", contact_audit_json(audited.contacts.hard_cases)},
-          {"scenes", scene_tally_json(audited.contacts.scenes)},
+          {"contacts", contact_audit_json(audited.hard_cases)},
+          {"scenes", scene_tally_json(audited.scenes)},
           {"_of_quantities", closest_json(audited.quantities)}};
 }
 
@@ -253,9 +244,13 @@ int audit_verb(const CommandLine& line, std::ostream& out) {
 
 namespace {
 
+/// The command line in the fingerprint of a run's folder.
 CommandLine command_of(const std::filesystem::path& folder, const std::string& fingerprint) {
   try {
-    return command_of_fingerprint(fingerprint);
+    std::vector<std::string> words{"nipref"};
+    for (const Json& word : Json::parse(fingerprint).at("command").items()) words.push_back(word.as_text());
+    const auto pointers = mapped(words, &std::string::c_str);
+    return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
   } catch (const JsonMisfit& misfit) {
     throw data::BadInput("run", folder.string(),
                          std::string("must have a run.json as --out makes it: ") + misfit.what());

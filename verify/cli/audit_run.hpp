@@ -13,18 +13,13 @@
 
 namespace nipref::verify {
 
-/// Audits of whole contacts: the hard cases and random scenes.
-struct ContactAudits {
-  std::vector<ContactAudit> hard_cases;
-  std::vector<SceneTally> scenes;
+/// The points of the quantity's golden values that lie in the ranges, at most `most` of them, evenly taken; none if it
+/// has no golden values. BadInput if their file cannot be read.
+std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most);
 
-  [[nodiscard]] bool kept() const { return all_kept(hard_cases) && all_kept(scenes); }
-};
-
-struct Audited {
-  std::vector<AuditResult> quantities;
-  ContactAudits contacts;
-};
+/// Which points of a quantity are drawn: by the options points and seed, or a density in place of points, and by the
+/// ranges that are assigned. Golden points are among them.
+AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity, double density = 1);
 
 /// The JSON of an audit, by itself and within a report.
 Json audits_json(const Audited& audited, fast::Accuracy accuracy);
@@ -52,9 +47,6 @@ class AuditWorks {
   std::unique_ptr<HardCasesWork> hard_cases_;  ///< null if contacts are not audited
   std::unique_ptr<ScenesWork> scenes_;         ///< null if contacts are not audited
 };
-
-/// The command line in a fingerprint. JsonMisfit if the text is no fingerprint.
-CommandLine command_of_fingerprint(const std::string& fingerprint);
 
 struct BlockAt {
   std::size_t work, block;

@@ -166,18 +166,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   return line;
 }
 
-namespace {
-
-/// A file, or the name of an example where there is no such file.
-std::filesystem::path scene_file_of(const CommandLine& line) {
-  const std::filesystem::path word = line.words.front();
-  std::error_code none;  // as where a name is longer than a file's may be
-  const bool is_file = std::filesystem::exists(word, none) || word.has_parent_path() || word.has_extension();
-  return is_file ? word : data::example_scene(word.string());
-}
-
-}  // namespace
-
 fast::Accuracy accuracy_option(const CommandLine& line) {
   const auto rtol = line.number("rtol");
   return rtol ? fast::Accuracy(*rtol) : fast::Accuracy();
@@ -187,7 +175,7 @@ SceneRequest scene_request(const CommandLine& line) {
   const bool by_ref = line.option_or_usual("path") == "ref";
   if (!by_ref)
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
-  return {data::read_scene(scene_file_of(line)), by_ref ? digits_option(line) : std::nullopt};
+  return {data::read_scene_or_example(line.words.front()), by_ref ? digits_option(line) : std::nullopt};
 }
 
 std::optional<double> max_slowdown_option(const CommandLine& line) {

@@ -210,13 +210,11 @@ Json shown_json(const EvalAnswer& answer) {
 
 Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
              const std::vector<EvalAnswer>& answers) {
-  Json given = Json::object();
-  for (const auto& [name, text] : written_arguments(*request.quantity, arguments.text)) given.set(name, text);
   const auto scale = scale_of(request, arguments, answers.front());
   Json results = Json::object();
   for (const EvalAnswer& answer : answers) results.set(answer.path, answer_json(answer));
   return {{"quantity", request.quantity->name},
-          {"arguments", given},
+          {"arguments", json_object(written_arguments(*request.quantity, arguments.text))},
           {"scale", scale},
           {"ulp_of_scale", scale ? Json(ulp_of(*scale)) : Json()},
           {"caveat", Json::unless_empty(caveat_of(request))},

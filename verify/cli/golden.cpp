@@ -11,7 +11,6 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/check.hpp>
@@ -133,9 +132,7 @@ MadeFile made_of(const std::string& name, const CommandLine& line, const OnProgr
     const MadeContacts made =
         make_contacts(name, digits_option(line).value_or(contact_digits), provenance(), progress);
     const auto refused = [](const RefusedContact& row) -> Json {
-      Json arguments = Json::object();
-      for (const auto& [key, value] : row.keys) arguments.set(key, value);
-      return {{"arguments", arguments}, {"reason", row.reason}};
+      return {{"arguments", json_object(row.keys)}, {"reason", row.reason}};
     };
     return {contacts_text(made.file), made.file.rows.size(), made.refused.empty(),
             json_list(made.refused, refused)};
@@ -322,11 +319,11 @@ int list(const CommandLine& line, std::ostream& out) {
       continue;
     }
     const data::CsvFile csv = data::read_csv(path);
-    Json header = Json::object();
-    for (const auto& [key, text] : header_of(csv).header) header.set(key, text);
     rows += csv.records.size() - 1;
-    files.push_back(
-        {{"quantity", name}, {"file", path.string()}, {"rows", csv.records.size() - 1}, {"header", header}});
+    files.push_back({{"quantity", name},
+                     {"file", path.string()},
+                     {"rows", csv.records.size() - 1},
+                     {"header", json_object(header_of(csv).header)}});
   }
   return answer(line, out, {{"action", "list"}, {"files", files}, {"missing", missing}, {"_rows", rows}},
                 true);
@@ -348,8 +345,7 @@ int export_files(const CommandLine& line, std::ostream& out) {
 
 int golden_verb(const CommandLine& line, std::ostream& out) {
   const std::string action = line.words.empty() ? "(missing)" : line.words.front();
-  constexpr std::array<int (*)(const CommandLine&, std::ostream&), golden_actions.size()> run{
-      make, check, update, list, export_files};
+  constexpr std::array<Verb*, golden_actions.size()> run{make, check, update, list, export_files};
   for (std::size_t i = 0; i < run.size(); ++i) {
     if (golden_actions[i] == action) return run[i](line, out);
   }

@@ -7,7 +7,6 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>

@@ -10,9 +10,8 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/grade/plugin.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>

@@ -6,7 +6,8 @@
 
 #include <nipref/data/input_file.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/export.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>

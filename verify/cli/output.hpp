@@ -11,6 +11,8 @@
 
 namespace nipref::verify {
 
+struct Provenance;
+
 /// A file or standard output that could not be written, with the system's reason.
 class OutputError : public std::system_error {
  public:
@@ -57,6 +59,19 @@ int write_answer(const CommandLine& line, std::ostream& out, std::string_view ve
 /// The same with a text that no template makes.
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
                  const Json& members, const std::function<std::string()>& text);
+
+/// What this program was compiled with.
+std::string compiler();
+
+/// What golden values made now are made with.
+Provenance provenance();
+
+/// What this program was built from and with, and what it runs on: "nipref" in every answer.
+Json version_json();
+
+/// This program, whatever machine it runs on: what it was built from and with, the instruction set that fast uses, and
+/// the SHA-256 of the program's file.
+Json program_json();
 
 /// The answer to --version.
 std::string version_answer_text(bool json);

@@ -79,10 +79,7 @@ std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draw
        {"audit", "contacts", "witness"},
        [&] {
          audits.do_blocks(progress);
-         Audited audited = audits.found();
-         report.quantities = std::move(audited.quantities);
-         report.hard_cases = std::move(audited.contacts.hard_cases);
-         report.scenes = std::move(audited.contacts.scenes);
+         static_cast<Audited&>(report) = audits.found();
          report.witness = outside_witness();
        }},
       {"golden values", {"golden"}, [&] {
@@ -163,7 +160,7 @@ Json seed_errors_json(const std::vector<Replay>& tables) {
 
 Json report_json(const Report& report) {
   return {{"command", report.command},
-          {"audit", audits_json({report.quantities, {report.hard_cases, report.scenes}}, {})},
+          {"audit", audits_json(report, {})},
           {"witness", witness_json(report.witness)},
           {"bench", bench_json(report.speed)},
           {"tables", tables_json(report.tables)},

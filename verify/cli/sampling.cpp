@@ -5,9 +5,8 @@
 
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/contacts.hpp>
@@ -16,6 +15,9 @@
 #include <nipref/verify/grade/measured_points.hpp>
 
 namespace nipref::verify {
+
+/// Golden points are at most one in so many of the points that are asked for.
+constexpr std::size_t golden_share = 10;
 
 std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most) {
   const std::filesystem::path path = golden_path(quantity);

@@ -12,7 +12,6 @@
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/mapped.hpp>
 

@@ -22,7 +22,7 @@ constexpr std::string_view definitions =
 #include <nipref_verbs.inc>
     ;
 
-const std::map<std::string, int (*)(const CommandLine&, std::ostream&)> handlers{
+const std::map<std::string, Verb*> handlers{
     {"list", list_verb},       {"eval", eval_verb},     {"solve", solve_verb},   {"balance", balance_verb},
     {"tables", tables_verb},   {"limits", limits_verb}, {"claims", claims_verb}, {"errata", errata_verb},
     {"figures", figures_verb}, {"audit", audit_verb},   {"merge", merge_verb},   {"points", points_verb},

@@ -11,26 +11,13 @@
 
 namespace nipref::verify {
 
-// The verbs of the command line. Each writes its result to `out` and returns the exit status: 0 all well, 1 a
-// check fell short. Bad input is thrown as BadInput before anything is written.
+/// A verb of the command line. It writes its result to `out` and returns the exit status: 0 all well, 1 a check fell short. Bad
+/// input is thrown as BadInput before anything is written.
+using Verb = int(const CommandLine& line, std::ostream& out);
 
-int list_verb(const CommandLine& line, std::ostream& out);
-int eval_verb(const CommandLine& line, std::ostream& out);
-int solve_verb(const CommandLine& line, std::ostream& out);
-int balance_verb(const CommandLine& line, std::ostream& out);
-int audit_verb(const CommandLine& line, std::ostream& out);
-int merge_verb(const CommandLine& line, std::ostream& out);
-int points_verb(const CommandLine& line, std::ostream& out);
-int grade_verb(const CommandLine& line, std::ostream& out);
-int golden_verb(const CommandLine& line, std::ostream& out);
+Verb list_verb, eval_verb, solve_verb, balance_verb, tables_verb, limits_verb, claims_verb, errata_verb,
+    figures_verb, audit_verb, merge_verb, points_verb, grade_verb, golden_verb, bench_verb, report_verb;
 inline constexpr std::array<std::string_view, 5> golden_actions{"make", "check", "update", "list", "export"};
-int limits_verb(const CommandLine& line, std::ostream& out);
-int claims_verb(const CommandLine& line, std::ostream& out);
-int errata_verb(const CommandLine& line, std::ostream& out);
-int figures_verb(const CommandLine& line, std::ostream& out);
-int bench_verb(const CommandLine& line, std::ostream& out);
-int tables_verb(const CommandLine& line, std::ostream& out);
-int report_verb(const CommandLine& line, std::ostream& out);
 
 /// The numbers that an option may have, including both limits.
 struct NumberRange {
@@ -63,7 +50,7 @@ std::string names_of(const OptionText& option);
 /// A verb of the command line, its options and its help, as defined in verbs.toml.
 struct VerbText {
   std::string name;
-  int (*run)(const CommandLine& line, std::ostream& out);  ///< writes the result, returns the exit status
+  Verb* run;
   std::string meaning;
   std::string words;  ///< name of the words that are no name=value pairs; empty if the verb has none
   std::string meaning_of_words;

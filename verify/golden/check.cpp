@@ -80,26 +80,27 @@ std::string_view name(GoldenFault fault) {
   }
 }
 
-CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options) {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < file.rows.size(); i += options.every) rows.push_back(i);
-  const std::size_t by_ref =
-      options.all ? rows.size() : std::min(rows.size(), std::max(fewest, quantity.audit_points / 4));
-  const int digits = file.digits();
-  std::vector<std::vector<GoldenFailure>> failures(rows.size());
-  parallel_for(
-      rows.size(),
-      [&](std::size_t i) {
-        failures[i] =
-            check_row(quantity, file.rows[rows[i]], rows[i] + 1, digits, is_taken(i, rows.size(), by_ref));
-      },
-      options.progress);
+CheckedGolden checked_rows(const GoldenHeader& file, std::size_t rows, std::size_t by_ref,
+                           const CheckOptions& options,
+                           const std::function<std::vector<GoldenFailure>(std::size_t, bool)>& check) {
   CheckedGolden checked;
-  checked.quantity = quantity.name;
-  checked.rows = rows.size();
-  checked.recomputed = by_ref;
+  checked.quantity = file.entry("quantity");
+  checked.rows = (rows + options.every - 1) / options.every;
+  checked.recomputed = options.all ? checked.rows : std::min(checked.rows, by_ref);
+  auto failures = parallel_mapped(
+      checked.rows,
+      [&](std::size_t i) { return check(i * options.every, is_taken(i, checked.rows, checked.recomputed)); },
+      options.progress);
   for (auto& found : failures) std::ranges::move(found, std::back_inserter(checked.failures));
   return checked;
+}
+
+CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options) {
+  const int digits = file.digits();
+  return checked_rows(file, file.rows.size(), std::max(fewest, quantity.audit_points / 4), options,
+                      [&](std::size_t row, bool by_ref) {
+                        return check_row(quantity, file.rows[row], row + 1, digits, by_ref);
+                      });
 }
 
 CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {

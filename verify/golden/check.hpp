@@ -65,6 +65,11 @@ struct CheckedGolden {
   [[nodiscard]] bool kept() const { return failures.empty(); }
 };
 
+/// Checks every so many of a file's rows: those that `check` is told so, `by_ref` of them, evenly spaced, by the reference.
+CheckedGolden checked_rows(
+    const GoldenHeader& file, std::size_t rows, std::size_t by_ref, const CheckOptions& options,
+    const std::function<std::vector<GoldenFailure>(std::size_t row, bool by_ref)>& check);
+
 /// Computes the values of a file again and compares. A row is wrong if the reference's value differs from it by more
 /// than the sum of both bounds, or fast's value by more than its promise. A row is too wide if the bounds exceed a
 /// thousandth of a unit in the last place of the scale.

@@ -303,22 +303,11 @@ std::vector<GoldenFailure> check_contact(const data::SceneText& text, const Cont
 
 CheckedGolden check_contacts(const ContactsFile& file, const CheckOptions& options) {
   const data::SceneText text = contact_scene(file.entry("quantity"));
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < file.rows.size(); i += options.every) rows.push_back(i);
-  CheckedGolden checked;
-  checked.quantity = file.entry("quantity");
-  checked.rows = rows.size();
-  checked.recomputed =
-      options.all ? rows.size() : (rows.size() + nips_for_each_confirmed - 1) / nips_for_each_confirmed;
-  std::vector<std::vector<GoldenFailure>> failures(rows.size());
-  parallel_for(
-      rows.size(),
-      [&](std::size_t i) {
-        failures[i] = check_contact(text, file, rows[i] + 1, is_taken(i, rows.size(), checked.recomputed));
-      },
-      options.progress);
-  for (auto& found : failures) std::ranges::move(found, std::back_inserter(checked.failures));
-  return checked;
+  const std::size_t rows = (file.rows.size() + options.every - 1) / options.every,
+                    by_ref = (rows + nips_for_each_confirmed - 1) / nips_for_each_confirmed;
+  return checked_rows(file, file.rows.size(), by_ref, options, [&](std::size_t row, bool with_ref) {
+    return check_contact(text, file, row + 1, with_ref);
+  });
 }
 
 }  // namespace nipref::verify

@@ -36,14 +36,13 @@ std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& g
   const std::size_t audited = std::min(quantity.audit_points, most_audited * golden.points);
   Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
   const std::vector<Point> points = random_points(quantity, {}, audited, random);
-  std::vector<double> used(points.size());
-  parallel_for(points.size(), [&](std::size_t i) {
+  const auto used = parallel_mapped(points.size(), [&](std::size_t i) {
     try {
-      used[i] = deviation(fast_value(quantity, points[i], {}),
-                          ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i]))
-                    .ulps;
+      return deviation(fast_value(quantity, points[i], {}),
+                       ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i]))
+          .ulps;
     } catch (const data::BadInput&) {
-      used[i] = 0;
+      return 0.0;
     }
   });
   std::vector<std::size_t> order(points.size());
@@ -162,9 +161,8 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
     const std::size_t begin = rows.size(), lacking = options.points - begin;
     if (candidates.size() < lacking) candidates.add_dense(lacking - candidates.size());
     const std::vector<Candidate> all = candidates.taken();
-    std::vector<MadeRow> outcomes(all.size());
-    parallel_for(
-        all.size(), [&](std::size_t i) { outcomes[i] = made_row(quantity, all[i], options.digits); },
+    auto outcomes = parallel_mapped(
+        all.size(), [&](std::size_t i) { return made_row(quantity, all[i], options.digits); },
         [&](double part) {
           const double rows_done = static_cast<double>(begin) + static_cast<double>(lacking) * part;
           tell(part_of_audit + (1 - part_of_audit) * rows_done / static_cast<double>(options.points));
@@ -232,11 +230,9 @@ UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::s
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
                             const Provenance& provenance, const OnProgress& progress) {
   const int digits = file.digits();
-  std::vector<UpdatedRow> outcomes(file.rows.size());
-  parallel_for(
+  auto outcomes = parallel_mapped(
       file.rows.size(),
-      [&](std::size_t i) { outcomes[i] = updated_row(quantity, file.rows[i], i + 1, digits, all); },
-      progress);
+      [&](std::size_t i) { return updated_row(quantity, file.rows[i], i + 1, digits, all); }, progress);
   UpdatedGolden updated{file, {}, {}};
   for (UpdatedRow& outcome : outcomes) {
     if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));

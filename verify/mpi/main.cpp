@@ -1,8 +1,6 @@
 // nipref-mpi audit ...: `nipref audit` by all ranks of an MPI job.
 #include <mpi.h>
 
-#include <iostream>
-
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>

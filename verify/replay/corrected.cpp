@@ -60,8 +60,8 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
 ///     contact, and "exponent" the continuous contacts with the thesis's theta2 and with the solid's.
 void correct_viscoelastic(Replay& replay) {
   const ViscoelasticTable& how = *find_viscoelastic_table(replay.table.id);
-  std::vector<CorrectedRow> rows(replay.table.rows.size());
-  parallel_for(rows.size(), [&](std::size_t row) { rows[row] = correct_row(replay, row, how); });
+  const auto rows = parallel_mapped(replay.table.rows.size(),
+                                    [&](std::size_t row) { return correct_row(replay, row, how); });
   for (ReplayedCell& cell : replay.cells) {
     cell.corrected = rows[cell.row].corrected.at(cell.column);
     cell.corrected_with_seed_material = rows[cell.row].with_seed_material.at(cell.column);

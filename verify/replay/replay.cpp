@@ -13,6 +13,10 @@ std::size_t Replay::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(cells, verdict, &ReplayedCell::verdict));
 }
 
+double key_of_row(const data::Table& table, std::size_t row) {
+  return table.cell(row, table.columns.front().name).number->value;
+}
+
 Verdict assess(const data::TableCell& cell, const data::Interval& range) {
   if (!cell.is_readable()) return Verdict::unexplained;
   if (!cell.number->rounding.meets(range)) return Verdict::unexplained;

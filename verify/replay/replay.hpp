@@ -108,6 +108,9 @@ struct Replay {
 /// Whether a cell is known to be unexplained. A replay with any other unexplained cell has become worse.
 bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell);
 
+/// The number in the first column of a row, in base units.
+double key_of_row(const data::Table& table, std::size_t row);
+
 /// The verdict of the matching rule, which compares `range` with the rounding interval of the cell's number.
 Verdict assess(const data::TableCell& cell, const data::Interval& range);
 

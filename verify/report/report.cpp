@@ -27,8 +27,8 @@ constexpr SeedColumn seed_columns[] = {
 
 bool Report::kept(bool strict) const {
   const auto none_broken = [](const auto& rows, auto is_kept) { return std::ranges::all_of(rows, is_kept); };
-  return all_kept(quantities) && all_kept(hard_cases) && all_kept(scenes) && witness.agrees() &&
-         !tables_fall_short && all_met(speed, strict) && none_broken(limits, &LimitRow::approached) &&
+  return Audited::kept() && witness.agrees() && !tables_fall_short && all_met(speed, strict) &&
+         none_broken(limits, &LimitRow::approached) &&
          none_broken(errata, [](const SettledErratum& one) { return one.settlement.settled(); }) &&
          none_broken(golden, [](const GoldenSample& one) { return one.checked.kept(); });
 }
@@ -180,12 +180,9 @@ Json summary_json(const Report& report) {
 Json quantities_json(const std::vector<AuditResult>& results) {
   return json_list(results, [](const AuditResult& result) {
     const Quantity& quantity = *result.quantity;
-    return Json{{"quantity", quantity.name},
-                {"subject", quantity.subject},
-                {"definition", quantity.definition},
-                {"notation", quantity.notation},
-                {"measured_against", quantity.scale},
-                {"plot", error_plot_json(result)}};
+    return Json{{"quantity", quantity.name},          {"subject", quantity.subject},
+                {"definition", quantity.definition},  {"notation", quantity.notation},
+                {"measured_against", quantity.scale}, {"plot", error_plot_json(result)}};
   });
 }
 

@@ -5,9 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/audit/audit.hpp>
-#include <nipref/verify/audit/internal/contacts.hpp>
-#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/golden/check.hpp>
@@ -58,12 +56,9 @@ struct GoldenSample {
 };
 
 /// The contents of a report, computed in one run.
-struct Report {
+struct Report : Audited {
   std::string command;  ///< the command line, quoted for a shell
   std::string seed;     ///< of the random scenes
-  std::vector<AuditResult> quantities;
-  std::vector<ContactAudit> hard_cases;
-  std::vector<SceneTally> scenes;
   Witness witness;
   BenchReport speed;
   std::vector<Replay> tables;

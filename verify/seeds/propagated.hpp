@@ -30,26 +30,11 @@ class Propagated {
   fast::Estimate number_;
 };
 
-Propagated operator+(const Propagated& a, const Propagated& b);
-Propagated operator-(const Propagated& a, const Propagated& b);
-Propagated operator*(const Propagated& a, const Propagated& b);
-Propagated operator/(const Propagated& a, const Propagated& b);
-Propagated fabs(const Propagated& x);
-Propagated square(const Propagated& x);
-Propagated sqrt(const Propagated& x);
-Propagated hypot(const Propagated& x, const Propagated& y);
-Propagated exp(const Propagated& x);
-Propagated expm1(const Propagated& x);
-Propagated log(const Propagated& x);
-Propagated pow(const Propagated& x, const Propagated& exponent);  ///< x > 0
-Propagated sinh(const Propagated& x);
-Propagated cosh(const Propagated& x);
-Propagated tanh(const Propagated& x);
-Propagated atanh(const Propagated& x);
-Propagated sin(const Propagated& x);
-Propagated cos(const Propagated& x);
-Propagated tan(const Propagated& x);
-Propagated atan(const Propagated& x);
+using OfOne = Propagated(const Propagated& x);
+using OfTwo = Propagated(const Propagated& a, const Propagated& b);
+OfTwo operator+, operator-, operator*, operator/, hypot;
+OfTwo pow;  ///< a > 0
+OfOne fabs, square, sqrt, exp, expm1, log, sinh, cosh, tanh, atanh, sin, cos, tan, atan;
 
 /// The decimals of a number and of its error. The number has no digit below the first of its error; the error includes the
 /// digits left out and has two digits, rounded upwards. An exact number has its shortest decimal and the error 0.

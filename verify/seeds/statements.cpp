@@ -13,41 +13,14 @@
 namespace nipref::verify {
 namespace {
 
-/// A text of an entry: its key in the file and in JSON, and the member that holds it.
+/// The entries of a list with their ids.
 template <class Entry>
-struct TextMember {
-  std::string_view key;
-  std::string Entry::*member;
-};
-
-constexpr TextMember<Claim> claim_texts[] = {
-    {"id", &Claim::id}, {"seed", &Claim::seed}, {"place", &Claim::place}, {"statement", &Claim::statement}};
-constexpr TextMember<LimitRow> limit_texts[] = {{"name", &LimitRow::name},
-                                                {"statement", &LimitRow::statement},
-                                                {"source", &LimitRow::source},
-                                                {"size", &LimitRow::size}};
-constexpr TextMember<FormulaErratum> erratum_texts[] = {{"id", &FormulaErratum::id},
-                                                        {"seed", &FormulaErratum::seed},
-                                                        {"equation", &FormulaErratum::equation},
-                                                        {"printed", &FormulaErratum::printed},
-                                                        {"right", &FormulaErratum::right},
-                                                        {"proof", &FormulaErratum::proof}};
-
-template <class Entry, std::size_t count>
-std::vector<Entry> read(const std::vector<Statement>& list, const TextMember<Entry> (&texts)[count]) {
-  std::vector<Entry> all;
-  for (const Statement& one : list) {
-    Entry& entry = all.emplace_back();
-    for (const auto& [key, member] : texts) entry.*member = one.text(std::string(key));
-  }
-  return all;
+std::vector<Entry> read(const std::vector<Statement>& list) {
+  return mapped(list, [](const Statement& one) { return Entry{one.text("id"), &one}; });
 }
 
-template <class Entry, std::size_t count>
-Json texts_json(const Entry& entry, const TextMember<Entry> (&texts)[count]) {
-  Json all = Json::object();
-  for (const auto& [key, member] : texts) all.set(key, entry.*member);
-  return all;
+Json texts_json(const Statement& entry, std::initializer_list<const char*> keys) {
+  return json_object(mapped(keys, [&](const char* key) { return std::pair(key, entry.text(key)); }));
 }
 
 /// Sets the decimals of a number and of its error; both are null where there is no number.
@@ -103,13 +76,12 @@ std::string_view ClaimNumber::origin() const {
 }
 
 std::vector<Claim> claims() {
-  return read(claims_file().list("claim", {"id", "seed", "place", "statement"},
-                                 {"setting", "given", "number", "verdict"}),
-              claim_texts);
+  return read<Claim>(claims_file().list("claim", {"id", "seed", "place", "statement"},
+                                        {"setting", "given", "number", "verdict"}));
 }
 
 ClaimOutcome check(const Claim& claim) {
-  const Statement& entry = claims_file().entry("claim", claim.id);
+  const Statement& entry = *claim.entry;
   StatementFormulas formulas(claims_file(), entry);
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   for (const Statement& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
@@ -138,7 +110,7 @@ std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
 Json claims_json(const std::vector<CheckedClaim>& claims) {
   return json_list(claims, [](const CheckedClaim& checked) {
     const ClaimOutcome& outcome = checked.outcome;
-    Json row = texts_json(checked.claim, claim_texts);
+    Json row = texts_json(*checked.claim.entry, {"id", "seed", "place", "statement"});
     row.append({{"verdict", name_of(outcome.verdict)},
                 {"why", Json::unless_empty(outcome.why)},
                 {"numbers", json_list(outcome.numbers,
@@ -186,18 +158,16 @@ bool LimitRow::approached() const {
 std::vector<LimitRow> limits() {
   constexpr int sizes = 3;
   const Statement file = file_of("limits.toml");
-  const std::vector<Statement>& entries =
-      file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
-                {"order", "first", "setting", "given"});
-  std::vector<LimitRow> rows = read(entries, limit_texts);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Statement& entry = entries[i];
-    rows[i].order = entry.number("order");
+  std::vector<LimitRow> rows;
+  for (const Statement& entry : file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
+                                          {"order", "first", "setting", "given"})) {
+    rows.push_back({entry.text("name"), entry.text("statement"), entry.text("source"), entry.text("size"),
+                    entry.number("order")});
     StatementFormulas formulas(file, entry);
     for (int k = 0; k < sizes; ++k) {
       const double size = std::ldexp(entry.number("first"), -k);
       formulas.define("s", Propagated::exact(size));
-      rows[i].samples.push_back(
+      rows.back().samples.push_back(
           {size, formulas.value(entry.text("found")), formulas.value(entry.text("limit"))});
     }
   }
@@ -206,8 +176,11 @@ std::vector<LimitRow> limits() {
 
 Json limits_json(const std::vector<LimitRow>& limits) {
   return json_list(limits, [](const LimitRow& limit) {
-    Json row = texts_json(limit, limit_texts);
-    row.set("order", limit.order == 0 ? Json() : Json(limit.order));
+    Json row{{"name", limit.name},
+             {"statement", limit.statement},
+             {"source", limit.source},
+             {"size", limit.size},
+             {"order", limit.order == 0 ? Json() : Json(limit.order)}};
     const auto measured = limit.measured_order();
     set_number(row, "measured_order", "measured_order_error", measured);
     row.set("_measured_order", measured ? Json(stated_text(*measured)) : Json());
@@ -236,14 +209,13 @@ bool Settlement::settled() const {
 }
 
 std::vector<FormulaErratum> formula_errata() {
-  return read(
+  return read<FormulaErratum>(
       errata_file().list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
-                         {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}),
-      erratum_texts);
+                         {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}));
 }
 
 Settlement settle(const FormulaErratum& erratum) {
-  const Statement& entry = errata_file().entry("erratum", erratum.id);
+  const Statement& entry = *erratum.entry;
   StatementFormulas formulas(errata_file(), entry);
   if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
     const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
@@ -262,7 +234,7 @@ std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
 
 Json errata_json(const std::vector<SettledErratum>& errata) {
   return json_list(errata, [](const SettledErratum& one) {
-    Json row = texts_json(one.erratum, erratum_texts);
+    Json row = texts_json(*one.erratum.entry, {"id", "seed", "equation", "printed", "right", "proof"});
     row.set("at", one.settlement.at);
     set_number(row, "printed_value", "printed_error", one.settlement.printed);
     set_number(row, "right_value", "right_error", one.settlement.right);

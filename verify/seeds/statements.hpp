@@ -12,6 +12,8 @@
 
 namespace nipref::verify {
 
+struct Statement;
+
 /// A number that decides about a claim.
 struct ClaimNumber {
   std::string what;
@@ -34,12 +36,10 @@ struct ClaimOutcome {
   std::vector<ClaimNumber> numbers;
 };
 
-/// A claim that a seed makes in words.
+/// A claim that a seed makes in words. Its entry has its seed, its place and the claim in our words.
 struct Claim {
-  std::string id;         ///< "thesis-creep-with-friction"
-  std::string seed;       ///< thesis, brock2012 or brock2013
-  std::string place;      ///< "(5.14)"
-  std::string statement;  ///< the claim, in our words
+  std::string id;  ///< "thesis-creep-with-friction"
+  const Statement* entry;
 };
 
 struct CheckedClaim {
@@ -89,14 +89,11 @@ struct LimitRow {
 [[nodiscard]] std::vector<LimitRow> limits();
 Json limits_json(const std::vector<LimitRow>& limits);
 
-/// A formula that a seed prints wrong.
+/// A formula that a seed prints wrong. Its entry has its seed, its equation, what is wrong with it, what must stand
+/// there, and the method that computes the truth of its Settlement.
 struct FormulaErratum {
-  std::string id;        ///< "thesis-4.8"
-  std::string seed;      ///< thesis, brock2012 or brock2013
-  std::string equation;  ///< "(4.8b)"
-  std::string printed;   ///< what is wrong with it
-  std::string right;     ///< what must stand there
-  std::string proof;     ///< the method that computes the truth of its Settlement
+  std::string id;  ///< "thesis-4.8"
+  const Statement* entry;
 };
 
 /// The formula as printed and as it must be, at one place, against a truth that is computed by neither.

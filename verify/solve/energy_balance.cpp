@@ -204,9 +204,6 @@ const data::ViscoelasticNipProblem& rolling_problem(const data::Scene& scene) {
 
 }  // namespace
 
-double EnergyBalance::difference() const { return work.value - loss.value; }
-bool EnergyBalance::meets() const { return std::fabs(difference()) <= allowed(); }
-
 EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits) {
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);

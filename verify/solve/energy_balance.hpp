@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,10 @@ struct EnergyBalance {
   std::vector<BeyondTheory> warnings;
   double seconds = 0;  ///< wall clock, for all of it
 
-  [[nodiscard]] double difference() const;
+  [[nodiscard]] double difference() const { return work.value - loss.value; }
   /// The sum of both errors.
   [[nodiscard]] double allowed() const { return work.error + loss.error; }
-  [[nodiscard]] bool meets() const;
+  [[nodiscard]] bool meets() const { return std::fabs(difference()) <= allowed(); }
 };
 
 /// The energy balance of the converged contact of a rolling nip, solved in double or, if `digits` are given, by the

@@ -6,9 +6,9 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/catalogue/nip_seconds.hpp>
+#include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
-#include <nipref/verify/solve/likely_time.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {
 namespace {

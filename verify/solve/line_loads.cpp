@@ -29,24 +29,6 @@ fast::Estimate compared_with(const fast::Estimate& truth, double value) {
   return {value, std::fabs(value - truth.value) + truth.error};
 }
 
-/// The fields of the loads; displacements of an elastic sheet's alone.
-template <class LineLoads, class Problem>
-std::shared_ptr<InnerFields<FastPath>> inside(const std::shared_ptr<LineLoads>& loads,
-                                              const Problem& problem) {
-  using Points = InnerFields<FastPath>::Points;
-  const double half_thickness = problem.nip.half_thickness();
-  auto fields = std::make_shared<InnerFields<FastPath>>();
-  fields->stresses_of = [=](Points points) {
-    return fast::line_load_stresses(loads->face_loads(), half_thickness, points);
-  };
-  if constexpr (std::is_same_v<Problem, data::ElasticNipProblem>) {
-    fields->displacements_of = [=, material = problem.nip.material](Points points) {
-      return fast::line_load_displacements(loads->face_loads(), half_thickness, material, points);
-    };
-  }
-  return fields;
-}
-
 /// The contact of line loads in double, whose functions have the names of the results; each is compared with the same
 /// result of the continuous contact.
 template <class LineLoads>
@@ -73,7 +55,7 @@ SolvedInDouble compared_with_truth(const std::shared_ptr<LineLoads>& loads,
           return numbers;
         });
       },
-      inside(loads, problem));
+      line_load_fields<FastPath>(loads, problem));
   complete_nip(*contact, problem);
   contact->measure = Measure::truth;
   contact->error_work = [truth] { return truth->work(); };

@@ -53,24 +53,6 @@ fast::Work work_of(const RefRollingLineLoads& loads) {
   return work;
 }
 
-/// The fields of the loads; displacements of an elastic sheet's alone.
-template <class LineLoads, class Problem>
-std::shared_ptr<InnerFields<RefPath>> inside(const std::shared_ptr<LineLoads>& loads, const Problem& problem,
-                                             int digits) {
-  using Points = InnerFields<RefPath>::Points;
-  const double half_thickness = problem.nip.half_thickness();
-  auto fields = std::make_shared<InnerFields<RefPath>>();
-  fields->stresses_of = [=](Points points) {
-    return ref::line_load_stresses(loads->face_loads(), half_thickness, points, digits);
-  };
-  if constexpr (std::is_same_v<Problem, data::ElasticNipProblem>) {
-    fields->displacements_of = [=, material = problem.nip.material](Points points) {
-      return ref::line_load_displacements(loads->face_loads(), half_thickness, material, points, digits);
-    };
-  }
-  return fields;
-}
-
 template <class LineLoads>
 SolvedByRef contact_of(LineLoads solution, const auto& problem, int digits) {
   auto contact = std::make_unique<SolvedContact<ref::Estimate>>();
@@ -78,7 +60,7 @@ SolvedByRef contact_of(LineLoads solution, const auto& problem, int digits) {
   set_nip_results<LineLoads>([&](ResultId id, auto function) { contact->set(id, loads, function); },
                              [digits](const LineLoads&) { return ref::exact_zero(digits); });
   set_inner_fields<RefPath>([&](ResultId id, auto function) { contact->set(id, function); },
-                            inside(loads, problem, digits));
+                            line_load_fields<RefPath>(loads, problem, digits));
   complete_nip(*contact, problem);
   contact->measure = Measure::itself;
   contact->work = [loads] { return work_of(*loads); };

@@ -142,6 +142,14 @@ struct SearchStep {
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
 [[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
+/// An estimate of the seconds that solve_by_ref() takes on one core of a server of 2022, good to a factor of about
+/// three. It follows from the number of unknowns and the number of wanted places; the length for a given load is
+/// computed in double. It is 0 for scenes that double refuses, for line loads and for bodies on half-spaces.
+[[nodiscard]] double likely_seconds_by_ref(const data::Scene& scene, int digits);
+
+/// A warning of one line if the seconds are more than ten; otherwise empty.
+[[nodiscard]] std::string warning_of_time(double seconds);
+
 Json warnings_json(const std::vector<BeyondTheory>& warnings);
 
 /// A number, and its error rounded upwards, as decimals.

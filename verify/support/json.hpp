@@ -88,6 +88,14 @@ Json json_list(const Items& items, ToJson to_json = {}) {
   return mapped<Json>(items, to_json);
 }
 
+/// The object of these pairs of a key and a value.
+template <class Pairs>
+Json json_object(const Pairs& pairs) {
+  Json all = Json::object();
+  for (const auto& [key, value] : pairs) all.set(key, value);
+  return all;
+}
+
 /// A double as a hexadecimal text, which is exact; infinities are allowed.
 Json exact_json(double number);
 /// Reads such a text; throws JsonMisfit for another.

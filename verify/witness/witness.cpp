@@ -1,94 +1,47 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include <nipref/data/problem/seed_nips.hpp>
-#include <nipref/data/scene/scene.hpp>
-#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/witness/internal/calculix.hpp>
 #include <nipref/verify/witness/witness.hpp>
 
 namespace nipref::verify {
 namespace {
 
-using data::ResultId;
-
-constexpr double witnessed_load = 100;
-
-data::Scene witnessed_scene(double thickness, data::Friction friction) {
-  data::ElasticNipProblem problem{.nip = data::seed::nip(thickness),
-                                  .given = data::GivenLoad{witnessed_load},
-                                  .friction = friction,
-                                  .creep_ratio = {},
-                                  .method = data::ConvergedMethod{},
-                                  .profile = {}};
-  return {.title = "witnessed",
-          .wanted = {ResultId::contact_length, ResultId::indentation, ResultId::creep_ratio,
-                     ResultId::normal_displacement, ResultId::tangential_displacement},
-          .accuracy = 1e-9,
-          .system = problem,
-          .origin = {}};
-}
-
-using WitnessedContact = SceneSolution<fast::Estimate>;
-
-WitnessedContact witnessed_at(data::Scene scene, std::vector<double> positions) {
-  std::get<data::ElasticNipProblem>(scene.system).profile = data::Positions{std::move(positions)};
-  return solve(scene);
-}
-
-/// The shape of the contact's surface by the solver.
-calculix::IndentedStrip witnessed_strip(data::Scene scene) {
-  const data::ElasticNipProblem& problem = std::get<data::ElasticNipProblem>(scene.system);
-  const WitnessedContact contact = witnessed_at(scene, {0});
+/// The program gets the shape of the contact's surface, and the surfaces are compared in the contact and in a part of the same
+/// length beside it.
+Witnessed witness_of(double thickness, data::Friction friction) {
+  constexpr double load = 100, accuracy = 1e-9;
+  const data::ElasticNipProblem problem{.nip = data::seed::nip(thickness),
+                                        .given = data::GivenLoad{load},
+                                        .friction = friction,
+                                        .creep_ratio = {},
+                                        .method = {},
+                                        .profile = {}};
+  const SolvedInDouble contact = solve_converged(problem, accuracy);
+  const auto value = [&](ResultId id) { return contact->number(id).value; };
+  const bool is_gripped = friction == data::Friction::full;
   calculix::IndentedStrip strip{.young = problem.nip.material.young,
                                 .poisson = problem.nip.material.poisson,
                                 .half_thickness = problem.nip.half_thickness(),
-                                .contact_end = contact[ResultId::contact_length].value / 2,
-                                .indentation = contact[ResultId::indentation].value,
+                                .contact_end = value(ResultId::contact_length) / 2,
+                                .indentation = value(ResultId::indentation),
                                 .radius = problem.nip.roller_radius,
                                 .creep = {}};
-  if (problem.friction == data::Friction::full) strip.creep = contact[ResultId::creep_ratio].value;
-  return strip;
-}
-
-/// The largest difference of the surfaces in the contact and in a part of the same length beside it.
-struct SurfaceDifference {
-  double normal;      ///< of the indentation
-  double tangential;  ///< of the largest tangential displacement
-};
-
-SurfaceDifference surface_difference(const calculix::Response& witness, const calculix::IndentedStrip& strip,
-                                     const data::Scene& scene) {
-  std::vector<double> positions;
-  for (const auto& [y, displacement] : witness.surface) {
-    if (y < 2 * strip.contact_end) positions.push_back(y);
-  }
-  const WitnessedContact contact = witnessed_at(scene, positions);
-  double normal = 0;
-  double tangential = 0;
-  double largest_tangential = 0;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const calculix::SurfaceDisplacement& there = witness.surface.at(positions[i]);
-    const double u = contact.profile(ResultId::normal_displacement)[i].value;
-    const double v = contact.profile(ResultId::tangential_displacement)[i].value;
-    normal = std::max(normal, std::abs(there.normal - u));
-    tangential = std::max(tangential, std::abs(there.tangential - v));
-    largest_tangential = std::max(largest_tangential, std::abs(v));
-  }
-  return {normal / strip.indentation, tangential / largest_tangential};
-}
-
-Witnessed witness_of(double thickness, data::Friction friction) {
-  const data::Scene scene = witnessed_scene(thickness, friction);
-  const calculix::IndentedStrip strip = witnessed_strip(scene);
+  if (is_gripped) strip.creep = value(ResultId::creep_ratio);
   const calculix::Response response = calculix::respond(strip);
-  const auto [normal, tangential] = surface_difference(response, strip, scene);
-  return {thickness, friction == data::Friction::full, std::fabs(2 * response.reaction / witnessed_load - 1),
-          normal, tangential};
+  double normal = 0, tangential = 0, largest_tangential = 0;
+  for (const auto& [y, there] : response.surface) {
+    if (y >= 2 * strip.contact_end) break;
+    const double u = contact->at(ResultId::normal_displacement, y).value,
+                 v = contact->at(ResultId::tangential_displacement, y).value;
+    normal = std::max(normal, std::fabs(there.normal - u));
+    tangential = std::max(tangential, std::fabs(there.tangential - v));
+    largest_tangential = std::max(largest_tangential, std::fabs(v));
+  }
+  return {thickness, is_gripped, std::fabs(2 * response.reaction / load - 1), normal / strip.indentation,
+          tangential / largest_tangential};
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST_CASE(
   CHECK(json[1].at("passed") == true);
   CHECK(json[2].at("passed") == false);
 
-  verify::Json members = verify::audits_json({{}, {{alone}, {}}}, {});
+  verify::Json members = verify::audits_json({{}, {alone}, {}}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
   CHECK(contains(text, " - "));

@@ -95,7 +95,7 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   verify::SceneFindings failed = findings(2, 0, 0.1);
   failed.failed = "a fault";
   const auto tallies = verify::without_empty(verify::tally({findings(0, 0.5, 0.1), uncovered, failed}));
-  verify::Json members = verify::audits_json({{}, {{}, tallies}}, {});
+  verify::Json members = verify::audits_json({{}, {}, tallies}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
   CHECK(contains(text, "PASS"));

@@ -1,6 +1,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 

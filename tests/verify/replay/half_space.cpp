@@ -32,8 +32,10 @@ TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot
   const fast::Direction line = fast::Direction::of_angle(0.6);
   const double right = fast::isotropic_response(isotropic, 0.5, {1, 0}).compliance;
   CHECK(right == Approx(0.83010914587).epsilon(1e-10));
-  CHECK(verify::in_plane_compliance_as_tabulated(scaled, line, 1, 0.5) == Approx(1.316).epsilon(1e-3));
-  CHECK(verify::in_plane_compliance_as_printed(scaled, line, 1, 0.5) == Approx(0.0144).epsilon(1e-2));
+  CHECK(verify::in_plane_compliance(verify::InPlaneForm::tabulated, scaled, line, 1, 0.5) ==
+        Approx(1.316).epsilon(1e-3));
+  CHECK(verify::in_plane_compliance(verify::InPlaneForm::printed, scaled, line, 1, 0.5) ==
+        Approx(0.0144).epsilon(1e-2));
   CHECK(verify::sphere_compliance(scaled, 1, 0.5) == Approx(right).epsilon(1e-14));
   CHECK(verify::rolling_span_ratio_as_printed(1.0 / 3, 1e-3) == Approx(std::sqrt(2.0)).epsilon(1e-4));
   CHECK(verify::branch_radicand_as_printed({0.18, 2.08, 0.083, 0.0916, 0.0453, 0.46, 1.86}, line) < 0);

@@ -1,6 +1,7 @@
 #include <charconv>
 
 #include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/statement.hpp>
 
 #include "support/test.hpp"
 
@@ -63,9 +64,10 @@ TEST_CASE("every claim says where it stands") {
   for (const Claim& claim : claims) {
     CAPTURE(claim.id);
     CHECK(ids.insert(claim.id).second);
-    CHECK((claim.seed == "thesis" || claim.seed == "brock2012" || claim.seed == "brock2013"));
-    CHECK_FALSE(claim.place.empty());
-    CHECK_FALSE(claim.statement.empty());
+    const std::string& seed = claim.entry->text("seed");
+    CHECK((seed == "thesis" || seed == "brock2012" || seed == "brock2013"));
+    CHECK_FALSE(claim.entry->text("place").empty());
+    CHECK_FALSE(claim.entry->text("statement").empty());
   }
   CHECK(ids.size() == 39);
 }

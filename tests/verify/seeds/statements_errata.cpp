@@ -1,4 +1,5 @@
 #include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/statement.hpp>
 
 #include "support/test.hpp"
 
@@ -13,8 +14,8 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
   for (const FormulaErratum& erratum : errata) {
     CAPTURE(erratum.id);
     CHECK(listed.insert(erratum.id).second);
-    for (const std::string& text : {erratum.equation, erratum.printed, erratum.right, erratum.proof})
-      CHECK_FALSE(text.empty());
+    for (const char* key : {"equation", "printed", "right", "proof"})
+      CHECK_FALSE(erratum.entry->text(key).empty());
     const Settlement settlement = verify::settle(erratum);
     CAPTURE(verify::stated_text(settlement.right));
     CAPTURE(verify::stated_text(settlement.truth));

@@ -4,7 +4,6 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/refusal.hpp"

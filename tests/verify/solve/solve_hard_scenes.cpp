@@ -1,7 +1,6 @@
 // The scenes of data/scenes/hard, which were once solved wrongly: each begins with what was wrong.
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"

@@ -100,10 +100,8 @@ std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies) {
 
 std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
                                         const OnProgress& on_progress, const SceneSolvers& solvers) {
-  std::vector<SceneFindings> findings(count);
-  parallel_for(
-      count, [&](std::size_t i) { findings[i] = audit_scene(seed, first + i, solvers); }, on_progress);
-  return findings;
+  return parallel_mapped(
+      count, [&](std::size_t i) { return audit_scene(seed, first + i, solvers); }, on_progress);
 }
 
 Json scene_tally_found(const SceneTally& tally) {

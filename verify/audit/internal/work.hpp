@@ -18,6 +18,15 @@ using BlockFindings = std::variant<QuantityFindings, std::vector<ContactAudit>, 
 
 Json block_findings_json(const BlockFindings& found);
 
+/// What audits have found.
+struct Audited {
+  std::vector<AuditResult> quantities;
+  std::vector<ContactAudit> hard_cases;
+  std::vector<SceneTally> scenes;
+
+  [[nodiscard]] bool kept() const { return all_kept(quantities) && all_kept(hard_cases) && all_kept(scenes); }
+};
+
 /// Work in blocks, which may be computed in any order, by any process, and more than once: the findings of a block are
 /// always the same (except for seconds), and their sum does not depend on the order.
 class BlockWork {

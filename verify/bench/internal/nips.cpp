@@ -19,7 +19,7 @@
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {

@@ -10,7 +10,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 namespace {

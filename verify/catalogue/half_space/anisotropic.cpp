@@ -28,27 +28,28 @@ constexpr auto places = [] {
   return all;
 }();
 
-data::Stiffness stiffness_of(const NamedPoint& x) {
-  data::Stiffness solid{{}, x["density"]};
-  const auto given = x.from("c11");
+/// Sets the constants, c11 to c66, on both sides of the diagonal.
+void set_symmetric(auto& voigt, const auto& constant) {
   for (std::size_t n = 0; n < constants; ++n) {
     const auto [i, k] = places[n];
-    solid.voigt[i][k] = solid.voigt[k][i] = given[n];
+    voigt[i][k] = voigt[k][i] = constant(n);
   }
+}
+
+data::Stiffness stiffness_of(const NamedPoint& x) {
+  data::Stiffness solid{{}, x["density"]};
+  set_symmetric(solid.voigt, [given = x.from("c11")](std::size_t n) { return given[n]; });
   return solid;
 }
 
 ref::ExactStiffness exact_stiffness_of(const NamedExact& x) {
   const auto given = x.from("c11");
   data::Stiffness nearest{{}, x["density"].approximate()};
+  set_symmetric(nearest.voigt, [&](std::size_t n) { return given[n].approximate(); });
+  nearest.check();
   ref::ExactStiffness solid;
   solid.density = x["density"].value();
-  for (std::size_t n = 0; n < constants; ++n) {
-    const auto [i, k] = places[n];
-    nearest.voigt[i][k] = nearest.voigt[k][i] = given[n].approximate();
-    solid.voigt[i][k] = solid.voigt[k][i] = given[n].value();
-  }
-  nearest.check();
+  set_symmetric(solid.voigt, [&](std::size_t n) { return given[n].value(); });
   return solid;
 }
 

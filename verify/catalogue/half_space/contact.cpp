@@ -102,6 +102,9 @@ fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
 
 Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
 
+void draw_nothing(Random&, const NamedNumbers&) {}
+double value_itself(const NamedPoint&) { return 0; }
+
 /// The functions of an entry. Points have speeds up to `largest_share` of the critical one; `more` draws the arguments
 /// that belong neither to the bodies nor to their speed.
 struct ContactRow {
@@ -109,9 +112,9 @@ struct ContactRow {
   double largest_share;
   ref::Estimate (*by_ref)(const NamedExact& x, int digits);
   double (*by_fast)(const NamedPoint& x);
-  void (*more)(Random& random, const NamedNumbers& x) = [](Random&, const NamedNumbers&) {};
+  void (*more)(Random& random, const NamedNumbers& x) = draw_nothing;
   std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
-  double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
+  double (*size)(const NamedPoint& x) = value_itself;
   void (*keep_more)(const NamedNumbers& x) = [](const NamedNumbers&) {};
 };
 
@@ -155,6 +158,10 @@ double force(const NamedPoint& x) {
 
 void draw_psi(Random& random, const NamedNumbers& x) { x["psi_deg"] = draw_angle(random); }
 void draw_sliding(Random& random, const NamedNumbers& x) { x["friction"] = draw_friction(random); }
+void draw_sliding_line(Random& random, const NamedNumbers& x) {
+  draw_sliding(random, x);
+  draw_psi(random, x);
+}
 void draw_ratio_of_curvatures(Random& random, const NamedNumbers& x) {
   x["curvature_ratio"] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
 }
@@ -203,11 +210,7 @@ void keep_finite_span(const NamedNumbers& x) {
 const std::vector<ContactRow>& rows_on_isotropic() {
   using Bodies = OnIsotropic;
   static const std::vector<ContactRow> rows{
-      {"die.exponent", nearest_critical, exact_exponent<Bodies>, exponent<Bodies>,
-       [](Random& random, const NamedNumbers& x) {
-         draw_sliding(random, x);
-         draw_psi(random, x);
-       }},
+      {"die.exponent", nearest_critical, exact_exponent<Bodies>, exponent<Bodies>, draw_sliding_line},
       {"die.peak_place",
        nearest_critical,
        [](const NamedExact& x, int digits) {
@@ -217,10 +220,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
          return place;
        },
        [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
-       [](Random& random, const NamedNumbers& x) {
-         draw_sliding(random, x);
-         draw_psi(random, x);
-       },
+       draw_sliding_line,
        {},
        [](const NamedPoint&) { return 0.5; }},
       {"die.span_ratio",
@@ -256,7 +256,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        [](const NamedPoint& x) {
          return roll(x).span_ratio({0, 1}).value;
        },
-       [](Random&, const NamedNumbers&) {},
+       draw_nothing,
        {[](const NamedPoint& x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
         [](const NamedPoint& x) {
           return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
@@ -273,7 +273,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
          keep_finite_span(x);
        },
        {},
-       [](const NamedPoint&) { return 0.0; },
+       value_itself,
        keep_finite_span},
       {"rolling.strip", nearest_critical,
        [](const NamedExact& x, int digits) {
@@ -287,7 +287,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        nearest_integrated,
        [](const NamedExact& x, int digits) { return ref::rolling_force(Bodies::exact(x), digits); },
        [](const NamedPoint& x) { return roll(x, 1).force().value; },
-       [](Random&, const NamedNumbers&) {},
+       draw_nothing,
        {},
        // Just below the Rayleigh speed the resultant force is a pull. The size is the force of tractions of one sign.
        [](const NamedPoint& x) {
@@ -307,7 +307,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        {[](const NamedPoint& x) {
          return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
        }},
-       [](const NamedPoint&) { return 0.0; },
+       value_itself,
        keep_span},
       {"ellipse.axis_ratio", nearest_integrated,
        [](const NamedExact& x, int digits) {
@@ -340,7 +340,7 @@ void check_seed_contact(const NamedPoint& x) {
 }
 
 /// The seed's span ratio; with the axis in the surface by the form `in_plane` of (43).
-template <auto in_plane>
+template <InPlaneForm in_plane>
 double seed_span_ratio(const NamedPoint& x) {
   const double phi = x["phi_deg"], theta = x["theta_deg"], speed = x["speed"];
   check_seed_contact(x);
@@ -350,12 +350,7 @@ double seed_span_ratio(const NamedPoint& x) {
       throw BadInput("phi_deg", phi, "must be 90 or -90: (35) is of the cross direction");
     return sphere_span_ratio_as_printed(moduli, x["friction"], speed);
   }
-  const auto compliance = [&](double degrees, double cosine) {
-    return in_plane(moduli, Direction::of_degrees(degrees), cosine, speed) +
-           sphere_compliance(moduli, cosine, speed);
-  };
-  const double along = compliance(theta, 1);
-  return compliance(theta + phi, Direction::of_degrees(phi).cosine) / along;
+  return in_plane_span_ratio(in_plane, moduli, theta, phi, speed);
 }
 
 double seed_exponent(const NamedPoint& x) {
@@ -386,7 +381,7 @@ const std::vector<ContactRow>& rows_of_seed_sphere() {
        },
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(direction_of(x, "phi_deg")).value; },
        draw_line_of_contact,
-       {seed_span_ratio<in_plane_compliance_as_printed>, seed_span_ratio<in_plane_compliance_as_tabulated>}},
+       {seed_span_ratio<InPlaneForm::printed>, seed_span_ratio<InPlaneForm::tabulated>}},
       {"ti.axis_ratio", nearest_integrated,
        [](const NamedExact& x, int digits) {
          return ref::elliptic_axis_ratio(Bodies::exact(x), Exact(1.0), digits);

@@ -39,41 +39,47 @@ void keep_line(const NamedNumbers& x) {
   x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
 }
 
-/// An entry by functions of poisson, speed and psi_deg.
-template <class Ref, class Fast, class Size = ValueItself>
-Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
-  return sampled(entry_of(name, {"poisson", "speed", "psi_deg"}, by_ref, by_fast, size), draw_line,
-                 keep_line);
-}
-
-/// The arguments of the reference.
+/// A line as the reference takes it.
 struct Line {
-  ref::ExactStiffness solid;
-  Exact speed;
-  SurfaceDirection motion, psi;
+  Exact poisson, speed, psi_deg;
+  ref::ExactStiffness solid = exact_isotropic(poisson);
+  SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(0.0)),
+                   psi = SurfaceDirection::of_degrees(psi_deg);
 
-  /// Throws BadInput unless the speed is subcritical: line_response() solves the equations above the Rayleigh speed, too.
-  Line(const Exact& poisson, const Exact& given_speed, const Exact& psi_deg)
-      : solid(exact_isotropic(poisson)),
-        speed(given_speed),
-        motion(SurfaceDirection::of_degrees(Exact(0.0))),
-        psi(SurfaceDirection::of_degrees(psi_deg)) {
-    ref::check_subcritical(solid, speed, motion, psi);
+  [[nodiscard]] ref::LineResponse response(int digits) const {
+    return ref::line_response(solid, speed, motion, psi, digits);
   }
 };
 
+/// An entry by functions `by_ref` of a line and digits, and `by_fast` of solid, speed and direction.
+template <class Ref, class Fast, class Size>
+Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
+  return entry_of(
+      name, {"poisson", "speed", "psi_deg"},
+      [by_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
+        return by_ref(Line{poisson, speed, psi_deg}, digits);
+      },
+      [by_fast](double poisson, double speed, double psi_deg) {
+        return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
+      },
+      size);
+}
+
+/// One of lines along which the load is slower than Rayleigh waves: the reference solves the equations beyond, too.
+template <class Ref, class Fast, class Size = ValueItself>
+Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
+  const auto checked = [by_ref](const Line& line, int digits) {
+    ref::check_subcritical(line.solid, line.speed, line.motion, line.psi);
+    return by_ref(line, digits);
+  };
+  return sampled(line_entry(name, checked, by_fast, size), draw_line, keep_line);
+}
+
 Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
                         ref::Enclosure ref::LineResponse::*of_ref) {
-  return line_entry(
-      name,
-      [of_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        const Line line(poisson, speed, psi_deg);
-        return ref::line_response(line.solid, line.speed, line.motion, line.psi, digits).*of_ref;
-      },
-      [of_fast](double poisson, double speed, double psi_deg) {
-        return fast::isotropic_response(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg)).*
-               of_fast;
-      });
+  return subcritical_entry(
+      name, [of_ref](const Line& line, int digits) { return line.response(digits).*of_ref; },
+      [of_fast](const auto&... line) { return fast::isotropic_response(line...).*of_fast; });
 }
 
 /// Draws lines along which the load is faster than Rayleigh waves and slower than shear waves, close to either too.
@@ -98,69 +104,50 @@ void keep_line_beyond(const NamedNumbers& x) {
 
 /// The answer of such lines, which line_response() has as it solves the equations there too. Throws BadInput at other
 /// speeds.
-ref::LineResponse response_beyond(const Exact& poisson, const Exact& speed, const Exact& psi_deg,
-                                  int digits) {
-  const auto motion = SurfaceDirection::of_degrees(Exact(0.0)), psi = SurfaceDirection::of_degrees(psi_deg);
-  ref::LineResponse found = ref::line_response(exact_isotropic(poisson), speed, motion, psi, digits);
+ref::LineResponse response_beyond(const Line& line, int digits) {
+  ref::LineResponse found = line.response(digits);
   if (!(found.compliance.value < ref::Float(0)))
-    throw data::BadInput("speed", speed.text(),
+    throw data::BadInput("speed", line.speed.text(),
                          "must be, along the line, between those of Rayleigh and of shear waves");
   return found;
 }
 
 template <class Ref, class Fast, class Size = ValueItself>
 Quantity beyond_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
-  return sampled(entry_of(
-                     name, {"poisson", "speed", "psi_deg"}, by_ref,
-                     [by_fast](double poisson, double speed, double psi_deg) {
-                       return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
-                     },
-                     size),
-                 draw_line_beyond, keep_line_beyond);
+  return sampled(line_entry(name, by_ref, by_fast, size), draw_line_beyond, keep_line_beyond);
 }
 
 Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_fast,
                                ref::Enclosure ref::LineResponse::*of_ref) {
   return beyond_entry(
-      name,
-      [of_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        return response_beyond(poisson, speed, psi_deg, digits).*of_ref;
-      },
-      [of_fast](const data::IsotropicSolid& solid, double speed, Direction psi) {
-        return fast::isotropic_response_beyond(solid, speed, psi).*of_fast;
-      });
+      name, [of_ref](const Line& line, int digits) { return response_beyond(line, digits).*of_ref; },
+      [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
 }
 
-Quantity entry_rolling_index_beyond() {
-  return beyond_entry(
-      "halfspace.rolling_index_beyond",
-      [](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        const auto answer = [&](const Exact&, int some) -> ref::LineAnswer {
-          const ref::LineResponse found = response_beyond(poisson, speed, psi_deg, some);
-          return {found.compliance.value, found.coupling.value, found.coupling_across.value,
-                  found.in_line.value};
-        };
-        return ref::rolling_index_beyond(answer, psi_deg, digits);
-      },
-      fast::rolling_index_beyond, [](double, double, double) { return 0.1; });
+ref::Estimate rolling_index_by_ref(const Line& line, int digits) {
+  const auto answer = [&](const Exact&, int some) { return line_answer(response_beyond(line, some)); };
+  return ref::rolling_index_beyond(answer, line.psi_deg, digits);
+}
+
+ref::Estimate condition_by_ref(const Line& line, int digits) {
+  return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
-ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const Line& line, const Exact& poisson,
-                            int digits) {
+ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, Line line, int digits) {
   const Exact unit(1.0);
-  const auto solid =
-      ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, poisson, unit), data::SymmetryAxis::normal);
+  line.solid = ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, line.poisson, unit),
+                                    data::SymmetryAxis::normal);
   // Near the critical speed the bound is that of the compliance, which is much larger than the response across the line:
   // more digits make up for it.
   const auto bound_over_value = [](const ref::Enclosure& found) {
     return mpfr_get_exp(ref::raw(found.error)) - mpfr_get_exp(ref::raw(found.value));
   };
-  ref::Enclosure found = ref::line_response(solid, line.speed, line.motion, line.psi, digits).*member;
+  ref::Enclosure found = line.response(digits).*member;
   const auto asked = static_cast<long>(-digits / std::log10(2.0));
   if (const long lacking = bound_over_value(found) - asked; lacking > 0) {
-    const int more = digits + 2 + static_cast<int>(static_cast<double>(lacking) * std::log10(2.0));
-    found = ref::line_response(solid, line.speed, line.motion, line.psi, more).*member;
+    found =
+        line.response(digits + 2 + static_cast<int>(static_cast<double>(lacking) * std::log10(2.0))).*member;
     found.digits = digits;
   }
   return found;
@@ -169,31 +156,11 @@ ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const Lin
 Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
                          ref::Enclosure ref::LineResponse::*of_ref,
                          double (*as_printed)(double, double, double)) {
-  Quantity entry = line_entry(
-      name,
-      [of_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        return shear_by_ref(of_ref, Line(poisson, speed, psi_deg), poisson, digits);
-      },
-      [of_fast](double poisson, double speed, double psi_deg) {
-        return fast::isotropic_shear_response(unit_isotropic(poisson), speed,
-                                              Direction::of_degrees(psi_deg)).*
-               of_fast;
-      });
+  Quantity entry = subcritical_entry(
+      name, [of_ref](const Line& line, int digits) { return shear_by_ref(of_ref, line, digits); },
+      [of_fast](const auto&... line) { return fast::isotropic_shear_response(line...).*of_fast; });
   set_forms(entry, [as_printed](NamedPoint x) { return as_printed(x["poisson"], x["speed"], x["psi_deg"]); });
   return entry;
-}
-
-Quantity entry_condition() {
-  return line_entry(
-      "halfspace.condition",
-      [](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        const Line line(poisson, speed, psi_deg);
-        return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
-      },
-      [](double poisson, double speed, double psi_deg) {
-        return fast::isotropic_condition(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
-      },
-      [](double, double, double) { return 1.0; });
 }
 
 Quantity entry_separation() {
@@ -251,8 +218,10 @@ std::vector<Quantity> half_space_entries() {
                                 &ref::LineResponse::compliance),
           response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
                                 &ref::LineResponse::coupling),
-          entry_rolling_index_beyond(),
-          entry_condition(),
+          beyond_entry("halfspace.rolling_index_beyond", rolling_index_by_ref, fast::rolling_index_beyond,
+                       [](double, double, double) { return 0.1; }),
+          subcritical_entry("halfspace.condition", condition_by_ref, fast::isotropic_condition,
+                            [](double, double, double) { return 1.0; }),
           entry_rayleigh(),
           entry_separation()};
 }

@@ -75,22 +75,19 @@ Quantity transverse_line(const char* name, double LineResponse::*of_fast,
       [=](NamedPoint x) { return response(x).compliance; });
 }
 
-using InPlaneCompliance = double (*)(const ScaledModuli&, Direction line, double cosine_from_motion,
-                                     double speed);
-
 Quantity entry_transverse_compliance() {
   Quantity entry =
       transverse_line("ti.compliance", &LineResponse::compliance, &ref::LineResponse::compliance);
   // The seed's own K with the axis in the surface.
-  const auto seed_form = [](InPlaneCompliance form) {
+  const auto seed_form = [](InPlaneForm form) {
     return [form](NamedPoint x) {
       if (symmetry_axis(x) == SymmetryAxis::normal)
         throw data::BadInput("axis", "normal", "must be in-plane: elsewhere the seed has no other form");
       const double cosine = Direction::of_degrees(x["psi_deg"] - x["theta_deg"]).cosine;
-      return form(scaled_moduli_of(x), direction_of(x, "psi_deg"), cosine, x["speed"]);
+      return in_plane_compliance(form, scaled_moduli_of(x), direction_of(x, "psi_deg"), cosine, x["speed"]);
     };
   };
-  set_forms(entry, seed_form(in_plane_compliance_as_printed), seed_form(in_plane_compliance_as_tabulated));
+  set_forms(entry, seed_form(InPlaneForm::printed), seed_form(InPlaneForm::tabulated));
   return entry;
 }
 

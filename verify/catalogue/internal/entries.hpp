@@ -29,6 +29,13 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
+/// A neighbour of `value`, at a relative distance log-uniform from 2^-52 to 1.
+double nearby(double value, Random& random);
+
+/// Draws T, or t0, the time at which a load that started a time t ago passes a point: just before or after t, just before or
+/// after 0, long before, or long after. It is never t itself.
+double draw_passing_time(double t, Random& random);
+
 /// Values of an argument of that kind at which large errors are likely, for quantities that do not draw their own points.
 std::vector<double> hard_values(ArgumentKind kind);
 

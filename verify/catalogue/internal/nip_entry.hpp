@@ -5,7 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/number/estimate.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
 namespace nipref::verify {
@@ -39,6 +43,16 @@ struct NipSolver {
 /// The quantities of a family, in the order of the table, without sampling. The solution at a point is cached for the other
 /// quantities of the family.
 std::vector<Quantity> nip_entries(std::string_view family, const NipSolver& solver);
+
+/// Estimates, from the number of unknowns, of the seconds that the reference takes for the converged contact of that length
+/// on one core of a server of 2022; they are right to a factor of about two. They throw BadInput where the reference does.
+[[nodiscard]] double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length,
+                                    int digits, int most_terms = ref::most_proof_terms);
+[[nodiscard]] double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits);
+
+/// Seconds beyond which the catalogue refuses a contact and `solve` warns; and the terms of a proof that takes so long.
+inline constexpr double long_time = 10;
+inline constexpr int terms_in_long_time = 750;
 
 /// The largest number of digits, from 16 to 50, that the reference computes in reasonable time; 0 if there is none.
 /// `seconds` may throw BadInput for digits that the reference refuses.

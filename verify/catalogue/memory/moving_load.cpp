@@ -14,7 +14,6 @@
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
-#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 #include <nipref/verify/support/mapped.hpp>
 

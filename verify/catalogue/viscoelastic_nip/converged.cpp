@@ -9,7 +9,6 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -54,16 +54,13 @@ std::vector<double> evenly(double first, double last, int count) {
 }
 
 Series sampled(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {
-  Series series{std::move(label), std::move(role), mark, std::move(x), {}};
-  for (const double place : series.x) series.y.push_back(y(place));
-  return series;
+  auto values = mapped(x, y);
+  return {std::move(label), std::move(role), mark, std::move(x), std::move(values)};
 }
 
 Series computed(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {
-  Series series{std::move(label), std::move(role), mark, std::move(x), {}};
-  series.y.resize(series.x.size());
-  parallel_for(series.x.size(), [&](std::size_t i) { series.y[i] = y(series.x[i]); });
-  return series;
+  auto values = parallel_mapped(x.size(), [&](std::size_t i) { return y(x[i]); });
+  return {std::move(label), std::move(role), mark, std::move(x), std::move(values)};
 }
 
 Series replayed_series(std::string label, std::string role, const std::vector<PlacedCell>& cells) {
@@ -90,10 +87,6 @@ Series printed_series(std::string label, const std::vector<PlacedCell>& cells) {
     series.high.push_back(cell.number->rounding.upper);
   }
   return series;
-}
-
-double key_of_row(const data::Table& table, std::size_t row) {
-  return table.cell(row, table.columns.front().name).number->value;
 }
 
 std::string axis_label(const std::string& quantity) {

@@ -66,9 +66,6 @@ Series replayed_series(std::string label, std::string role, const std::vector<Pl
 /// The printed values of these cells, with their rounding intervals. Illegible and doubtful cells are left out.
 Series printed_series(std::string label, const std::vector<PlacedCell>& cells);
 
-/// The number in the first column of a row, in base units.
-double key_of_row(const data::Table& table, std::size_t row);
-
 /// The label of an axis for a column of a table or a profile of a scene.
 std::string axis_label(const std::string& quantity);
 

@@ -88,14 +88,8 @@ Series contour(const std::string& label, const std::string& role, Mark mark,
 
 Series exact_contour(const std::string& label, const fast::SurfaceResponse& surface) {
   const fast::EllipticContact contact(surface, {1, 1});
-  const double forwards = contact.radius_ratio(forward_motion).value;
   return contour(label, ellipse, Mark::line,
-                 [&](Direction line) { return contact.radius_ratio(line).value / forwards / 2; });
-}
-
-double exact_span_ratio_of(const fast::SurfaceResponse& surface, Direction line) {
-  const fast::EllipticContact contact(surface, {1, 1});
-  return contact.radius_ratio(line).value / contact.radius_ratio(forward_motion).value;
+                 [&](Direction line) { return contact.span_ratio(line, forward_motion).value / 2; });
 }
 
 Panel contour_panel() {
@@ -124,15 +118,20 @@ struct SurfacesAtSpeeds {
   std::vector<fast::SurfaceResponse> surfaces;
 
   SurfacesAtSpeeds(const SlidingBodies& bodies, std::vector<double> at)
-      : speeds(std::move(at)), surfaces(speeds.size()) {
-    parallel_for(speeds.size(), [&](std::size_t i) { surfaces[i] = bodies.surface(speeds[i]); });
-  }
+      : speeds(std::move(at)),
+        surfaces(parallel_mapped(speeds.size(), [&](std::size_t i) { return bodies.surface(speeds[i]); })) {}
 
   [[nodiscard]] Series curve(const std::string& label, const std::string& role, Mark mark,
                              const std::function<double(const fast::SurfaceResponse&)>& number) const {
     Series series{label, role, mark, speeds, {}};
     for (const fast::SurfaceResponse& one : surfaces) series.y.push_back(number(one));
     return series;
+  }
+  /// The span across over that along the motion, of ellipses.
+  [[nodiscard]] Series exact_span_ratios(const std::string& label) const {
+    return curve(label, ellipse, Mark::line, [](const fast::SurfaceResponse& lines) {
+      return fast::EllipticContact(lines, {1, 1}).span_ratio(across_motion, forward_motion).value;
+    });
   }
 };
 
@@ -164,9 +163,7 @@ Panel compliance_by_speed(const SlidingBodies& bodies, const FigureSubject& subj
 Panel span_ratios_by_speed(const Replay& replay, const SlidingBodies& bodies, const FigureSubject& subject) {
   Panel panel{{"speed c"}, {"span across over span along the motion"}, {}};
   const SurfacesAtSpeeds surfaces(bodies, subject.numbers("span_speeds", bodies.critical_speed));
-  panel.series.push_back(surfaces.curve(
-      "friction 0", ellipse, Mark::line,
-      [](const fast::SurfaceResponse& lines) { return exact_span_ratio_of(lines, across_motion); }));
+  panel.series.push_back(surfaces.exact_span_ratios("friction 0"));
   for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
     const double friction = key_of_row(replay.table, row);
     const std::string label = fmt::format("friction {:g}", friction);
@@ -237,9 +234,7 @@ std::vector<Panel> rolling_sphere(const FigureSubject& subject) {
   }
   Panel ratios{{"speed c"}, {"span across over span along the motion"}, {}};
   const SurfacesAtSpeeds surfaces(bodies, subject.numbers("span_speeds", bodies.critical_speed));
-  ratios.series.push_back(surfaces.curve(
-      "no friction", ellipse, Mark::line,
-      [](const fast::SurfaceResponse& lines) { return exact_span_ratio_of(lines, across_motion); }));
+  ratios.series.push_back(surfaces.exact_span_ratios("no friction"));
   ratios.series.push_back(computed("rolling", rule, Mark::marked_line, surfaces.speeds, [&](double speed) {
     return rolling(speed).span_ratio(across_motion).value;
   }));

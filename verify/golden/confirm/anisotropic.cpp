@@ -1,12 +1,37 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <nipref/fast/half_space/anisotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/golden/confirm/stroh.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
+
+/// The solid in the units of the seed's steel, whose constants are decimal numbers.
+template <unsigned digits>
+StrohSolid<digits> transverse_solid(Arguments x) {
+  using Float = Number<digits>;
+  const bool is_normal = x["axis"] < 0.5;
+  const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
+                             c44 = x["c44"] / shear;
+  // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
+  const Float c66 = is_normal ? c11 : Float(x["c66"] / shear);
+  StrohSolid<digits> solid{{}, Float(x["density"]) / 7860};
+  const std::size_t along = is_normal ? 2 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      solid.voigt[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : Float(c11 - 2 * c66));
+    }
+    solid.voigt[i + 3][i + 3] = i == along ? c66 : c44;
+  }
+  return solid;
+}
 
 /// The solid of the upper triangle of Voigt's matrix row by row, which begins with c11.
 template <unsigned digits>
@@ -18,18 +43,58 @@ StrohSolid<digits> any_solid(Arguments x) {
   return solid;
 }
 
+Confirmation by_stroh(const Wave& value, const Wave& scale) {
+  return confirmation<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
+}
+
 enum class Part { re, minus_im };
 
-Confirm entry_of(std::size_t row, std::size_t column, Part part) {
+/// An entry of Y of the solid that the arguments have.
+Confirm entry_of(StrohSolid<150> (*solid)(Arguments), std::size_t row, std::size_t column, Part part) {
   return [=](Arguments x) {
-    using Float = Number<150>;
-    const Float phase = Float(x["speed"]) * cosine_between<150>(x["psi_deg"], x["theta_deg"]);
-    const auto y = any_solid<150>(x).admittance(x["psi_deg"], phase);
-    const Wave value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
-    const Wave size = std::max<Wave>(abs(Wave(y[2][2].real())),
-                                     std::max<Wave>(abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real()))));
-    return confirmation<Wave>("Stroh's eigenproblem", value, size * Wave("1e-80"));
+    const Number<150> phase = Number<150>(x["speed"]) * cosine_between<150>(x["psi_deg"], x["theta_deg"]);
+    const auto y = solid(x).admittance(x["psi_deg"], phase);
+    const Wave value(part == Part::re ? Wave(y[row][column].real()) : Wave(-y[row][column].imag()));
+    return by_stroh(
+        value, std::max({abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real())), abs(Wave(y[2][2].real()))}));
   };
+}
+
+/// d ln K/d ln speed by a central difference.
+Confirmation condition_by_difference(Arguments x) {
+  constexpr unsigned digits = 240;
+  using Float = Number<digits>;
+  const StrohSolid<digits> solid = transverse_solid<digits>(x);
+  const Float cosine = cosine_between<digits>(x["psi_deg"], x["theta_deg"]), step("1e-50");
+  const auto ln_K = [&](const Float& factor) -> Float {
+    return log(solid.admittance(x["psi_deg"], factor * x["speed"] * cosine)[2][2].real());
+  };
+  const Float slope = (ln_K(1 + step) - ln_K(1 - step)) / (2 * step);
+  return by_stroh(Wave(slope), std::max<Wave>(1, abs(Wave(slope))));
+}
+
+Confirmation rayleigh(Arguments x) {
+  const double near = find_quantity("ti.rayleigh").by_fast(x.from("theta_deg"), {});
+  return by_secant(surface_wave<130>(transverse_solid<130>(x), x["psi_deg"], x["theta_deg"], near));
+}
+
+/// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
+struct CriticalLine {
+  double psi, speed;
+};
+
+CriticalLine critical_line(Arguments x) {
+  const auto found =
+      fast::critical_speed({x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]},
+                           x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane,
+                           fast::Direction::of_degrees(x["theta_deg"]));
+  return {found.psi * 180 / std::numbers::pi, found.speed * std::sqrt(7860 / 77.2)};
+}
+
+/// The minimum over the lines by Newton's iteration for its slope.
+Confirmation critical(Arguments x) {
+  const CriticalLine near = critical_line(x);
+  return lowest_surface_wave(transverse_solid<130>(x), near.psi, x["theta_deg"], near.speed);
 }
 
 Confirmation critical_of_any(Arguments x) {
@@ -41,17 +106,178 @@ Confirmation critical_of_any(Arguments x) {
   return lowest_surface_wave(exact, near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
 }
 
+/// Eigenvalues of Christoffel's matrix.
+Confirmation branch(Arguments x) {
+  const Wave cosine = cosine_of(x["theta_deg"]), sine = sine_of(x["theta_deg"]), cc = cosine * cosine,
+             ss = sine * sine;
+  const Wave c11 = x["c11"], c33 = x["c33"], c13 = x["c13"], c44 = x["c44"], c66 = x["c66"],
+             density = x["density"];
+  const Wave g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
+  const Wave root = sqrt((g11 - g22) * (g11 - g22) + 4 * g12 * g12);
+  const Wave larger = (g11 + g22 + root) / 2;
+  const Wave modulus = x["which"] == 0   ? Wave(c66 * cc + c44 * ss)
+                       : x["which"] == 1 ? larger
+                                         : Wave((g11 * g22 - g12 * g12) / larger);
+  const Wave speed = sqrt(modulus / density * 7860 / Wave("77.2"));
+  return confirmation<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
+}
+
+template <unsigned digits>
+LineAnswerByFormula sphere_line(const StrohSolid<digits>& solid, Arguments x, const Wave& from_motion) {
+  using Float = Number<digits>;
+  const Float psi = Float(from_motion) + x["theta_deg"], speed = x["speed"];
+  const auto y = solid.admittance(psi, speed * cosine_between<digits>(psi, x["theta_deg"]));
+  const Wave along = Wave(x["patch"]) * x["speed"] * cosine_of(from_motion);
+  const LineAnswerByFormula steel = isotropic_answer(Wave("0.29529"), along * along);
+  return {Wave(y[2][2].real()) + steel.compliance, Wave(-y[2][0].imag()) - steel.coupling,
+          Wave(-y[2][1].imag()), 0};
+}
+
+template <unsigned digits>
+SlidingShape sphere_shape(const StrohSolid<digits>& solid, Arguments x, const Wave& degrees) {
+  return {sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees)};
+}
+
+Confirmation span_ratio(Arguments x) {
+  const StrohSolid<150> solid = transverse_solid<150>(x);
+  const SlidingShape along = sphere_shape(solid, x, 0), line = sphere_shape(solid, x, x["phi_deg"]);
+  const Wave ratio = along.Q / line.Q * line.h / along.h;
+  return by_stroh(ratio, ratio);
+}
+
+struct Line {
+  Wave cosine2, sine2, weight;  ///< of twice the angle
+  Wave compliance;
+};
+
+/// The ellipse w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), eta = |(p, q)|, for which int K n n/w^3 is
+/// isotropic, by Newton's method with difference quotients. Returns eta, the logarithm of the axes' ratio.
+Wave slenderness(const std::vector<Line>& lines) {
+  const auto defect = [&](const Wave& p, const Wave& q) {
+    const Wave eta = sqrt(p * p + q * q), turning = eta == 0 ? Wave(1) : Wave(sinh(eta) / eta),
+               mean = cosh(eta);
+    Wave one = 0, cosine = 0, sine = 0;
+    for (const Line& line : lines) {
+      const Wave square = mean + turning * (p * line.cosine2 + q * line.sine2);
+      const Wave term = line.weight * line.compliance / (square * sqrt(square));
+      one += term;
+      cosine += term * line.cosine2;
+      sine += term * line.sine2;
+    }
+    return std::pair<Wave, Wave>{cosine / one, sine / one};
+  };
+  const Wave step("1e-40");
+  Wave p = 0, q = 0;
+  for (int k = 0; k < 40; ++k) {
+    const auto [c, s] = defect(p, q);
+    const auto [c_p, s_p] = defect(p + step, q);
+    const auto [c_q, s_q] = defect(p, q + step);
+    const Wave a = (c_p - c) / step, b = (c_q - c) / step, d = (s_p - s) / step, e = (s_q - s) / step;
+    const Wave determinant = a * e - b * d, dp = -(c * e - s * b) / determinant,
+               dq = -(s * a - c * d) / determinant;
+    const Wave length = sqrt(dp * dp + dq * dq), part = 1 / std::max<Wave>(1, length);
+    p += part * dp;
+    q += part * dq;
+    if (length < Wave("1e-60")) break;
+  }
+  return sqrt(p * p + q * q);
+}
+
+/// The nodes of the trapezoidal rule in u, tan(psi - line) = s tan u, where `line` is the line with the smallest
+/// critical speed and s^2 is about the width of the peak of K there.
+class CrowdedLines {
+ public:
+  static constexpr int first = 64, most = 8192;
+
+  explicit CrowdedLines(Arguments x) {
+    const CriticalLine critical = critical_line(x);
+    const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));
+    stretch_ = sqrt(Wave(width));
+    centre_ = Wave(critical.psi) - x["theta_deg"];
+  }
+
+  struct At {
+    Wave degrees, weight;  ///< psi counted from the motion, dpsi/du
+  };
+  [[nodiscard]] At at(int k, int count) const {
+    const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
+    return {centre_ + atan2(sine, cosine) * 180 / pi<Wave>(), stretch_ / (cosine * cosine + sine * sine)};
+  }
+
+ private:
+  Wave stretch_, centre_;
+};
+
+/// Adds the nodes of the rule, whose number is doubled until the value no longer changes. `value`: with so many nodes.
+template <class Add, class Value>
+Confirmation by_trapezoidal_rule(const Add& add, const Value& value) {
+  for (int k = 0; k < CrowdedLines::first; ++k) add(k, CrowdedLines::first);
+  Wave last = value(CrowdedLines::first), change = 1;
+  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Wave("1e-34") * last;
+       count *= 2) {
+    for (int k = 1; k < count; k += 2) add(k, count);
+    const Wave finer = value(count);
+    change = abs(finer - last);
+    last = finer;
+  }
+  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", last,
+                            change + last * Wave("1e-60"));
+}
+
+Confirmation sphere_axis_ratio(Arguments x) {
+  const StrohSolid<80> solid = transverse_solid<80>(x);
+  const CrowdedLines crowded(x);
+  std::vector<Line> lines;
+  const auto add = [&](int k, int count) {
+    const auto [degrees, weight] = crowded.at(k, count);
+    const Wave psi = radians(degrees);
+    lines.push_back({cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance});
+  };
+  return by_trapezoidal_rule(add, [&](int) { return Wave(exp(-slenderness(lines))); });
+}
+
+Confirmation sphere_exponent(Arguments x) {
+  return by_stroh(-sphere_shape(transverse_solid<150>(x), x, x["phi_deg"]).ahead, 1);
+}
+
+Confirmation sphere_force(Arguments x) {
+  const StrohSolid<80> solid = transverse_solid<80>(x);
+  const SlidingShape along = sphere_shape(solid, x, 0);
+  const Wave steepness = along.Q / along.h;
+  const CrowdedLines lines(x);
+  Wave sum = 0;
+  const auto add = [&](int k, int count) {
+    const auto [degrees, weight] = lines.at(k, count);
+    const SlidingShape line = sphere_shape(solid, x, degrees);
+    const Wave span = steepness * line.h / line.Q;
+    sum += weight * span * span * span / line.h * line.moment();
+  };
+  return by_trapezoidal_rule(add, [&](int count) { return Wave(sum * pi<Wave>() / count); });
+}
+
 }  // namespace
 
 const Methods& anisotropic_methods() {
-  static const Methods methods{{"anisotropic.compliance", entry_of(2, 2, Part::re)},
-                               {"anisotropic.coupling", entry_of(2, 0, Part::minus_im)},
-                               {"anisotropic.coupling_across", entry_of(2, 1, Part::minus_im)},
-                               {"anisotropic.shear_compliance", entry_of(2, 0, Part::re)},
-                               {"anisotropic.shear_compliance_across", entry_of(2, 1, Part::re)},
-                               {"anisotropic.in_line", entry_of(0, 0, Part::re)},
-                               {"anisotropic.across", entry_of(1, 1, Part::re)},
-                               {"anisotropic.critical", critical_of_any}};
+  static const Methods methods{
+      {"ti.compliance", entry_of(transverse_solid<150>, 2, 2, Part::re)},
+      {"ti.coupling", entry_of(transverse_solid<150>, 2, 0, Part::minus_im)},
+      {"ti.coupling_across", entry_of(transverse_solid<150>, 2, 1, Part::minus_im)},
+      {"ti.condition", condition_by_difference},
+      {"ti.rayleigh", rayleigh},
+      {"ti.branch", branch},
+      {"ti.critical", critical},
+      {"ti.span_ratio", span_ratio},
+      {"ti.axis_ratio", sphere_axis_ratio},
+      {"ti.exponent", sphere_exponent},
+      {"ti.force", sphere_force},
+      {"anisotropic.compliance", entry_of(any_solid<150>, 2, 2, Part::re)},
+      {"anisotropic.coupling", entry_of(any_solid<150>, 2, 0, Part::minus_im)},
+      {"anisotropic.coupling_across", entry_of(any_solid<150>, 2, 1, Part::minus_im)},
+      {"anisotropic.shear_compliance", entry_of(any_solid<150>, 2, 0, Part::re)},
+      {"anisotropic.shear_compliance_across", entry_of(any_solid<150>, 2, 1, Part::re)},
+      {"anisotropic.in_line", entry_of(any_solid<150>, 0, 0, Part::re)},
+      {"anisotropic.across", entry_of(any_solid<150>, 1, 1, Part::re)},
+      {"anisotropic.critical", critical_of_any}};
   return methods;
 }
 

@@ -37,9 +37,8 @@ const Methods& memory_methods();     ///< J1 to J6 and the displacements under a
 const Methods& material_methods();   ///< material.*
 const Methods& nip_methods();        ///< nip.* and rolling_nip.*
 const Methods& isotropic_methods();  ///< lines, dies, spheres and ellipses on isotropic half-spaces
-const Methods&
-transverse_methods();  ///< lines, critical speeds and spheres on transversely isotropic half-spaces
-const Methods& anisotropic_methods();  ///< lines and critical speeds of half-spaces of any anisotropy
+/// Lines and critical speeds of half-spaces of any anisotropy, and spheres on transversely isotropic ones.
+const Methods& anisotropic_methods();
 
 }  // namespace confirm
 

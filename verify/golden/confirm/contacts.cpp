@@ -133,9 +133,7 @@ struct Kernels {
   static Smooth made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
     return {Solved(-2 * half_length), Solved(2 * half_length), smooth_points(2 * half_length, digits),
             [&](const Solved& x) {
-              mpq_class exact;
-              mpfr_get_q(exact.get_mpq_t(), x.backend().data());
-              const Float value = kernel(exact);
+              const Float value = kernel(exactly(x));
               return Solved(has_logarithm ? Float(value + log(abs(Float(x)))) : value);
             }};
   }

@@ -10,18 +10,12 @@ namespace {
 
 using boost::math::quadrature::gauss;
 
-mpq_class exact(const Float& x) {
-  mpq_class value;
-  mpfr_get_q(value.get_mpq_t(), x.backend().data());
-  return value;
-}
-
 /// I1 + ln |w|, or the odd kernel over w, for |w| < 3. The nearest singularity, +-i, is on Bernstein's ellipse of parameter
 /// 2.4.
 const Interpolant<Float>& smooth_part(const Remembered& kernel) {
   static const auto made = [](const Remembered& of) {
     return Interpolant<Float>(0, far, 180, [of](const Float& w) {
-      const Float value = of.at(exact(w)).value();
+      const Float value = of.at(exactly(w)).value();
       return of.is_odd ? Float(value / w) : Float(value + log(w));
     });
   };

@@ -32,9 +32,10 @@ Wave squared_speed(double speed, const Wave& cosine) {
   return along * along;
 }
 
-LineAnswerByFormula line_at(Arguments x) {
-  return isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine_of(x["psi_deg"])));
+LineAnswerByFormula line_at(Arguments x, const Wave& cosine) {
+  return isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
 }
+LineAnswerByFormula line_at(Arguments x) { return line_at(x, cosine_of(x["psi_deg"])); }
 
 Confirmation closed(const Wave& value) {
   return confirmation<Wave>("closed form", value, abs(value) * Wave("1e-80"));
@@ -52,8 +53,7 @@ Wave condition(Arguments x) {
 
 SlidingShape shape_at(Arguments x, double friction, const Wave& degrees) {
   const Wave cosine = cosine_of(degrees);
-  return {isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine)), friction, cosine,
-          sine_of(degrees)};
+  return {line_at(x, cosine), friction, cosine, sine_of(degrees)};
 }
 
 /// int_0^b (b - s) s^a (1 - s)^b ds with a = 1 - b by the binomial series; b is at most about 1/2.
@@ -92,26 +92,25 @@ Wave rolling_moment(const Wave& index) {
 }
 
 Wave rolling_index(Arguments x, const Wave& cosine) {
-  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+  const LineAnswerByFormula line = line_at(x, cosine);
   const Wave q = line.coupling / sqrt(line.compliance * line.in_line);
   return log((1 + q) / (1 - q)) / (2 * pi<Wave>());
 }
 
 Wave rolling_amplitude(Arguments x, const Wave& cosine) {
-  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+  const LineAnswerByFormula line = line_at(x, cosine);
   return sqrt(line.in_line /
               (line.compliance * (line.compliance * line.in_line - line.coupling * line.coupling)));
 }
 
 /// By Newton's method for the span L of L B Q = L1 B1 Q1, from the root of first order.
 Wave finite_span_ratio(Arguments x) {
-  const auto scale = [&](const Wave& cosine) -> Wave {
-    const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
-    return rolling_amplitude(x, cosine) / sqrt(line.in_line / line.compliance);
-  };
   const auto slowness = [&](const Wave& cosine) -> Wave {
-    const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+    const LineAnswerByFormula line = line_at(x, cosine);
     return sqrt(line.in_line / line.compliance);
+  };
+  const auto scale = [&](const Wave& cosine) -> Wave {
+    return rolling_amplitude(x, cosine) / slowness(cosine);
   };
   const Wave cosine = cosine_of(x["psi_deg"]), span = x["span_over_radius"], one = 1;
   const Wave half = rolling_index(x, cosine) / 2, s = slowness(cosine);
@@ -124,7 +123,7 @@ Wave finite_span_ratio(Arguments x) {
 /// poisson, speed, span over radius, degrees.
 Wave rolling_creep(Arguments x) {
   const Wave cosine = cosine_of(x["psi_deg"]), index = rolling_index(x, cosine);
-  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+  const LineAnswerByFormula line = line_at(x, cosine);
   const Wave span = rolling_amplitude(x, 1) / rolling_amplitude(x, cosine) * x["span_over_radius"];
   return span * (span / 16 * (1 - 4 * index * index) + index * sqrt(line.in_line / line.compliance));
 }
@@ -181,8 +180,7 @@ Wave die_force(Arguments x, bool coarse) {
   const Wave steepness = along.Q / along.h;
   Wave sum = 0;
   for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
-    const SlidingShape line(isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)),
-                            x["friction"], at.cosine, at.sine);
+    const SlidingShape line(line_at(x, at.cosine), x["friction"], at.cosine, at.sine);
     const Wave span = steepness * line.h / line.Q;
     sum += at.weight * span * span * span / line.h * line.moment();
   }
@@ -212,9 +210,8 @@ Ellipse ellipse_at(Arguments x, bool coarse) {
   const auto lines = directions_between(panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
                                                rough > 0 ? std::min<Wave>(narrow, width) : Wave(width)),
                                         coarse);
-  const std::vector<Wave> compliances = mapped(lines, [&](const Direction& at) {
-    return isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)).compliance;
-  });
+  const std::vector<Wave> compliances =
+      mapped(lines, [&](const Direction& at) { return line_at(x, at.cosine).compliance; });
   Ellipse ellipse{rough, 0, 0, 0};
   for (int step = 0; step < 60; ++step) {
     const Wave wide = exp(ellipse.eta), narrow_side = 1 / wide;

@@ -180,13 +180,13 @@ class Convolution {
 
 /// The sheet's two convolutions.
 struct Sheet {
+  SolidTerms solid;
   Convolution theta1, theta2;
 
-  explicit Sheet(Arguments x) : Sheet(solid_terms(x), x["speed"], x["half_thickness"]) {}
-
- private:
-  Sheet(const SolidTerms& solid, double speed, double half_thickness)
-      : theta1(solid.theta1, speed, half_thickness), theta2(solid.theta2, speed, half_thickness) {}
+  explicit Sheet(Arguments x)
+      : solid(solid_terms(x)),
+        theta1(solid.theta1, x["speed"], x["half_thickness"]),
+        theta2(solid.theta2, x["speed"], x["half_thickness"]) {}
 };
 
 Confirmation over_pi(const Long& sum, const Float& error) {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -11,14 +10,6 @@ namespace nipref::verify::confirm {
 namespace {
 
 using Numbers = std::vector<Confirmation>;
-
-Solved rounded(const Float& x) { return Solved(x); }
-
-mpq_class exactly(const Solved& x) {
-  mpq_class value;
-  mpfr_get_q(value.get_mpq_t(), x.backend().data());
-  return value;
-}
 
 std::vector<Confirmation> compared(const char* method, const std::vector<Solved>& fine,
                                    const std::vector<Solved>& coarse) {
@@ -33,12 +24,12 @@ std::vector<Solved> without_friction(Arguments x, double digits) {
   const Solved beta = (1 - 2 * poisson) / (2 * (1 - poisson));
   const Smooth rest(
       -2 * half_length, 2 * half_length, smooth_points(2 * x["L_over_B"], digits),
-      [](const Solved& w) { return rounded(kernel_I1(exactly(w)).value() + log(abs(Float(w)))); });
+      [](const Solved& w) { return Solved(kernel_I1(exactly(w)).value() + log(abs(Float(w)))); });
   const RolledContact contact(
       half_length, [](const Solved&) { return Solved(1); }, [&](const Solved& w) { return rest(w); },
       smooth_points(x["L_over_B"], digits) + 1);
   const Solved stretched = contact.integral(
-      [&](const Solved& at) { return rounded(kernel_I3(exactly(Solved(half_length - at))).value()); });
+      [&](const Solved& at) { return Solved(kernel_I3(exactly(Solved(half_length - at))).value()); });
   const Solved square = half_length * half_length;
   return {contact.load() / (8 * square), contact.indentation() / (8 * square),
           (stretched / pi<Solved>() - beta * contact.load() / 2) / (4 * square),
@@ -63,7 +54,7 @@ Numbers elastic_numbers(Arguments x) {
 Solved remembered(const Remembered& kernel, const Solved& x, const mpq_class& rate, bool coarse) {
   // The integration variable is v = w - x, so that an odd kernel changes its sign.
   const Float sum = history(kernel, -exactly(x), {}, Complex(to_number<Float>(rate)), coarse).real();
-  return rounded(kernel.is_odd ? Float(-sum) : sum);
+  return Solved(kernel.is_odd ? Float(-sum) : sum);
 }
 
 /// int_0^inf rate e^(-rate w) sign(x - w) dw
@@ -81,7 +72,7 @@ std::vector<Solved> rolling(const RollingSheet& sheet, bool coarse) {
     return sum;
   };
   const auto normal = [&](const Solved& w) {
-    Solved sum = rounded(kernel_I1(exactly(w)).value());
+    Solved sum = Solved(kernel_I1(exactly(w)).value());
     for (const auto& memory : sheet.memories)
       sum += number(memory.of_normal * memory.rate) * remembered(remembered_I1, w, memory.rate, coarse);
     return sum;
@@ -99,7 +90,7 @@ std::vector<Solved> rolling(const RollingSheet& sheet, bool coarse) {
   const auto tangential = [&](const Solved& w) {
     const Solved quarter = pi<Solved>() / 4;
     Solved sum =
-        2 * quarter * number(sheet.theta2) * (w > 0 ? 1 : -1) - rounded(kernel_I3(exactly(w)).value());
+        2 * quarter * number(sheet.theta2) * (w > 0 ? 1 : -1) - Solved(kernel_I3(exactly(w)).value());
     for (const auto& memory : sheet.memories) {
       const Solved rate = number(memory.rate), step = quarter * remembered_sign(w, rate);
       sum -= number(memory.of_normal) * (rate * remembered(remembered_I3, w, memory.rate, coarse) + step);

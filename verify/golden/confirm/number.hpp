@@ -33,6 +33,13 @@ Float to_number(const mpq_class& x) {
 }
 
 template <class Float>
+mpq_class exactly(const Float& x) {
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), x.backend().data());
+  return value;
+}
+
+template <class Float>
 Confirmation confirmation(std::string method, const Float& value, const Float& error) {
   ref::Float v = ref::zero_of_bits(mpfr_get_prec(value.backend().data())), e = ref::zero_of_bits(64);
   mpfr_set(ref::raw(v), value.backend().data(), MPFR_RNDN);

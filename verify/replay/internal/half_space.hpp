@@ -68,14 +68,12 @@ struct HalfSpaceCell {
 /// - `unexplained`.
 ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell);
 
-// The cells of each table of the papers on half-spaces.
-
-std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table);            ///< brock2012-1
-std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table);         ///< brock2012-2
-std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table);  ///< brock2013-1
-std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table);           ///< brock2013-2
+/// The cells of a table.
+using HalfSpaceCells = std::vector<HalfSpaceCell>(const data::Table& table);
+HalfSpaceCells sliding_die_cells, rolling_sphere_cells;          ///< brock2012-1, -2
+HalfSpaceCells sphere_on_normal_axis_cells, branch_speed_cells;  ///< brock2013-1, -2
 /// brock2013-3, without the row phi = 0, which is 1 by definition.
-std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table);
+HalfSpaceCells sphere_on_axis_in_plane_cells;
 
 /// The two bodies of a table of brock2013 as its header states them, GPa and kg/m^3.
 struct SphereOnHalfSpace {

@@ -1,7 +1,6 @@
 // Tables of brock2012 and brock2013: rigid bodies on an isotropic half-space, and a sphere on a transversely isotropic one.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 #include <nipref/fast/half_space/elliptic.hpp>
@@ -16,12 +15,6 @@ namespace nipref::verify {
 namespace {
 
 constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
-
-/// The span across the motion over the span along it, of the exact frictionless contact of a sphere.
-double exact_span_ratio(const fast::SurfaceResponse& surface) {
-  const fast::EllipticContact contact(surface, {1, 1});
-  return contact.radius_ratio(sideways).value / contact.radius_ratio(forwards).value;
-}
 
 }  // namespace
 
@@ -47,7 +40,7 @@ std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
                        "reproduced so with w_S and w_D to five decimals"}},
                      error,
                      "",
-                     exact_span_ratio(surface)});
+                     fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value});
   });
   return cells;
 }
@@ -79,30 +72,19 @@ namespace {
 /// The paper's C11/mu_0, from which its c_plus and c_minus were computed; a misprint of 0.18005.
 constexpr double printed_d1 = 0.1803;
 
-double key_of(const data::Table& table, std::size_t row) {
-  return table.cell(row, table.columns.front().name).number->value;
-}
-
-/// K(phi)/K(0) by the form of (43) that gives the table, by the printed one, and by the correct one.
+/// Spans at phi over those along the motion, by the forms of (43) and right.
 class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
 
-  /// The contact with the compliance by one of the forms of (43).
-  template <class Form>
-  [[nodiscard]] double by(const Form& form, double phi, double speed) const {
-    const auto compliance = [&](double degrees, double cosine) {
-      return form(bodies_.scaled, fast::Direction::of_degrees(degrees), cosine, speed) +
-             sphere_compliance(bodies_.scaled, cosine, speed);
-    };
-    return compliance(theta_ + phi, fast::Direction::of_degrees(phi).cosine) / compliance(theta_, 1);
+  [[nodiscard]] double by(InPlaneForm form, double phi, double speed) const {
+    return in_plane_span_ratio(form, bodies_.scaled, theta_, phi, speed);
   }
-  [[nodiscard]] double corrected(double phi, double speed) const {
+  [[nodiscard]] double corrected(double phi, double speed) {
     return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi)).value;
   }
-  [[nodiscard]] double exact(double phi, double speed) const {
-    const fast::EllipticContact& ellipse = contact(speed).exact;
-    return ellipse.radius_ratio(fast::Direction::of_degrees(phi)).value / ellipse.radius_ratio({1, 0}).value;
+  [[nodiscard]] double exact(double phi, double speed) {
+    return contact(speed).exact.span_ratio(fast::Direction::of_degrees(phi), forwards).value;
   }
 
  private:
@@ -110,24 +92,21 @@ class InPlaneSpans {
     fast::SlidingContact by_rule;
     fast::EllipticContact exact;
   };
-  [[nodiscard]] const Contact& contact(double speed) const {
-    const auto found = contacts_.find(speed);
-    if (found != contacts_.end()) return found->second;
+  const Contact& contact(double speed) {
+    if (const auto found = contacts_.find(speed); found != contacts_.end()) return found->second;
     const auto surface =
         bodies_.in_contact(data::SymmetryAxis::in_plane, fast::Direction::of_degrees(theta_), speed);
-    return contacts_
-        .emplace(speed, Contact{fast::sliding_for_span(surface, {1, 1}, 0, {1, 0}, 1),
-                                fast::EllipticContact(surface, {1, 1})})
-        .first->second;
+    const Contact solved{fast::sliding_for_span(surface, {1, 1}, 0, forwards, 1), {surface, {1, 1}}};
+    return contacts_.emplace(speed, solved).first->second;
   }
   SphereOnHalfSpace bodies_;
   double theta_;
-  mutable std::map<double, Contact> contacts_;  ///< one for each column
+  std::map<double, Contact> contacts_;  ///< one for each column
 };
 
 /// Why the symmetry of K proves that a cell is wrong; empty if it does not.
 std::string in_plane_proof(const data::Table& table, std::size_t row, const std::string& column) {
-  const double phi = key_of(table, row);
+  const double phi = key_of_row(table, row);
   const data::TableCell& cell = table.cell(row, column);
   const data::TableCell& opposite = table.cell(0, column);
   if (phi == -90) {
@@ -147,10 +126,8 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
 /// The table's formula at phi with the K_X by which the column's cell in another row was divided.
 Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& table, double phi,
                               std::size_t other_row, const data::TableColumn& column) {
-  const auto tabulated = [&](double at) {
-    return spans.by(in_plane_compliance_as_tabulated, at, *column.coordinate);
-  };
-  const double other = key_of(table, other_row);
+  const auto tabulated = [&](double at) { return spans.by(InPlaneForm::tabulated, at, *column.coordinate); };
+  const double other = key_of_row(table, other_row);
   return {table.cell(other_row, column.name).number->rounding.times(tabulated(phi) / tabulated(other)),
           Verdict::seed_error,
           fmt::format("with the K_X by which the column's cell of phi = {:g} was divided", other)};
@@ -162,11 +139,10 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
   const SphereOnHalfSpace bodies(table);
   std::vector<HalfSpaceCell> cells;
   for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
-    const double friction = key_of(table, row), speed = *column.coordinate;
-    const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
+    const double friction = key_of_row(table, row), speed = *column.coordinate;
+    const auto surface = bodies.in_contact(data::SymmetryAxis::normal, forwards, speed);
     const double corrected =
-        fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1}).value;
-    const fast::EllipticContact ellipse(surface, {1, 1});
+        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
     const std::string error = fmt::format(
         "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
         "circle demands 1; and (25c) adds the couplings, which subtract",
@@ -178,7 +154,7 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
                        Verdict::seed_error, "reproduced so"}},
                      error,
                      error,
-                     ellipse.radius_ratio({0, 1}).value / ellipse.radius_ratio({1, 0}).value});
+                     fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value});
   });
   return cells;
 }
@@ -189,7 +165,7 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
   with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
   std::vector<HalfSpaceCell> cells;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const fast::Direction motion = fast::Direction::of_degrees(key_of(table, row));
+    const fast::Direction motion = fast::Direction::of_degrees(key_of_row(table, row));
     const double unit = bodies.speed_unit();
     const std::string print =
         fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
@@ -208,19 +184,19 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
 }
 
 std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table) {
-  const InPlaneSpans spans(table);
+  InPlaneSpans spans(table);
   std::vector<HalfSpaceCell> cells;
   for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
-    const double phi = key_of(table, row), speed = *column.coordinate;
+    const double phi = key_of_row(table, row), speed = *column.coordinate;
     if (phi == 0) return;
-    const double tabulated = spans.by(in_plane_compliance_as_tabulated, phi, speed);
+    const double tabulated = spans.by(InPlaneForm::tabulated, phi, speed);
     HalfSpaceCell cell{row,
                        column.name,
                        spans.corrected(phi, speed),
                        {{data::Interval::only(tabulated), Verdict::match, "reproduced so"}},
                        fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
                                    "wrong too, {:.4f}",
-                                   spans.by(in_plane_compliance_as_printed, phi, speed)),
+                                   spans.by(InPlaneForm::printed, phi, speed)),
                        in_plane_proof(table, row, column.name),
                        spans.exact(phi, speed)};
     constexpr std::size_t row_of_90 = 0, row_of_45 = 2;

@@ -21,7 +21,7 @@ bool has_less_value(const Propagated& a, const Propagated& b) { return a.value()
 
 struct Operator {
   char symbol;
-  Propagated (*apply)(const Propagated&, const Propagated&);
+  OfTwo* apply;
 };
 
 /// In the order of precedence, the lowest first.
@@ -30,11 +30,11 @@ constexpr std::array<std::array<Operator, 2>, 3> operators{
        {'>', [](const Propagated& a, const Propagated& b) { return truth_of(has_less_value(b, a)); }}}},
      {{{'+', operator+ }, {'-', operator- } } }, {{{'*', operator* }, {'/', operator/ } } } } };
 
-template <Propagated (*f)(const Propagated&)>
+template <OfOne* f>
 Propagated of_one(const Numbers& x) {
   return f(x[0]);
 }
-template <Propagated (*f)(const Propagated&, const Propagated&)>
+template <OfTwo* f>
 Propagated of_two(const Numbers& x) {
   return f(x[0], x[1]);
 }

@@ -94,13 +94,16 @@ struct InnerFields {
 /// Calls set(result, function of places) for these fields.
 template <class Path>
 void set_inner_fields(const auto& set, const std::shared_ptr<InnerFields<Path>>& fields) {
-  using Number = typename Path::Number;
+  using Fields = InnerFields<Path>;
   using Stresses = typename Path::Stresses;
   using Displacements = typename Path::Displacements;
-  const auto stress = [&](ResultId id, auto part) {
+  const auto field = [&](ResultId id, auto known, auto function, auto part) {
     set(id, [=](const Places& places) {
-      return mapped<Number>(fields->at(places, fields->stresses, fields->stresses_of), part);
+      return mapped<typename Path::Number>(Fields::at(places, (*fields).*known, (*fields).*function), part);
     });
+  };
+  const auto stress = [&](ResultId id, auto part) {
+    field(id, &Fields::stresses, &Fields::stresses_of, part);
   };
   stress(ResultId::stress_across, &Stresses::across);
   stress(ResultId::stress_along, &Stresses::along);
@@ -110,12 +113,28 @@ void set_inner_fields(const auto& set, const std::shared_ptr<InnerFields<Path>>&
   stress(ResultId::maximum_shear, &Stresses::maximum_shear);
   if (!fields->displacements_of) return;
   const auto displacement = [&](ResultId id, auto part) {
-    set(id, [=](const Places& places) {
-      return mapped<Number>(fields->at(places, fields->displacements, fields->displacements_of), part);
-    });
+    field(id, &Fields::displacements, &Fields::displacements_of, part);
   };
   displacement(ResultId::displacement_across, &Displacements::across);
   displacement(ResultId::displacement_along, &Displacements::along);
+}
+
+/// The fields of line loads, those of displacements for an elastic sheet alone. `digits`: for the reference.
+template <class Path, class LineLoads, class Problem>
+std::shared_ptr<InnerFields<Path>> line_load_fields(const std::shared_ptr<LineLoads>& loads,
+                                                    const Problem& problem, auto... digits) {
+  using Points = typename InnerFields<Path>::Points;
+  auto fields = std::make_shared<InnerFields<Path>>();
+  fields->stresses_of = [=, half_thickness = problem.nip.half_thickness()](Points points) {
+    return line_load_stresses(loads->face_loads(), half_thickness, points, digits...);
+  };
+  if constexpr (std::is_same_v<Problem, data::ElasticNipProblem>) {
+    fields->displacements_of = [=, nip = problem.nip](Points points) {
+      return line_load_displacements(loads->face_loads(), nip.half_thickness(), nip.material, points,
+                                     digits...);
+    };
+  }
+  return fields;
 }
 
 inline bool has_full_friction(const data::ElasticNipProblem& problem) {

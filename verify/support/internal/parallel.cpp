@@ -5,7 +5,6 @@
 #include <exception>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <type_traits>
+#include <vector>
 
 #include <nipref/verify/support/on_progress.hpp>
 
@@ -12,5 +14,14 @@ namespace nipref::verify {
 /// of an audit took the same processor time in oneTBB's loop within a hundredth, so that this library is not used.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   const OnProgress& on_progress = {});
+
+/// The results of such calls, in the order of i.
+template <class Work>
+auto parallel_mapped(std::size_t count, const Work& work, const OnProgress& on_progress = {}) {
+  std::vector<std::invoke_result_t<const Work&, std::size_t>> results(count);
+  parallel_for(
+      count, [&](std::size_t i) { results[i] = work(i); }, on_progress);
+  return results;
+}
 
 }  // namespace nipref::verify

@@ -1,7 +1,7 @@
 // Catalogue entries of the viscoelastic sheet: fast against ref, the material by name, refusals.
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/test.hpp"

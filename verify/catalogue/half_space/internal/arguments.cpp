@@ -46,12 +46,14 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   const ref::ExactStiffness solid = exact_isotropic(poisson);
   const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
   ref::check_subcritical(solid, speed, motion, motion);
-  return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
-    const auto answer =
-        ref::line_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
-    return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
-            answer.in_line.value};
+  return [=](const ref::Exact& degrees, int digits) {
+    return line_answer(
+        ref::line_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits));
   };
+}
+
+ref::LineAnswer line_answer(const ref::LineResponse& of) {
+  return {of.compliance.value, of.coupling.value, of.coupling_across.value, of.in_line.value};
 }
 
 fast::Direction direction_of(const NamedPoint& x, const char* degrees) {

@@ -18,6 +18,7 @@ ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);
 fast::SurfaceResponse isotropic_surface(double poisson, double speed);
 /// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
+ref::LineAnswer line_answer(const ref::LineResponse& of);
 
 fast::Direction direction_of(const NamedPoint& x, const char* degrees);
 ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees);

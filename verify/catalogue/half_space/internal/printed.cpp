@@ -95,30 +95,6 @@ double over_half_turn(const std::function<double(double psi)>& value) {
   return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(value, -quarter, quarter, 10, 1e-10);
 }
 
-double in_plane_compliance(const ScaledModuli& moduli, fast::Direction line, double cosine_from_motion,
-                           double speed, double sign) {
-  const double d1 = moduli.c11;
-  const double d5 = moduli.c66;
-  const double d6 = moduli.c44;
-  const double d6_and_d12 = d6 + moduli.c13;
-  const double cx2 = square(moduli.speed_scale * speed * cosine_from_motion);
-  const double cosine2 = square(line.cosine);
-  const double sine2 = square(line.sine);
-  const double a6 = d6 * sine2 - cx2;
-  const double a2 = moduli.c33 * sine2 - cx2;
-  const double half = d1 * a2 + d6 * a6 - square(d6_and_d12) * sine2;
-  const double root = std::sqrt(square(half) - 4 * d1 * d6 * a2 * a6);
-  const double b_plus = std::sqrt(cosine2 + (half + root) / (2 * d1 * d6));
-  const double b_minus = std::sqrt(cosine2 + (half - root) / (2 * d1 * d6));
-  const double b_cubic = b_plus * b_minus * (b_plus + b_minus);
-  const double b5 = std::sqrt(cosine2 + a6 / d5);
-  const double t5 = a6 + 2 * d5 * cosine2;
-  const double q = square(d6_and_d12) * sine2 / (d1 * d6) - cosine2 - a2 / d6 - b_plus * b_minus;
-  const double m = sign * 4 * square(d5) * b5 * b_cubic * cosine2 -
-                   d6 * a6 * (cosine2 + a6 / d1 + b_plus * b_minus) * sine2 - q * square(t5);
-  return std::fabs(a6 / m) * b_cubic;
-}
-
 }  // namespace
 
 double die_span_ratio_as_printed(double poisson, double friction, double speed) {
@@ -195,29 +171,54 @@ double sphere_force_as_printed(const ScaledModuli& moduli, double friction, doub
          });
 }
 
-double in_plane_force_as_printed(const ScaledModuli& moduli, fast::Direction motion, double speed) {
-  const auto compliance = [&](double psi) {
-    const fast::Direction from_motion = fast::Direction::of_angle(psi);
-    return in_plane_compliance(moduli, from_motion.turned(motion), from_motion.cosine, speed, 1) +
-           sphere_compliance(moduli, from_motion.cosine, speed);
-  };
-  return over_half_turn([&](double psi) { return square(compliance(psi)); }) /
-         (12 * std::pow(compliance(0), 3));
-}
-
 double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed) {
   const SphereTerms sphere(moduli.sphere_dilatation, speed * cosine_from_motion);
   return sphere.numerator / sphere.m;
 }
 
-double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
-                                      double cosine_from_motion, double speed) {
-  return in_plane_compliance(moduli, line, cosine_from_motion, speed, 1);
+double in_plane_compliance(InPlaneForm form, const ScaledModuli& moduli, fast::Direction line,
+                           double cosine_from_motion, double speed) {
+  const double sign = form == InPlaneForm::printed ? 1 : -1;
+  const double d1 = moduli.c11;
+  const double d5 = moduli.c66;
+  const double d6 = moduli.c44;
+  const double d6_and_d12 = d6 + moduli.c13;
+  const double cx2 = square(moduli.speed_scale * speed * cosine_from_motion);
+  const double cosine2 = square(line.cosine);
+  const double sine2 = square(line.sine);
+  const double a6 = d6 * sine2 - cx2;
+  const double a2 = moduli.c33 * sine2 - cx2;
+  const double half = d1 * a2 + d6 * a6 - square(d6_and_d12) * sine2;
+  const double root = std::sqrt(square(half) - 4 * d1 * d6 * a2 * a6);
+  const double b_plus = std::sqrt(cosine2 + (half + root) / (2 * d1 * d6));
+  const double b_minus = std::sqrt(cosine2 + (half - root) / (2 * d1 * d6));
+  const double b_cubic = b_plus * b_minus * (b_plus + b_minus);
+  const double b5 = std::sqrt(cosine2 + a6 / d5);
+  const double t5 = a6 + 2 * d5 * cosine2;
+  const double q = square(d6_and_d12) * sine2 / (d1 * d6) - cosine2 - a2 / d6 - b_plus * b_minus;
+  const double m = sign * 4 * square(d5) * b5 * b_cubic * cosine2 -
+                   d6 * a6 * (cosine2 + a6 / d1 + b_plus * b_minus) * sine2 - q * square(t5);
+  return std::fabs(a6 / m) * b_cubic;
 }
 
-double in_plane_compliance_as_tabulated(const ScaledModuli& moduli, fast::Direction line,
-                                        double cosine_from_motion, double speed) {
-  return in_plane_compliance(moduli, line, cosine_from_motion, speed, -1);
+double in_plane_span_ratio(InPlaneForm form, const ScaledModuli& moduli, double theta, double phi,
+                           double speed) {
+  const auto compliance = [&](double degrees, double cosine) {
+    return in_plane_compliance(form, moduli, fast::Direction::of_degrees(degrees), cosine, speed) +
+           sphere_compliance(moduli, cosine, speed);
+  };
+  return compliance(theta + phi, fast::Direction::of_degrees(phi).cosine) / compliance(theta, 1);
+}
+
+double in_plane_force_as_printed(const ScaledModuli& moduli, fast::Direction motion, double speed) {
+  const auto compliance = [&](double psi) {
+    const fast::Direction from_motion = fast::Direction::of_angle(psi);
+    return in_plane_compliance(InPlaneForm::printed, moduli, from_motion.turned(motion), from_motion.cosine,
+                               speed) +
+           sphere_compliance(moduli, from_motion.cosine, speed);
+  };
+  return over_half_turn([&](double psi) { return square(compliance(psi)); }) /
+         (12 * std::pow(compliance(0), 3));
 }
 
 double branch_radicand_as_printed(const ScaledModuli& moduli, fast::Direction motion) {

@@ -68,14 +68,16 @@ inline constexpr int table_root_decimals = 5;
 /// mu_0 K of the sphere, by (brock2013 20). `cosine_from_motion`: of psi - theta.
 double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed);
 
-/// mu_0 K of (brock2013 43) as printed, axis in the surface along x2: the half-space's share. Wrong: the
-/// first term of M needs a minus sign, and 2 A6 T5 (d6 + d12) sin^2(psi)/d1 is missing.
-double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
-                                      double cosine_from_motion, double speed);
+/// The forms of (brock2013 43) with the axis in the surface along x2. Both lack 2 A6 T5 (d6 + d12) sin^2(psi)/d1; as printed the
+/// first term of M needs a minus sign, too, and the other form is the formula that gives Table 3.
+enum class InPlaneForm { printed, tabulated };
 
-/// The same by the formula that gives (brock2013) Table 3: its sign is right, but the term is missing, too.
-double in_plane_compliance_as_tabulated(const ScaledModuli& moduli, fast::Direction line,
-                                        double cosine_from_motion, double speed);
+/// mu_0 K of the half-space by such a form.
+double in_plane_compliance(InPlaneForm form, const ScaledModuli& moduli, fast::Direction line,
+                           double cosine_from_motion, double speed);
+/// The span at `phi` from the motion over that along it by such a form, degrees, without friction; theta is the motion's.
+double in_plane_span_ratio(InPlaneForm form, const ScaledModuli& moduli, double theta, double phi,
+                           double speed);
 
 /// d6 + P - P6 of (brock2013 46b) with P6 of (46d) as printed. Wrong: it is negative, c_minus complex.
 double branch_radicand_as_printed(const ScaledModuli& moduli, fast::Direction motion);
