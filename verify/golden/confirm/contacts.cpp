@@ -2,6 +2,7 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <nipref/verify/golden/confirm/contacts.hpp>
 
@@ -107,8 +108,8 @@ struct Grid {
   int last, beyond;  ///< nodes that are unknown, and those that follow from the last of them
 
   Grid(double half_length, double digits) {
-    const double strip = (std::atan(2 / half_length) + std::atan(INFINITY)) / 2, nats = digits * std::log(10.0),
-                 about = 2 * std::atan(INFINITY) * strip / nats;
+    const double strip = (std::atan(2 / half_length) + std::numbers::pi / 2) / 2,
+                 nats = digits * std::log(10.0), about = std::numbers::pi * strip / nats;
     step = about;
     last = static_cast<int>(std::ceil(nats / 3 / about));
     beyond = 2 * last;
@@ -256,7 +257,8 @@ class Contact {
   Digits half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
-  std::vector<Digits> along_, across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
+  std::vector<Digits> along_,
+      across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
   std::vector<Digits> pressure_, shear_;
   Digits strain_;
 };
