@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -25,29 +23,33 @@ struct ConvergedNip::Implementation {
   mutable std::optional<ContactField> inner_field = {};
   mutable Kept<const Solution*, Functional> tangential_at_origin = {}, mean_strain = {};
   mutable Kept<double, SolvedNip::OfPlace> strains = {};  ///< by Y
-  mutable Kept<double, double> origin_shift = {};         ///< of the one origin
+  mutable std::optional<double> origin_shift = {};
 
   /// What is kept of solutions that are no more.
   void forget() {
     inner_field.reset();
     tangential_at_origin = mean_strain = {};
     strains = {};
-    origin_shift = {};
+    origin_shift.reset();
   }
   [[nodiscard]] bool is_symmetric() const { return !equations->offset_unknown(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
-  [[nodiscard]] Estimate offset() const {
-    if (is_symmetric()) return {0, 0};
-    return solved.estimate(
-        [&](const Solution& solution) { return solution.of_unknown(*equations->offset_unknown()); });
+  [[nodiscard]] double offset() const {
+    if (is_symmetric()) return 0;
+    return solved.value(
+        [&](const Solution& solution) { return solution.unknown(*equations->offset_unknown()); });
   }
-  [[nodiscard]] double unsure_end() const {
-    const double of_middle = is_symmetric() ? 0 : offset().error + 0x1p-52 * half_length();
-    return of_middle + solved.half_length_estimate().error;
+  [[nodiscard]] double offset_error() const {
+    if (is_symmetric()) return 0;
+    const auto offset = [&](const Solution& solution) {
+      return solution.of_unknown(*equations->offset_unknown());
+    };
+    return solved.estimate(offset).error + 0x1p-52 * half_length();
   }
+  [[nodiscard]] double unsure_end() const { return offset_error() + solved.half_length_estimate().error; }
   /// position: half-thicknesses from the line through the centres.
   [[nodiscard]] ContactPlace place(double position) const {
-    const double from_middle = position - offset().value;
+    const double from_middle = position - offset();
     return {from_middle < 0, half_length() - std::fabs(from_middle)};
   }
   /// Of Y; its distance from the end is without loss where the length is given and the contact symmetric.
@@ -67,22 +69,22 @@ struct ConvergedNip::Implementation {
   [[nodiscard]] SolvedNip::OfPlace at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
     return solved.at_place(place.e, unsure_end(), at_distance(place.trailing, at));
   }
-  [[nodiscard]] auto traction(Component component) const {
+  [[nodiscard]] auto traction(TractionComponent component) const {
     return [this, component](const Solution& solution, const ContactPlace& place) {
       return equations->traction(solution, component, place);
     };
   }
-  [[nodiscard]] Estimate traction(Component component, const ContactPlace& place) const {
+  [[nodiscard]] Estimate traction(TractionComponent component, const ContactPlace& place) const {
     return solved.estimate(at_unsure_place(place, traction(component)));
   }
   /// Its value alone.
-  [[nodiscard]] double value(Component component, double position) const {
+  [[nodiscard]] double value(TractionComponent component, double position) const {
     const ContactPlace here = place(position);
     if (!(here.e > 0)) return 0;
     const std::complex<double> g = solved.traction(here.e);
     const double odd = here.trailing ? -g.imag() : g.imag();
     if (!equations->grips()) return g.real() + odd;
-    return component == Component::pressure ? g.real() : odd;
+    return component == TractionComponent::pressure ? g.real() : odd;
   }
   /// u of the roller in the contact, and at an end.
   [[nodiscard]] Estimate roller_displacement(double position) const {
@@ -118,7 +120,7 @@ struct ConvergedNip::Implementation {
     return times(units.creep, solved.estimate(at_place, mean));
   }
   [[nodiscard]] const ContactField& field() const {
-    if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset().value, unsure_end());
+    if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset(), unsure_end());
     return *inner_field;
   }
   /// Rising positions at which tractions are looked at, in a symmetric contact those >= 0. With full friction they are the
@@ -144,7 +146,7 @@ struct ConvergedNip::Implementation {
   }
   [[nodiscard]] std::vector<double> places_on_panels() const {
     constexpr int steps = 16;
-    const double middle = offset().value;
+    const double middle = offset();
     std::vector<double> result;
     if (is_symmetric()) result.push_back(0);
     for (const Panel& panel : solved.last().tractions().panels()) {
@@ -163,7 +165,7 @@ struct ConvergedNip::Implementation {
     return result;
   }
   /// The largest magnitude of a traction.
-  [[nodiscard]] Estimate peak(Component component) const {
+  [[nodiscard]] Estimate peak(TractionComponent component) const {
     const std::vector<double> places = this->places();
     const auto between = [&](double i) {
       const auto before = static_cast<std::size_t>(i);
@@ -179,7 +181,7 @@ struct ConvergedNip::Implementation {
     return times(units.pressure, {std::fabs(found.value), found.error});
   }
   /// Y of the largest magnitude of a traction.
-  [[nodiscard]] Estimate peak_position(Component component) const {
+  [[nodiscard]] Estimate peak_position(TractionComponent component) const {
     const LocalSlope local_slope(32);
     const auto at = [&](double position) { return value(component, position); };
     const auto size = [&](double position) { return std::fabs(at(position)); };
@@ -234,13 +236,13 @@ Estimate ConvergedNip::contact_length() const {
 Estimate ConvergedNip::leading_length() const {
   const Implementation& nip = *implementation_;
   if (nip.is_symmetric()) return 0.5 * contact_length();
-  return times(nip.units.length, {nip.half_length() + nip.offset().value, nip.unsure_end()});
+  return times(nip.units.length, {nip.half_length() + nip.offset(), nip.unsure_end()});
 }
 
 Estimate ConvergedNip::trailing_length() const {
   const Implementation& nip = *implementation_;
   if (nip.is_symmetric()) return 0.5 * contact_length();
-  return times(nip.units.length, {nip.half_length() - nip.offset().value, nip.unsure_end()});
+  return times(nip.units.length, {nip.half_length() - nip.offset(), nip.unsure_end()});
 }
 
 Estimate ConvergedNip::load() const {
@@ -255,7 +257,7 @@ Estimate ConvergedNip::trailing_displacement() const { return implementation_->e
 
 Estimate ConvergedNip::pressure(double y) const {
   const Implementation& nip = *implementation_;
-  return times(nip.units.pressure, nip.traction(Component::pressure, nip.place_of(y)));
+  return times(nip.units.pressure, nip.traction(TractionComponent::pressure, nip.place_of(y)));
 }
 
 Estimate ConvergedNip::shear(double y) const {
@@ -263,32 +265,32 @@ Estimate ConvergedNip::shear(double y) const {
   const ContactPlace place = nip.place_of(y);
   // In the middle it changes its sign.
   if (!nip.equations->grips() || y == 0) return {0, 0};
-  return times(nip.units.pressure, nip.traction(Component::shear, place));
+  return times(nip.units.pressure, nip.traction(TractionComponent::shear, place));
 }
 
-Estimate ConvergedNip::peak_pressure() const { return implementation_->peak(Component::pressure); }
+Estimate ConvergedNip::peak_pressure() const { return implementation_->peak(TractionComponent::pressure); }
 
 Estimate ConvergedNip::peak_shear() const {
   if (!implementation_->equations->grips()) return {0, 0};
-  return implementation_->peak(Component::shear);
+  return implementation_->peak(TractionComponent::shear);
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
   if (implementation_->is_symmetric()) return {0, 0};
-  return implementation_->peak_position(Component::pressure);
+  return implementation_->peak_position(TractionComponent::pressure);
 }
 
 Estimate ConvergedNip::peak_shear_position() const {
   implementation_->check_shears();
-  return implementation_->peak_position(Component::shear);
+  return implementation_->peak_position(TractionComponent::shear);
 }
 
 std::vector<Estimate> ConvergedNip::shear_zeros() const {
   const Implementation& nip = *implementation_;
   nip.check_shears();
   const PlaceFunction shear{
-      [&](double position) { return nip.value(Component::shear, position); },
-      [&](double position) { return nip.traction(Component::shear, nip.place(position)); }};
+      [&](double position) { return nip.value(TractionComponent::shear, position); },
+      [&](double position) { return nip.traction(TractionComponent::shear, nip.place(position)); }};
   std::vector<Estimate> zeros{{0, 0}};
   for (const Estimate& zero : places_of_sure_zeros(shear, nip.places()))
     zeros.push_back(nip.in_contact(zero));
@@ -325,7 +327,7 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   const ContactPlace place = nip.place_of(y);
   if (y == 0) return {0, 0};
   const double unit = nip.units.creep * nip.units.length;
-  if (nip.equations->grips() && place.e >= 0) return y * creep_ratio();
+  if (nip.equations->grips() && place.e >= 0) return times(y, creep_ratio());
   const auto at = nip.tangential();
   const SolvedNip::OfPlace here = nip.at_unsure_place(place, at);
   if (nip.is_symmetric()) return times(unit, nip.solved.estimate(here));
@@ -333,8 +335,9 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   Estimate displacement = nip.solved.estimate(here, [&](const Solution& solution) {
     return nip.tangential_at_origin.of(&solution, [&] { return at(solution, origin); });
   });
-  displacement.error += nip.origin_shift.of(
-      0, [&] { return nip.solved.shift(origin.e, nip.unsure_end(), nip.at_distance(origin.trailing, at)); });
+  if (!nip.origin_shift)
+    nip.origin_shift = nip.solved.shift(origin.e, nip.unsure_end(), nip.at_distance(origin.trailing, at));
+  displacement.error += *nip.origin_shift;
   return times(unit, displacement);
 }
 
@@ -347,8 +350,8 @@ Estimate ConvergedNip::surface_strain(double y) const {
   Estimate creep = creep_ratio();
   // Where the end may be farther inwards, the strain is that outside.
   if (place.e < nip.unsure_end())
-    creep.error += nip.units.creep * (nip.traction(Component::pressure, place).error +
-                                      2 * nip.traction(Component::shear, place).error);
+    creep.error += nip.units.creep * (nip.traction(TractionComponent::pressure, place).error +
+                                      2 * nip.traction(TractionComponent::shear, place).error);
   return creep;
 }
 

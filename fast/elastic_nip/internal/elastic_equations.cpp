@@ -196,7 +196,7 @@ Functional ElasticEquations::tangential(const Solution& solution, const ContactP
 Functional ElasticEquations::strain(const Solution& solution, const ContactPlace& place) const {
   Functional strain = acting(solution, strain_kernel(), place, false);
   strain.cancelled = solution.traction(solution.half_length()).real();
-  strain.on_tractions -= beta_ * traction(solution, Component::pressure, place).on_tractions;
+  strain.on_tractions -= beta_ * traction(solution, TractionComponent::pressure, place).on_tractions;
   return strain;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include <nipref/fast/nip/internal/nip_equations.hpp>
 
@@ -10,18 +9,23 @@ ContactPlace ContactPlace::in(const Solution& solution) const {
   return {!trailing, std::max(0.0, 2 * solution.half_length() - e)};
 }
 
-Functional NipEquations::traction(const Solution& solution, Component component,
+Functional NipEquations::traction(const Solution& solution, TractionComponent component,
                                   const ContactPlace& place) const {
   if (!(place.e > 0)) return solution.of_tractions(Eigen::RowVectorXd::Zero(solution.tractions().columns()));
   const auto [trailing, e] = place.in(solution);
   Eigen::MatrixXd both = solution.tractions().values(e);
   if (trailing) both.row(1) *= -1;
   if (!grips()) return solution.of_tractions(both.colwise().sum());
-  return solution.of_tractions(both.row(component == Component::pressure ? 0 : 1));
+  return solution.of_tractions(both.row(component == TractionComponent::pressure ? 0 : 1));
 }
 
 Functional NipEquations::eccentricity(const Solution& solution) const {
-  return solution.of_tractions(Eigen::RowVectorXd::Zero(solution.tractions().columns()));
+  const double load = solution.value(solution.load()), from_middle = solution.value(solution.moment()) / load;
+  Functional result = solution.of_unknown(*offset_unknown());
+  result.on_tractions =
+      solution.moment().on_tractions / load - from_middle * (solution.load().on_tractions / load);
+  result.constant = from_middle;
+  return result;
 }
 
 }  // namespace nipref::fast

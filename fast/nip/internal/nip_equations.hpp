@@ -24,7 +24,7 @@ struct ContactPlace {
   [[nodiscard]] ContactPlace in(const Solution& solution) const;
 };
 
-enum class Component { pressure, shear };
+enum class TractionComponent { pressure, shear };
 
 /// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
 /// times 2 R/b^2, loads times 2 R N/b^2, strains times 2 R/b, N the compliance of the normal displacement (at once).
@@ -49,13 +49,14 @@ class NipEquations {
   /// The number of the unknown that is the place of the contact's middle; a contact without it is symmetric.
   [[nodiscard]] virtual std::optional<int> offset_unknown() const { return {}; }
   /// A traction, 0 outside the contact.
-  [[nodiscard]] Functional traction(const Solution& solution, Component component,
+  [[nodiscard]] Functional traction(const Solution& solution, TractionComponent component,
                                     const ContactPlace& place) const;
   /// u of the roller at y, in the contact, and at an end.
   [[nodiscard]] virtual Functional roller_displacement(const Solution& solution, double y) const = 0;
   [[nodiscard]] virtual Functional end_displacement(const Solution& solution, bool trailing) const = 0;
-  /// The distance of the pressure's resultant from the line through the centres; not of a symmetric contact.
-  [[nodiscard]] virtual Functional eccentricity(const Solution& solution) const;
+  /// The distance of the pressure's resultant from the line through the centres, of a contact that is not symmetric:
+  /// offset + int y p dy/load.
+  [[nodiscard]] Functional eccentricity(const Solution& solution) const;
   /// u; v but for a constant, which is 0 in a symmetric contact; v', which with full friction is known otherwise; and the
   /// mean of v' over the contact.
   [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,

@@ -309,16 +309,6 @@ Functional RollingEquations::end_displacement(const Solution& solution, bool tra
   return result;
 }
 
-/// offset + int y p dy/load.
-Functional RollingEquations::eccentricity(const Solution& solution) const {
-  const double load = solution.value(solution.load()), from_middle = solution.value(solution.moment()) / load;
-  Functional result = solution.of_unknown(offset);
-  result.on_tractions =
-      solution.moment().on_tractions / load - from_middle * (solution.load().on_tractions / load);
-  result.constant = from_middle;
-  return result;
-}
-
 namespace {
 
 Functional acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
@@ -345,7 +335,7 @@ Functional RollingEquations::tangential(const Solution& solution, const ContactP
 
 Functional RollingEquations::strain(const Solution& solution, const ContactPlace& place) const {
   Functional strain = acting(solution, kernels_.strain(), place);
-  const Functional pressure = traction(solution, Component::pressure, place);
+  const Functional pressure = traction(solution, TractionComponent::pressure, place);
   strain.on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
   strain.cancelled += std::fabs(sheet_.theta2_at_once * solution.value(pressure));
   return strain;

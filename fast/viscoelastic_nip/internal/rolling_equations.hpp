@@ -51,7 +51,6 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] std::optional<int> offset_unknown() const override { return offset; }
   [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
-  [[nodiscard]] Functional eccentricity(const Solution& solution) const override;
   [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
                                   CountedKernels& kernels) const override;
   [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place,
