@@ -16,9 +16,10 @@ using Complex = std::complex<double>;
 
 constexpr double decayed = 40;  ///< nats after which something counts no more
 
-/// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and falls
-/// like a power from there: the rule resolves a factor of 150 in the distance. What oscillates does so until it has decayed
-/// against what it is at the distance `nearest`, that of the contact.
+/// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and once it
+/// has decayed what is left falls like a power: of that the rule resolves a factor of 150 in the distance, but not of an
+/// exponential. What oscillates does so until it has decayed against what it is at the distance `nearest`, that of the
+/// contact.
 std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, double farthest) {
   constexpr double few_lengths = 6, radians = 20, resolved_ratio = 150;
   std::vector<double> result;
@@ -29,6 +30,9 @@ std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, doub
       cut = std::max(cut, nearest);
       for (; rate.real() * (cut - nearest) < decayed && cut < farthest; cut += std::min(cut, radians / size))
         result.push_back(cut);
+    } else if (cut < 0.5 * farthest) {
+      result.push_back(cut);
+      cut = decayed / size;
     }
     for (; cut < 0.5 * farthest; cut *= resolved_ratio) result.push_back(cut);
   }
