@@ -21,16 +21,18 @@ struct ConvergedNip::Implementation {
   SolvedNip solved;
   std::optional<double> given_length;  ///< unit of length
   mutable std::optional<ContactField> inner_field = {};
-  mutable Kept<const Solution*, Functional> tangential_at_origin = {}, mean_strain = {};
-  mutable Kept<double, SolvedNip::OfPlace> strains = {};  ///< by Y
-  mutable std::optional<double> origin_shift = {};
+  /// v and v' at a place; v' without friction.
+  struct Along {
+    SolvedNip::InBoth displacement, strain;
+  };
+  mutable Kept<double, Along> places_along = {};  ///< by Y
+  mutable std::optional<SolvedNip::InBoth> mean_strain = {};
 
   /// What is kept of solutions that are no more.
   void forget() {
     inner_field.reset();
-    tangential_at_origin = mean_strain = {};
-    strains = {};
-    origin_shift.reset();
+    places_along = {};
+    mean_strain.reset();
   }
   [[nodiscard]] bool is_symmetric() const { return !equations->offset_unknown(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
@@ -66,7 +68,7 @@ struct ConvergedNip::Implementation {
     };
   }
   template <class AtPlace>
-  [[nodiscard]] SolvedNip::OfPlace at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
+  [[nodiscard]] SolvedNip::InBoth at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
     return solved.at_place(place.e, unsure_end(), at_distance(place.trailing, at));
   }
   [[nodiscard]] auto traction(TractionComponent component) const {
@@ -97,27 +99,44 @@ struct ConvergedNip::Implementation {
       return equations->end_displacement(solution, trailing);
     }));
   }
-  [[nodiscard]] auto tangential() const {
-    return [this](const Solution& solution, const ContactPlace& place) {
-      CountedKernels kernels = solved.kernels();
-      return equations->tangential(solution, place, kernels);
-    };
+  [[nodiscard]] const SolvedNip::InBoth& creep() const {
+    if (!mean_strain) {
+      mean_strain = solved.in_both([&](const Solution& solution) {
+        CountedKernels kernels = solved.kernels();
+        return equations->creep(solution, kernels);
+      });
+    }
+    return *mean_strain;
   }
-  [[nodiscard]] Functional creep(const Solution& solution) const {
-    return mean_strain.of(&solution, [&] {
+  [[nodiscard]] const Along& along(double y) const {
+    return places_along.of(y, [&] {
+      const ContactPlace place = place_of(y);
       CountedKernels kernels = solved.kernels();
-      return equations->creep(solution, kernels);
+      if (!equations->grips()) return sliding_along(place, kernels);
+      const auto displacement = [&](const Solution& solution, const ContactPlace& there) {
+        return equations->along(solution, there, kernels).displacement;
+      };
+      return Along{at_unsure_place(place, displacement), {}};
     });
   }
-  /// Without friction, the surface's strain, less the creep if that is asked for.
-  [[nodiscard]] Estimate sliding_strain(double y, bool beyond_creep) const {
-    const auto at = [&](const Solution& solution, const ContactPlace& place) {
-      return equations->strain(solution, place);
+  /// The displacement changes by the strain and by what this changes by, a unit of the distance.
+  [[nodiscard]] Along sliding_along(const ContactPlace& place, CountedKernels& kernels) const {
+    SurfaceAlong here = equations->along(solved.last(), place, kernels);
+    Along result{{std::move(here.displacement)}, {std::move(here.strain)}};
+    if (solved.there() != nullptr) {
+      SurfaceAlong there = equations->along(*solved.there(), place, kernels);
+      result.displacement.there = std::move(there.displacement);
+      result.strain.there = std::move(there.strain);
+    }
+    const auto strain = [&](const Solution& solution, const ContactPlace& moved) {
+      return equations->strain(solution, moved);
     };
-    const auto& at_place = strains.of(y, [&] { return at_unsure_place(place_of(y), at); });
-    std::optional<SolvedNip::Number> mean;
-    if (beyond_creep) mean = [&](const Solution& solution) { return creep(solution); };
-    return times(units.creep, solved.estimate(at_place, mean));
+    const double value = solved.last().value(result.strain.here);
+    result.strain.shift =
+        solved.shift(result.strain.here, place.e, unsure_end(), at_distance(place.trailing, strain));
+    result.displacement.shift =
+        SolvedNip::reach(place.e, unsure_end()) * (std::fabs(value) + result.strain.shift);
+    return result;
   }
   [[nodiscard]] const ContactField& field() const {
     if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset(), unsure_end());
@@ -307,8 +326,7 @@ Estimate ConvergedNip::rolling_resistance() const {
 
 Estimate ConvergedNip::creep_ratio() const {
   const Implementation& nip = *implementation_;
-  return times(nip.units.creep,
-               nip.solved.estimate([&](const Solution& solution) { return nip.creep(solution); }));
+  return times(nip.units.creep, nip.solved.estimate(nip.creep()));
 }
 
 Estimate ConvergedNip::normal_displacement(double y) const {
@@ -328,22 +346,14 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   if (y == 0) return {0, 0};
   const double unit = nip.units.creep * nip.units.length;
   if (nip.equations->grips() && place.e >= 0) return times(y, creep_ratio());
-  const auto at = nip.tangential();
-  const SolvedNip::OfPlace here = nip.at_unsure_place(place, at);
-  if (nip.is_symmetric()) return times(unit, nip.solved.estimate(here));
-  const ContactPlace origin = nip.place(0);
-  Estimate displacement = nip.solved.estimate(here, [&](const Solution& solution) {
-    return nip.tangential_at_origin.of(&solution, [&] { return at(solution, origin); });
-  });
-  if (!nip.origin_shift)
-    nip.origin_shift = nip.solved.shift(origin.e, nip.unsure_end(), nip.at_distance(origin.trailing, at));
-  displacement.error += *nip.origin_shift;
-  return times(unit, displacement);
+  const SolvedNip::InBoth& displacement = nip.along(y).displacement;
+  if (nip.is_symmetric()) return times(unit, nip.solved.estimate(displacement));
+  return times(unit, nip.solved.estimate(displacement - nip.along(0).displacement));
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
   const Implementation& nip = *implementation_;
-  if (!nip.equations->grips()) return nip.sliding_strain(y, false);
+  if (!nip.equations->grips()) return times(nip.units.creep, nip.solved.estimate(nip.along(y).strain));
   const ContactPlace place = nip.place_of(y);
   if (place.e < 0)
     return times(nip.units.creep / 2, nip.field().at({{y / nip.units.length, 1}}).front().along);
@@ -357,7 +367,8 @@ Estimate ConvergedNip::surface_strain(double y) const {
 
 Estimate ConvergedNip::slip(double y) const {
   const Implementation& nip = *implementation_;
-  if (!nip.equations->grips()) return nip.sliding_strain(y, true);
+  if (!nip.equations->grips())
+    return times(nip.units.creep, nip.solved.estimate(nip.along(y).strain - nip.creep()));
   if (nip.place_of(y).e >= nip.unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
   return {strain.value - creep.value, strain.error + creep.error};

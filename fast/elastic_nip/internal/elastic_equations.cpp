@@ -19,6 +19,9 @@ double coupling(double i3, double alpha, double beta) {
   return (i3 - beta * std::copysign(pi / 2, alpha)) / pi;
 }
 
+/// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
+double nonlocal_strain(double alpha) { return sheet_stresses(alpha, 1, data::SheetLoad::normal).along / 2; }
+
 /// What an end causes fades like e^(-decay e). Without friction the kernel's transform 2 sinh^2 k/(k (sinh 2k + 2k)) is 0
 /// at k = pi i. With full friction the determinant of the transforms is 0 where a sheet with clamped faces has a free
 /// field: (3 - 4 poisson) sinh 2k = 2k, at k = i decay with 0 <= 2 decay < pi.
@@ -50,31 +53,28 @@ Tractions::Kernel ElasticEquations::normal_kernel(CountedKernels& kernels) const
           }};
 }
 
-Tractions::Kernel ElasticEquations::tangential_kernel(CountedKernels& kernels) const {
-  return {1, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+Tractions::Kernel ElasticEquations::along_kernel(CountedKernels& kernels) const {
+  return {grips_ ? 1 : 2, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             const std::vector<double> i3 = kernels.I3(alpha),
                                       i6 = grips_ ? kernels.I6(alpha) : std::vector<double>();
-            on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
-            on_q.resize(1, on_p.cols());
+            on_p.resize(grips_ ? 1 : 2, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resizeLike(on_p);
             for (std::size_t i = 0; i < alpha.size(); ++i) {
-              on_p(static_cast<Eigen::Index>(i)) = coupling(i3[i], alpha[i], beta_);
-              if (grips_) on_q(static_cast<Eigen::Index>(i)) = i6[i] / pi;
+              const auto column = static_cast<Eigen::Index>(i);
+              on_p(0, column) = coupling(i3[i], alpha[i], beta_);
+              if (grips_)
+                on_q(0, column) = i6[i] / pi;
+              else
+                on_p(1, column) = nonlocal_strain(alpha[i]);
             }
           }};
 }
 
-/// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
-Tractions::Kernel ElasticEquations::strain_kernel() const {
-  return {1, !grips_, {}, [this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+Tractions::Kernel ElasticEquations::strain_kernel() {
+  return {1, true, {}, [](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
-            on_q.resize(1, on_p.cols());
-            for (std::size_t i = 0; i < alpha.size(); ++i) {
-              on_p(static_cast<Eigen::Index>(i)) =
-                  sheet_stresses(alpha[i], 1, data::SheetLoad::normal).along / 2;
-              if (grips_)
-                on_q(static_cast<Eigen::Index>(i)) =
-                    sheet_stresses(alpha[i], 1, data::SheetLoad::shear).along / 2;
-            }
+            std::ranges::transform(alpha, on_p.data(), nonlocal_strain);
+            on_q.resizeLike(on_p);
           }};
 }
 
@@ -164,13 +164,10 @@ Functional ElasticEquations::end_displacement(const Solution& solution, bool /*t
 
 namespace {
 
-/// Of an even kernel, or of an odd one, which changes its sign on the trailing half.
-Functional acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place,
-                  bool is_odd) {
-  const auto [trailing, e] = place.in(solution);
-  const double at[] = {e};
-  const Eigen::RowVectorXd row = solution.tractions().rows(at, false, kernel, quadrature_tolerance).row(0);
-  return solution.of_tractions(trailing && is_odd ? -row : row);
+/// The rows of a kernel's functionals at a place of the half on which it is not mirrored.
+Eigen::MatrixXd acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
+  const double at[] = {place.in(solution).e};
+  return solution.tractions().rows(at, false, kernel, quadrature_tolerance);
 }
 
 }  // namespace
@@ -181,20 +178,29 @@ double ElasticEquations::cancelling_sides(const Solution& solution) const {
 
 Functional ElasticEquations::normal(const Solution& solution, const ContactPlace& place,
                                     CountedKernels& kernels) const {
-  Functional displacement = acting(solution, normal_kernel(kernels), place, false);
+  Functional displacement = solution.of_tractions(acting(solution, normal_kernel(kernels), place));
   displacement.cancelled = std::pow(solution.half_length(), 2) + (grips_ ? cancelling_sides(solution) : 0);
   return displacement;
 }
 
-Functional ElasticEquations::tangential(const Solution& solution, const ContactPlace& place,
-                                        CountedKernels& kernels) const {
-  Functional displacement = acting(solution, tangential_kernel(kernels), place, true);
+SurfaceAlong ElasticEquations::along(const Solution& solution, const ContactPlace& place,
+                                     CountedKernels& kernels) const {
+  const Eigen::MatrixXd rows = acting(solution, along_kernel(kernels), place);
+  // It is odd.
+  const double sign = place.in(solution).trailing ? -1 : 1;
+  Functional displacement = solution.of_tractions(sign * rows.row(0));
   displacement.cancelled = cancelling_sides(solution);
-  return displacement;
+  if (grips_) return {displacement, {}};
+  return {displacement, with_pressure_there(solution, place, rows.row(1))};
 }
 
 Functional ElasticEquations::strain(const Solution& solution, const ContactPlace& place) const {
-  Functional strain = acting(solution, strain_kernel(), place, false);
+  return with_pressure_there(solution, place, acting(solution, strain_kernel(), place));
+}
+
+Functional ElasticEquations::with_pressure_there(const Solution& solution, const ContactPlace& place,
+                                                 const Eigen::RowVectorXd& nonlocal) const {
+  Functional strain = solution.of_tractions(nonlocal);
   strain.cancelled = solution.traction(solution.half_length()).real();
   strain.on_tractions -= beta_ * traction(solution, TractionComponent::pressure, place).on_tractions;
   return strain;
@@ -202,7 +208,7 @@ Functional ElasticEquations::strain(const Solution& solution, const ContactPlace
 
 Functional ElasticEquations::creep(const Solution& solution, CountedKernels& kernels) const {
   if (grips_) return solution.of_unknown(creep_ratio);
-  return 1 / solution.half_length() * tangential(solution, {false, 0}, kernels);
+  return 1 / solution.half_length() * along(solution, {false, 0}, kernels).displacement;
 }
 
 }  // namespace nipref::fast

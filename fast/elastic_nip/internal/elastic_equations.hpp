@@ -24,17 +24,21 @@ class ElasticEquations : public NipEquations {
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
   [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
                                   CountedKernels& kernels) const override;
-  [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place,
-                                      CountedKernels& kernels) const override;
+  [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
+                                   CountedKernels& kernels) const override;
   [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
   [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
   [[nodiscard]] std::optional<internal::Shares> shares() const override { return {{1 - beta_, beta_}}; }
 
  private:
-  /// Of normal displacement, tangential displacement and the nonlocal part of the strain along the surface.
+  /// Of normal displacement; of displacement along the surface and, without friction, of the nonlocal part of its strain; and
+  /// of that alone.
   [[nodiscard]] Tractions::Kernel normal_kernel(CountedKernels& kernels) const;
-  [[nodiscard]] Tractions::Kernel tangential_kernel(CountedKernels& kernels) const;
-  [[nodiscard]] Tractions::Kernel strain_kernel() const;
+  [[nodiscard]] Tractions::Kernel along_kernel(CountedKernels& kernels) const;
+  [[nodiscard]] static Tractions::Kernel strain_kernel();
+  /// A strain's nonlocal part and what the pressure at its own place adds to it.
+  [[nodiscard]] Functional with_pressure_there(const Solution& solution, const ContactPlace& place,
+                                               const Eigen::RowVectorXd& nonlocal) const;
   [[nodiscard]] Tractions::Kernel both(CountedKernels& kernels) const;
   [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 

@@ -26,6 +26,12 @@ struct ContactPlace {
 
 enum class TractionComponent { pressure, shear };
 
+/// v at a place of the surface but for a constant, which is 0 in a symmetric contact; and v', empty with full friction, where
+/// it is known otherwise.
+struct SurfaceAlong {
+  Functional displacement, strain;
+};
+
 /// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
 /// times 2 R/b^2, loads times 2 R N/b^2, strains times 2 R/b, N the compliance of the normal displacement (at once).
 /// Functionals of a number that is not linear are linearised about the solution, with its value there.
@@ -57,12 +63,11 @@ class NipEquations {
   /// The distance of the pressure's resultant from the line through the centres, of a contact that is not symmetric:
   /// offset + int y p dy/load.
   [[nodiscard]] Functional eccentricity(const Solution& solution) const;
-  /// u; v but for a constant, which is 0 in a symmetric contact; v', which with full friction is known otherwise; and the
-  /// mean of v' over the contact.
+  /// u; v and v'; v' alone, without friction; and the mean of v' over the contact.
   [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,
                                           CountedKernels& kernels) const = 0;
-  [[nodiscard]] virtual Functional tangential(const Solution& solution, const ContactPlace& place,
-                                              CountedKernels& kernels) const = 0;
+  [[nodiscard]] virtual SurfaceAlong along(const Solution& solution, const ContactPlace& place,
+                                           CountedKernels& kernels) const = 0;
   [[nodiscard]] virtual Functional strain(const Solution& solution, const ContactPlace& place) const = 0;
   [[nodiscard]] virtual Functional creep(const Solution& solution, CountedKernels& kernels) const = 0;
   /// The shares of theta1 and theta2 in N of an elastic sheet; nothing in rolling.

@@ -137,38 +137,36 @@ std::complex<double> SolvedNip::traction(double e) const {
   return of(last()) + left / step * (of(neighbour()) - of(last()));
 }
 
-Estimate SolvedNip::estimate(const Number& number) const {
-  const auto [here, error] = last().estimate(number(last()));
-  return extrapolated(here, error, [&] { return neighbour().value(number(neighbour())); });
+SolvedNip::InBoth operator-(const SolvedNip::InBoth& a, const SolvedNip::InBoth& b) {
+  SolvedNip::InBoth difference{a.here - b.here, {}, a.shift + b.shift};
+  if (a.there) difference.there = *a.there - *b.there;
+  return difference;
 }
 
-SolvedNip::OfPlace SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
-  OfPlace result{number(last(), e), {}, 0};
-  if (load_) result.there = number(neighbour(), e);
-  result.shift = shift(last().value(result.here), e, unsure, number);
-  return result;
-}
-
-Estimate SolvedNip::estimate(const OfPlace& number, const std::optional<Number>& less) const {
-  const auto beyond = [&](const Solution& solution, const Functional& of_place) {
-    return less ? of_place - (*less)(solution) : of_place;
-  };
-  const auto [here, error] = last().estimate(beyond(last(), number.here));
-  Estimate result =
-      extrapolated(here, error, [&] { return neighbour().value(beyond(neighbour(), *number.there)); });
+Estimate SolvedNip::estimate(const InBoth& number) const {
+  const auto [here, error] = last().estimate(number.here);
+  Estimate result = extrapolated(here, error, [&] { return neighbour().value(*number.there); });
   result.error += number.shift;
   return result;
 }
 
-double SolvedNip::shift(double e, double unsure, const AtPlace& number) const {
-  return shift(last().value(number(last(), e)), e, unsure, number);
+SolvedNip::InBoth SolvedNip::in_both(const Number& number) const {
+  InBoth result{number(last())};
+  if (load_) result.there = number(neighbour());
+  return result;
 }
 
-double SolvedNip::shift(double here, double e, double unsure, const AtPlace& number) const {
-  const double reach = unsure + 0x1p-52 * std::fabs(e);
+SolvedNip::InBoth SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
+  InBoth result = in_both([&](const Solution& solution) { return number(solution, e); });
+  result.shift = shift(result.here, e, unsure, number);
+  return result;
+}
+
+double SolvedNip::shift(const Functional& here, double e, double unsure, const AtPlace& number) const {
+  const double value = last().value(here);
   double largest = 0;
-  for (const double moved : {e - reach, e + reach})
-    largest = std::max(largest, std::fabs(last().value(number(last(), moved)) - here));
+  for (const double moved : {e - reach(e, unsure), e + reach(e, unsure)})
+    largest = std::max(largest, std::fabs(last().value(number(last(), moved)) - value));
   return largest;
 }
 

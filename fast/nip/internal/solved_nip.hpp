@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,21 +33,27 @@ class SolvedNip {
   [[nodiscard]] double value(const std::function<double(const Solution&)>& number) const;
   /// g at e >= 0, see Tractions; beyond the middle that of the other half.
   [[nodiscard]] std::complex<double> traction(double e) const;
+  /// A number in last() and, for a given load, in the neighbour; and what a place that is not known better adds to its error.
+  struct InBoth {
+    Functional here;
+    std::optional<Functional> there = {};
+    double shift = 0;
+
+    friend InBoth operator-(const InBoth& a, const InBoth& b);
+  };
+  [[nodiscard]] Estimate estimate(const InBoth& number) const;
   /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
-  [[nodiscard]] Estimate estimate(const Number& number) const;
+  [[nodiscard]] InBoth in_both(const Number& number) const;
+  [[nodiscard]] Estimate estimate(const Number& number) const { return estimate(in_both(number)); }
   /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
   using AtPlace = std::function<Functional(const Solution&, double e)>;
-  /// Such a number in last() and, for a given load, in the neighbour; and what the place adds to its error.
-  struct OfPlace {
-    Functional here;
-    std::optional<Functional> there;
-    double shift;
-  };
-  [[nodiscard]] OfPlace at_place(double e, double unsure, const AtPlace& number) const;
-  /// Less a number of no place, if there is one.
-  [[nodiscard]] Estimate estimate(const OfPlace& number, const std::optional<Number>& less = {}) const;
-  /// How much such a number may change because the place is not known better.
-  [[nodiscard]] double shift(double e, double unsure, const AtPlace& number) const;
+  [[nodiscard]] InBoth at_place(double e, double unsure, const AtPlace& number) const;
+  /// How much such a number, which is `here` in last(), may change because the place is not known better.
+  [[nodiscard]] double shift(const Functional& here, double e, double unsure, const AtPlace& number) const;
+  /// How far the place may be from e.
+  [[nodiscard]] static double reach(double e, double unsure) { return unsure + 0x1p-52 * std::fabs(e); }
+  /// The neighbour of a contact of given load, otherwise nullptr.
+  [[nodiscard]] const Solution* there() const { return load_ ? &neighbour() : nullptr; }
   /// Solves with more terms; false where rounding rules, so that more do not help.
   bool refine();
 
@@ -72,7 +79,6 @@ class SolvedNip {
   /// A number's difference from the neighbour's, by the half length.
   [[nodiscard]] double growth(double here, double there) const;
   [[nodiscard]] double load_growth() const;
-  [[nodiscard]] double shift(double here, double e, double unsure, const AtPlace& number) const;
   /// What the curvature of a number may add to it in a contact of given load, relative to the number.
   [[nodiscard]] double curvature() const;
 

@@ -311,12 +311,17 @@ Functional RollingEquations::end_displacement(const Solution& solution, bool tra
 
 namespace {
 
-Functional acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
+/// The functionals of a kernel, each followed by its size.
+std::vector<Functional> acting(const Solution& solution, const Tractions::Kernel& kernel,
+                               const ContactPlace& place) {
   const auto [trailing, e] = place.in(solution);
   const double at[] = {e};
   const Eigen::MatrixXd rows = solution.tractions().rows(at, trailing, kernel, quadrature_tolerance);
-  Functional result = solution.of_tractions(rows.row(0));
-  result.cancelled = solution.value(solution.of_tractions(rows.row(1)));
+  std::vector<Functional> result;
+  for (Eigen::Index i = 0; i < rows.rows(); i += 2) {
+    result.push_back(solution.of_tractions(rows.row(i)));
+    result.back().cancelled = solution.value(solution.of_tractions(rows.row(i + 1)));
+  }
   return result;
 }
 
@@ -324,17 +329,22 @@ Functional acting(const Solution& solution, const Tractions::Kernel& kernel, con
 
 Functional RollingEquations::normal(const Solution& solution, const ContactPlace& place,
                                     CountedKernels& /*kernels*/) const {
-  return acting(solution, kernels_.normal(), place);
+  return acting(solution, kernels_.normal(), place).front();
 }
 
-/// Beside that far ahead.
-Functional RollingEquations::tangential(const Solution& solution, const ContactPlace& place,
-                                        CountedKernels& /*kernels*/) const {
-  return acting(solution, kernels_.tangential(), place);
+/// Beside the displacement far ahead.
+SurfaceAlong RollingEquations::along(const Solution& solution, const ContactPlace& place,
+                                     CountedKernels& /*kernels*/) const {
+  const std::vector<Functional> both = acting(solution, kernels_.along(), place);
+  return {both[0], with_pressure_there(solution, place, both[1])};
 }
 
 Functional RollingEquations::strain(const Solution& solution, const ContactPlace& place) const {
-  Functional strain = acting(solution, kernels_.strain(), place);
+  return with_pressure_there(solution, place, acting(solution, kernels_.strain(), place).front());
+}
+
+Functional RollingEquations::with_pressure_there(const Solution& solution, const ContactPlace& place,
+                                                 Functional strain) const {
   const Functional pressure = traction(solution, TractionComponent::pressure, place);
   strain.on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
   strain.cancelled += std::fabs(sheet_.theta2_at_once * solution.value(pressure));
@@ -343,7 +353,7 @@ Functional RollingEquations::strain(const Solution& solution, const ContactPlace
 
 Functional RollingEquations::creep(const Solution& solution, CountedKernels& kernels) const {
   return 0.5 / solution.half_length() *
-         (tangential(solution, {false, 0}, kernels) - tangential(solution, {true, 0}, kernels));
+         (along(solution, {false, 0}, kernels).displacement - along(solution, {true, 0}, kernels).displacement);
 }
 
 }  // namespace nipref::fast

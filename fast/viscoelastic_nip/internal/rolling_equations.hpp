@@ -53,8 +53,8 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] Functional end_displacement(const Solution& solution, bool trailing) const override;
   [[nodiscard]] Functional normal(const Solution& solution, const ContactPlace& place,
                                   CountedKernels& kernels) const override;
-  [[nodiscard]] Functional tangential(const Solution& solution, const ContactPlace& place,
-                                      CountedKernels& kernels) const override;
+  [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
+                                   CountedKernels& kernels) const override;
   [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
   [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
 
@@ -99,6 +99,9 @@ class RollingEquations : public NipEquations {
   /// What is the same at all places, layers with integrals to infinity among it, and the rest.
   [[nodiscard]] Response lasting_response(const std::vector<Mode>& modes, double half_length) const;
   [[nodiscard]] Response fading_response(const std::vector<Mode>& modes, double half_length, double x) const;
+  /// A strain's nonlocal part and what the pressure at its own place adds to it.
+  [[nodiscard]] Functional with_pressure_there(const Solution& solution, const ContactPlace& place,
+                                               Functional strain) const;
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;

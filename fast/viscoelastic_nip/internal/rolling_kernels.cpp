@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
 
@@ -13,25 +13,29 @@ namespace {
 
 using Complex = std::complex<double>;
 using internal::Two;
-using Sized = internal::Sized<double>;
 
 constexpr double pi = std::numbers::pi;
 
-/// A kernel that is the same for both parts of the pressure, over pi, and its size as a second functional.
-template <class AtAlpha>
-Tractions::Kernel for_both_parts(std::vector<Complex> rates, const AtAlpha& at) {
-  return {2, false, std::move(rates),
-          [at](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-            on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
+internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
+
+/// Kernels that are the same for both parts of the pressure, over pi, each with its size as the next functional.
+template <class... Kernels>
+Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... kernels) {
+  constexpr int functionals = 2 * sizeof...(Kernels);
+  return {functionals, false, std::move(rates),
+          [kernels...](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            on_p.resize(functionals, static_cast<Eigen::Index>(alpha.size()));
             for (std::size_t i = 0; i < alpha.size(); ++i) {
-              const Sized here = at(alpha[i]);
-              on_p.col(static_cast<Eigen::Index>(i)) << here.value / pi, here.size / pi;
+              const internal::SurfacePoint at = point(alpha[i]);
+              auto values = on_p.col(static_cast<Eigen::Index>(i)).begin();
+              for (const internal::Sized<double>& sum : {kernels(alpha[i], at)...}) {
+                *values++ = sum.value / pi;
+                *values++ = sum.size / pi;
+              }
             }
             on_q = on_p;
           }};
 }
-
-internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
 
 }  // namespace
 
@@ -70,66 +74,69 @@ std::vector<Complex> RollingKernels::rates() const {
   return result;
 }
 
-Tractions::Kernel RollingKernels::normal() const {
-  return for_both_parts(rates(), [this](double alpha) {
-    const internal::SurfacePoint at = point(alpha);
-    Sized sum;
-    sum.add(internal::kernel_at(internal::Kernel::I1, at, Accuracy()));
-    add_terms(
-        sum, alpha,
-        [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
-        [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
-    return sum;
-  });
+RollingKernels::Sized RollingKernels::normal_at(double alpha, const internal::SurfacePoint& at) const {
+  Sized sum;
+  sum.add(internal::kernel_at(internal::Kernel::I1, at, Accuracy()));
+  add_terms(
+      sum, alpha,
+      [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
+      [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
+  return sum;
 }
 
 /// I3 and its memory act in N, I2 and its memory in theta2; I2 is pi/2 times the sign of alpha.
-Tractions::Kernel RollingKernels::tangential() const {
-  return for_both_parts(rates(), [this](double alpha) {
-    const internal::SurfacePoint at = point(alpha);
-    Sized sum;
-    sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
-    add_terms(
-        sum, alpha,
-        [&](const auto& fade) {
-          return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
-        },
-        [](Complex /*part*/, double faded, Complex rate) { return 2 * pi * faded / std::abs(rate); });
-    sum.add(-std::copysign(pi / 2, alpha) * sheet_.theta2_at_once);
-    for (const auto& [amplitude, rate] : sheet_.theta2) {
-      if (alpha >= 0) continue;
-      sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
-      sum.size -= alpha / 16 * pi * std::abs(amplitude) * std::exp(rate.real() * alpha);
-    }
-    return sum;
-  });
+RollingKernels::Sized RollingKernels::tangential_at(double alpha, const internal::SurfacePoint& at) const {
+  Sized sum;
+  sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
+  add_terms(
+      sum, alpha,
+      [&](const auto& fade) {
+        return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
+      },
+      [](Complex /*part*/, double faded, Complex rate) { return 2 * pi * faded / std::abs(rate); });
+  sum.add(-std::copysign(pi / 2, alpha) * sheet_.theta2_at_once);
+  for (const auto& [amplitude, rate] : sheet_.theta2) {
+    if (alpha >= 0) continue;
+    sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
+    sum.size -= alpha / 16 * pi * std::abs(amplitude) * std::exp(rate.real() * alpha);
+  }
+  return sum;
+}
+
+RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::SurfacePoint& at) const {
+  Sized sum;
+  sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
+  // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
+  sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
+  add_terms(
+      sum, alpha,
+      [&](const auto& fade) {
+        return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
+      },
+      [](Complex /*part*/, double faded, Complex /*rate*/) { return 2 * pi * faded; });
+  // Slopes for complex rates that are not large are differences of numbers of the size of I3.
+  for (const auto& [amplitude, rate] : sheet_.normal.terms)
+    if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from) sum.size += std::abs(amplitude) * pi / 2;
+  for (const auto& [amplitude, rate] : sheet_.theta2) {
+    if (alpha >= 0) continue;
+    const Complex trace = -pi * amplitude * std::exp(rate * alpha);
+    sum.add(trace.real());
+    sum.size += std::abs(rate * alpha) / 16 * std::abs(trace);
+  }
+  return sum;
+}
+
+Tractions::Kernel RollingKernels::normal() const {
+  return for_both_parts(rates(), std::bind_front(&RollingKernels::normal_at, this));
+}
+
+Tractions::Kernel RollingKernels::along() const {
+  return for_both_parts(rates(), std::bind_front(&RollingKernels::tangential_at, this),
+                        std::bind_front(&RollingKernels::strain_at, this));
 }
 
 Tractions::Kernel RollingKernels::strain() const {
-  return for_both_parts(rates(), [this](double alpha) {
-    const internal::SurfacePoint at = point(alpha);
-    Sized sum;
-    sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
-    // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
-    sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
-    add_terms(
-        sum, alpha,
-        [&](const auto& fade) {
-          return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
-        },
-        [](Complex /*part*/, double faded, Complex /*rate*/) { return 2 * pi * faded; });
-    // Slopes for complex rates that are not large are differences of numbers of the size of I3.
-    for (const auto& [amplitude, rate] : sheet_.normal.terms)
-      if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from)
-        sum.size += std::abs(amplitude) * pi / 2;
-    for (const auto& [amplitude, rate] : sheet_.theta2) {
-      if (alpha >= 0) continue;
-      const Complex trace = -pi * amplitude * std::exp(rate * alpha);
-      sum.add(trace.real());
-      sum.size += std::abs(rate * alpha) / 16 * std::abs(trace);
-    }
-    return sum;
-  });
+  return for_both_parts(rates(), std::bind_front(&RollingKernels::strain_at, this));
 }
 
 /// `memory` of a point and a rate, real and imaginary part as two functionals.

@@ -5,6 +5,7 @@
 
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/nip/internal/tractions.hpp>
+#include <nipref/fast/number/internal/sized.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
 
 namespace nipref::fast {
@@ -23,11 +24,11 @@ class RollingKernels {
   /// `sheet` lives as long as this.
   explicit RollingKernels(const RollingSheet& sheet);
 
-  /// Each with the size of the parts that may cancel in it as a second functional: the normal displacement that N gives, the
+  /// Each with the size of the parts that may cancel in it as the next functional: the normal displacement that N gives; the
   /// displacement along the sheet beside what it is far ahead, and its derivative less theta2 at once times the pressure at
-  /// the place.
+  /// the place; and the derivative alone.
   [[nodiscard]] Tractions::Kernel normal() const;
-  [[nodiscard]] Tractions::Kernel tangential() const;
+  [[nodiscard]] Tractions::Kernel along() const;
   [[nodiscard]] Tractions::Kernel strain() const;
   /// int_0^inf e^(-rate x) I1(alpha + x) dx/pi for a term of N, real and imaginary part as two functionals.
   [[nodiscard]] Tractions::Kernel ahead(std::size_t term) const;
@@ -43,6 +44,11 @@ class RollingKernels {
   template <class Sum, class MemoryOf, class SizeOfTrace>
   void add_terms(Sum& sum, double alpha, const MemoryOf& memory, const SizeOfTrace& size_of_trace) const;
 
+  using Sized = internal::Sized<double>;
+  /// pi times these kernels at alpha, where the load's point `at` is.
+  [[nodiscard]] Sized normal_at(double alpha, const internal::SurfacePoint& at) const;
+  [[nodiscard]] Sized tangential_at(double alpha, const internal::SurfacePoint& at) const;
+  [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] std::vector<std::complex<double>> rates() const;
   template <class MemoryOf>
   [[nodiscard]] Tractions::Kernel of_term(std::size_t term, const MemoryOf& memory) const;

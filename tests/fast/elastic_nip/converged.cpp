@@ -81,7 +81,7 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
                           (edge + e * (2 * half_length - e))) < 1e-11 * (depth + peak));
           if (friction == Friction::full) {
             const double creep = solution.unknown(fast::ElasticEquations::creep_ratio);
-            CHECK(std::fabs(solution.value(equations->tangential(solution, {false, e}, kernels)) -
+            CHECK(std::fabs(solution.value(equations->along(solution, {false, e}, kernels).displacement) -
                             creep * (half_length - e)) < 1e-11 * (depth + peak * half_length));
           }
         }
