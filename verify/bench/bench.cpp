@@ -90,6 +90,8 @@ std::vector<BenchRow> timed_rows(const std::string& quantity, const std::string&
     rows.push_back({quantity, arguments, ways[i].name, nanoseconds * timing.seconds, error.ulps,
                     error.relative, timing.seconds / timings[rounds.over].seconds,
                     nanoseconds * timing.quartile_1, nanoseconds * timing.quartile_3});
+    rows.back().mean_error_ulp = error.mean_ulps;
+    rows.back().percentile_99_9_ulp = error.percentile_999_ulps;
   }
   return rows;
 }
@@ -119,6 +121,8 @@ Json row_json(const BenchRow& row) {
           {"method", row.method},
           {"max_error_ulp", row.max_error_ulp},
           {"max_relative_error", row.max_relative_error},
+          {"mean_error_ulp", row.mean_error_ulp},
+          {"percentile_99_9_ulp", row.percentile_99_9_ulp},
           {"times",
            {{"nanoseconds", row.nanoseconds},
             {"quartiles", std::vector<Json>{row.quartile_1, row.quartile_3}},

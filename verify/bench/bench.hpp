@@ -24,6 +24,8 @@ struct BenchRow {
   /// The time over that of fast (double) or ref (digits) for the same arguments, at full accuracy.
   std::optional<double> ratio;
   double quartile_1 = 0, quartile_3 = 0;  ///< of the rounds' times
+  /// Of the errors in ulp; empty also where only a few points were compared.
+  std::optional<double> mean_error_ulp = {}, percentile_99_9_ulp = {};
   /// No other way to the same values in this run is both as quick and as right, and better in one of the two. Errors are
   /// relative to the value; false where the error is not known.
   bool pareto_optimal = false;

@@ -51,8 +51,10 @@ std::string command_text(const CommandLine& line) {
 int points_verb(const CommandLine& line, std::ostream& out) {
   const std::string name = line.words.empty() ? "(missing)" : line.words.front();
   const auto answer = [&](const Quantity& quantity, const std::vector<Point>& points) {
-    const std::string csv = points_csv(
-        quantity, points, {"quantity: " + name, command_text(line), "arguments: exact in hexadecimal"});
+    const std::string csv =
+        points_csv(quantity, points,
+                   {"quantity: " + name, command_text(line),
+                    "arguments: exact in hexadecimal; NAME_decimal is read as the same double"});
     return write_answer(line, out, "points", true, {{"quantity", name}, {"csv", csv}}, [&] { return csv; });
   };
   if (is_contact_kind(name))

@@ -5,6 +5,7 @@
 Widths are the bounds of golden values, which `golden check` keeps."""
 import csv
 import json
+import resource
 import subprocess
 import sys
 
@@ -26,6 +27,13 @@ def width(path):
     return max((float(row["bound"]) / float(row["scale"]) for row in rows if float(row["scale"]) > 0), default=0)
 
 
+def milliseconds(name):
+    """Of a processor, for each value that `golden check` makes anew by ref."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    made = answer("golden", "check", name)["files"][0]["recomputed"]
+    return 1000 * (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before) / made
+
+
 def domain(quantity):
     return "; ".join(f"{argument['name']}: {argument['domain']}" for argument in quantity["arguments"]).replace("|", "\\|")
 
@@ -41,11 +49,12 @@ machine = audit["nipref"]
 fast = []
 for row in audit["rows"]:
     file = golden.get(row["quantity"])
-    ref = f"{width(file['file']):.1e} at {file['header']['digits']} digits" if file else "in whole contacts"
+    ref = [file["header"]["digits"], f"{width(file['file']):.1e}", f"{milliseconds(row['quantity']):.2g}"] if file else 3 * ["in whole contacts"]
     fast.append([f"`{row['quantity']}`", domain(known[row["quantity"]]), str(row["points"]),
-                 *(f"{row[name]:.3g}" for name in ("max_error_ulp", "mean_error_ulp", "percentile_99_9_ulp", "promise_ulp")), ref])
-peers = [[f"`{row['quantity']}`", row["range"], row["method"], f"{row['max_error_ulp']:.3g}", f"{row['max_relative_error']:.2g}"]
-         for row in bench["rows"] if "rtol" not in row["method"] and None not in (row["max_error_ulp"], row["max_relative_error"])]
+                 *(f"{row[name]:.3g}" for name in ("max_error_ulp", "mean_error_ulp", "percentile_99_9_ulp", "promise_ulp")), *ref])
+errors = ("max_error_ulp", "mean_error_ulp", "percentile_99_9_ulp", "max_relative_error")
+peers = [[f"`{row['quantity']}`", row["range"], row["method"], *("" if row[name] is None else f"{row[name]:.3g}" for name in errors),
+          f"{row['times']['nanoseconds']:.3g}"] for row in bench["rows"] if "rtol" not in row["method"]]
 print(f"""# How accurate
 
 Made by `verify/golden/accuracy.py` with nipref {machine['version']}, commit {machine['commit']}, {machine['compiler']}, on
@@ -53,13 +62,14 @@ Made by `verify/golden/accuracy.py` with nipref {machine['version']}, commit {ma
 
 ## fast, over whole domains
 
-Errors in units in the last place of the scale, which `nipref list QUANTITY` says, as an audit finds them at so many points. Width: the largest
-error of `ref` over the scale among the golden values; `nipref golden check` fails if one grows to 1.5 times what is stored.
+Errors in units in the last place of the scale, which `nipref list QUANTITY` says, as an audit finds them at so many points. Of `ref` what it
+takes to make the golden values: their digits; the largest error over the scale, where `nipref golden check` fails if one grows to 1.5 times
+what is stored; and the time of a processor for a value, of all that `nipref golden check` makes anew, the start of the program among it.
 
-{table(["quantity", "arguments", "points", "largest", "mean", "99.9 %", "promised", "width of ref"], fast)}
+{table(["quantity", "arguments", "points", "largest", "mean", "99.9 %", "promised", "digits of ref", "its width", "its time, ms"], fast)}
 
 ## Beside other libraries
 
-As `nipref bench` finds them, at the arguments of its ranges.
+As `nipref bench` finds them, at 1000 arguments of each range; in the same units, of which N digits have one of 10^-N of the scale.
 
-{table(["quantity", "range", "method", "largest error, ulp", "largest relative error"], peers)}""")
+{table(["quantity", "range", "method", "largest", "mean", "99.9 %", "largest relative", "time, ns"], peers)}""")

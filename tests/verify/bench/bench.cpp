@@ -148,13 +148,13 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
 }
 
 TEST_CASE("the bench's JSON has the agreed shape") {
-  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13}},
+  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13, 0.25, 0.375}},
                                    {{"what", 2, 3}}};
   const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).for_machines().text());
   REQUIRE(json["rows"].size() == 1);
   const auto expected = nlohmann::ordered_json::parse(
       R"({"quantity":"I1","range":"alpha in [1e-6,1e-3]","method":"fast full","max_error_ulp":0.5,"max_relative_error":1e-16,
-          "times":{"nanoseconds":12.5,"quartiles":[12.0,13.0],"ratio":1.0,"pareto_optimal":false}})");
+          "mean_error_ulp":0.25,"percentile_99_9_ulp":0.375,"times":{"nanoseconds":12.5,"quartiles":[12.0,13.0],"ratio":1.0,"pareto_optimal":false}})");
   CHECK(json["rows"][0] == expected);
 }
 

@@ -100,6 +100,14 @@ class Checks(unittest.TestCase):
         self.assertTrue(all(np.all(exported[name] == stored[name]) for name in ("alpha", "value")))
         self.assertTrue(np.all(exported["bound"] >= stored["bound"]) and np.all(exported["bound"] <= 1.01 * stored["bound"]))
 
+    def test_golden_contacts_have_each_result_with_its_bound(self):
+        stored = nipref.golden("contacts-frictionless")
+        self.assertTrue(np.all(stored["load_bound"] < 1e-15 * stored["load"]))
+        self.assertEqual(float(stored["load_text"][0]), stored["load"][0])
+        one = nipref.solve("thick-frictionless", {"roller.radius": 1e6, "material.young": 1, "material.poisson": 0,
+                                                  "load.per_length": stored["load"][0]})["contact_length"]
+        self.assertAlmostEqual(one.value, stored["contact.length"][0], delta=one.error)
+
     def test_an_audit_finds_the_largest_error(self):
         row = nipref.audit("I1", points=200, alpha="0.1..1")
         self.assertTrue(row["passed"] and row["max_error_ulp"] < row["promise_ulp"])

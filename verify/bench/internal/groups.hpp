@@ -38,9 +38,9 @@ inline constexpr BenchGroup bench_group_table[] = {{"elastic-nip", elastic_bench
 /// The rows of a group's parts. The times are medians over so many rounds.
 std::vector<BenchRow> bench_group(const BenchGroup& group, const BenchProgress& progress, int rounds = 15);
 
-/// The largest error of a way to compute some values.
+/// The largest errors of a way to compute some values, and how the errors in ulp are distributed.
 struct WayError {
-  std::optional<double> ulps, relative;
+  std::optional<double> ulps, relative, mean_ulps = {}, percentile_999_ulps = {};
 };
 inline WayError of_relative(double error) { return {error / 0x1p-52, error}; }
 

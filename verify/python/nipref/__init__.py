@@ -207,13 +207,16 @@ def grade(kernel: Callable[..., Any], quantity: str, *, points: Union[int, None]
 
 def golden(quantity: str) -> "dict[str, np.ndarray]":
     """Stored values: a column for each argument, "value" and "bound" as doubles, "text" with all digits, and "status",
-    "confirmed_by" and "origin" of each."""
+    "confirmed_by" and "origin" of each. Of a kind of contacts, as "contacts-frictionless": a column for each key that
+    varies, and for each result "load", "load_bound" and "load_text"."""
     file = _library.answer("golden", "list", quantity)["files"][0]["file"]
     with open(file, encoding="utf-8") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     columns = {name: _column([row[name] for row in rows]) for name in rows[0]}
-    columns["text"] = _objects([row["value"] for row in rows], (len(rows),))
-    columns["bound"] = _upward(_objects([row["bound"] for row in rows], (len(rows),)))
+    for bound in [name for name in columns if name.endswith("bound")]:
+        stem = bound[:-len("bound")]
+        columns[stem + "text"] = _objects([row[stem[:-1] or "value"] for row in rows], (len(rows),))
+        columns[bound] = _upward(_objects([row[bound] for row in rows], (len(rows),)))
     return columns
 
 
