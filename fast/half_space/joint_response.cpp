@@ -23,61 +23,6 @@ Direction motion_of(const data::HalfSpaceProblem& problem) {
 
 Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
 
-struct CriticalSpeedOf {
-  Direction motion;
-
-  double operator()(const data::IsotropicSolid& solid) const {
-    return std::sqrt(solid.shear / solid.density) * isotropic_rayleigh_speed(solid.poisson);
-  }
-  double operator()(const data::TransverselyIsotropicBody& body) const {
-    return critical_speed(body.solid, body.axis, motion).speed;
-  }
-  double operator()(const data::Stiffness& solid) const { return critical_speed(solid, motion).speed; }
-};
-
-struct ResponseOf {
-  const data::HalfSpaceProblem& problem;
-
-  SurfaceResponse operator()(const data::IsotropicSolid& solid) const {
-    return [solid, speed = problem.speed](Direction from_motion) {
-      return isotropic_response(solid, speed, from_motion);
-    };
-  }
-  SurfaceResponse operator()(const data::TransverselyIsotropicBody& body) const {
-    const Direction motion = motion_of(problem);
-    const auto surface =
-        std::make_shared<const TransverselyIsotropicHalfSpace>(body.solid, body.axis, motion, problem.speed);
-    return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
-  }
-  SurfaceResponse operator()(const data::Stiffness& solid) const {
-    const Direction motion = motion_of(problem);
-    // No line tells by itself that another is critical.
-    if (const auto critical = critical_speed(solid, motion); problem.speed >= critical.speed) {
-      throw data::BadInput("speed", problem.speed,
-                           fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
-                                       critical.speed, critical.psi * 180 / std::numbers::pi));
-    }
-    const auto surface = std::make_shared<const AnisotropicHalfSpace>(solid, motion, problem.speed);
-    return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
-  }
-};
-
-struct BodyResponse {
-  double speed;
-
-  SurfaceResponse operator()(const data::ElasticSphere& sphere) const {
-    const double of_patch = sphere.moving_patch ? speed : 0;
-    return [solid = sphere.solid, of_patch](Direction from_motion) {
-      return isotropic_response(solid, of_patch, from_motion);
-    };
-  }
-  /// Rigid.
-  template <class Body>
-  SurfaceResponse operator()(const Body&) const {
-    return {};
-  }
-};
-
 void refuse_supercritical(double speed, double limit, std::string_view of) {
   if (speed < limit) return;
   throw data::BadInput("speed", speed,
@@ -86,16 +31,79 @@ void refuse_supercritical(double speed, double limit, std::string_view of) {
                                    limit, of));
 }
 
+double critical_speed(const data::IsotropicSolid& solid) {
+  return std::sqrt(solid.shear / solid.density) * isotropic_rayleigh_speed(solid.poisson);
+}
+
+/// A surface and its critical speed; of a rigid body's nothing and infinity.
+struct Surface {
+  SurfaceResponse response;
+  double critical_speed = std::numeric_limits<double>::infinity();
+};
+
+struct HalfSpaceOf {
+  const data::HalfSpaceProblem& problem;
+
+  Surface operator()(const data::IsotropicSolid& solid) const {
+    const double critical = critical_speed(solid);
+    refuse_supercritical(problem.speed, critical, "half-space");
+    return {[solid, speed = problem.speed](Direction from_motion) {
+              return isotropic_response(solid, speed, from_motion);
+            },
+            critical};
+  }
+  Surface operator()(const data::TransverselyIsotropicBody& body) const {
+    const Direction motion = motion_of(problem);
+    const auto surface =
+        std::make_shared<const TransverselyIsotropicHalfSpace>(body.solid, body.axis, motion, problem.speed);
+    return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
+            surface->critical_speed()};
+  }
+  Surface operator()(const data::Stiffness& solid) const {
+    const Direction motion = motion_of(problem);
+    // No line tells by itself that another is critical.
+    const auto critical = fast::critical_speed(solid, motion);
+    if (problem.speed >= critical.speed) {
+      throw data::BadInput("speed", problem.speed,
+                           fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
+                                       critical.speed, critical.psi * 180 / std::numbers::pi));
+    }
+    const auto surface = std::make_shared<const AnisotropicHalfSpace>(solid, motion, problem.speed);
+    return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
+            critical.speed};
+  }
+};
+
+struct BodyOf {
+  double speed;
+
+  Surface operator()(const data::ElasticSphere& sphere) const {
+    Surface surface;
+    if (sphere.moving_patch) {
+      surface.critical_speed = critical_speed(sphere.solid);
+      refuse_supercritical(speed, surface.critical_speed, "sphere");
+    }
+    const double of_patch = sphere.moving_patch ? speed : 0;
+    surface.response = [solid = sphere.solid, of_patch](Direction from_motion) {
+      return isotropic_response(solid, of_patch, from_motion);
+    };
+    return surface;
+  }
+  /// Rigid.
+  template <class Body>
+  Surface operator()(const Body&) const {
+    return {};
+  }
+};
+
 }  // namespace
 
-JointResponse::JointResponse(const data::HalfSpaceProblem& problem) : problem_(&problem) {
-  const CriticalSpeedOf critical{motion_of(problem)};
-  if (const auto* solid = std::get_if<data::IsotropicSolid>(&problem.half_space))
-    refuse_supercritical(problem.speed, critical(*solid), "half-space");
-  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body); sphere && sphere->moving_patch)
-    refuse_supercritical(problem.speed, critical(sphere->solid), "sphere");
-  half_space_ = std::visit(ResponseOf{problem}, problem.half_space);
-  body_ = std::visit(BodyResponse{problem.speed}, problem.body);
+JointResponse::JointResponse(const data::HalfSpaceProblem& problem) {
+  const Surface half_space = std::visit(HalfSpaceOf{problem}, problem.half_space),
+                body = std::visit(BodyOf{problem.speed}, problem.body);
+  half_space_ = half_space.response;
+  body_ = body.response;
+  critical_speed_ = std::min(half_space.critical_speed, body.critical_speed);
 }
 
 LineResponse JointResponse::operator()(Direction from_motion) const {
@@ -114,12 +122,6 @@ Estimate JointResponse::coupling(double degrees) const {
   return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
 }
 
-Estimate JointResponse::critical_speed() const {
-  const CriticalSpeedOf critical{motion_of(*problem_)};
-  const auto* sphere = std::get_if<data::ElasticSphere>(&problem_->body);
-  const double of_body =
-      sphere && sphere->moving_patch ? critical(sphere->solid) : std::numeric_limits<double>::infinity();
-  return to_rounding(std::min(std::visit(critical, problem_->half_space), of_body));
-}
+Estimate JointResponse::critical_speed() const { return to_rounding(critical_speed_); }
 
 }  // namespace nipref::fast

@@ -12,7 +12,7 @@ namespace nipref::fast {
 /// own evaluations.
 class JointResponse {
  public:
-  /// BadInput "speed" unless the speed is subcritical on every line. The problem must live as long as this.
+  /// BadInput "speed" unless the speed is subcritical on every line.
   explicit JointResponse(const data::HalfSpaceProblem& problem);
 
   [[nodiscard]] LineResponse operator()(Direction from_motion) const;
@@ -23,8 +23,8 @@ class JointResponse {
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
 
  private:
-  const data::HalfSpaceProblem* problem_;
   SurfaceResponse half_space_, body_;
+  double critical_speed_;
   std::shared_ptr<std::uint64_t> evaluations_ = std::make_shared<std::uint64_t>(0);
 };
 

@@ -35,9 +35,10 @@ CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line,
   return internal::critical_speed(critical, motion);
 }
 
-void check_speed(const internal::TransverselyIsotropicLine& line,
-                 const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis, Direction motion,
-                 double speed, SpeedUnit unit) {
+/// BadInput unless the speed is below it.
+double critical_above(double speed, const internal::TransverselyIsotropicLine& line,
+                      const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                      Direction motion, SpeedUnit unit) {
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
   CriticalSpeed critical = critical_speed(line, solid, axis, motion);
   critical.speed /= unit.high;
@@ -46,6 +47,7 @@ void check_speed(const internal::TransverselyIsotropicLine& line,
                          fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
                                      critical.speed, critical.psi * 180 / std::numbers::pi));
   }
+  return critical.speed;
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void check_speed(const internal::TransverselyIsotropicLine& line,
 struct TransverselyIsotropicHalfSpace::Implementation {
   internal::TransverselyIsotropicLine line;
   internal::Motion motion;
-  double speed;
+  double speed, critical;
 
   [[nodiscard]] internal::LineAnswers at(Direction psi) const {
     check_direction("psi", psi);
@@ -66,10 +68,11 @@ struct TransverselyIsotropicHalfSpace::Implementation {
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid,
                                                                data::SymmetryAxis axis, Direction motion,
-                                                               double speed, SpeedUnit unit)
-    : implementation_(std::make_unique<const Implementation>(
-          Implementation{checked_line(solid, axis), {motion, speed * Two{unit.high, unit.low}}, speed})) {
-  check_speed(implementation_->line, solid, axis, motion, speed, unit);
+                                                               double speed, SpeedUnit unit) {
+  const internal::TransverselyIsotropicLine line = checked_line(solid, axis);
+  const double critical = critical_above(speed, line, solid, axis, motion, unit);
+  implementation_ = std::make_unique<const Implementation>(
+      Implementation{line, {motion, speed * Two{unit.high, unit.low}}, speed, critical});
 }
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =
@@ -85,12 +88,14 @@ LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
 
 double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
   static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
-  const auto& [line, motion, speed] = *implementation_;
+  const auto& [line, motion, speed, critical] = *implementation_;
   const double condition = line.condition(psi, motion);
   if (!std::isfinite(condition))
     throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");
   return condition;
 }
+
+double TransverselyIsotropicHalfSpace::critical_speed() const { return implementation_->critical; }
 
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion) {

@@ -23,6 +23,11 @@ struct SpeedUnit {
   double high = 1, low = 0;
 };
 
+struct CriticalSpeed {
+  double speed;
+  double psi;  ///< the line that is critical first, radians, -pi/2 < psi <= pi/2
+};
+
 class TransverselyIsotropicHalfSpace {
  public:
   /// Takes some milliseconds, as it computes the critical speed.
@@ -41,14 +46,12 @@ class TransverselyIsotropicHalfSpace {
   /// towards the critical speed; its error is at most 3e-13 max(1, itself) up to 1 - 1e-8 of that speed.
   [[nodiscard]] double condition(Direction psi) const;
 
+  /// In the unit of the speed, see below.
+  [[nodiscard]] double critical_speed() const;
+
  private:
   struct Implementation;
   std::unique_ptr<const Implementation> implementation_;
-};
-
-struct CriticalSpeed {
-  double speed;
-  double psi;  ///< the line that is critical first, radians, -pi/2 < psi <= pi/2
 };
 
 /// The smallest speed at which some line is critical: the minimum over the lines of the speed of the Rayleigh wave

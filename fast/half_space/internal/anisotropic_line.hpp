@@ -1,8 +1,8 @@
 #pragma once
-#include <array>
 #include <optional>
 
 #include <nipref/data/material/stiffness.hpp>
+#include <nipref/fast/half_space/internal/impedance.hpp>
 #include <nipref/fast/half_space/internal/line_limits.hpp>
 
 namespace nipref::fast::internal {
@@ -16,12 +16,8 @@ struct AnisotropicAnswers {
   double in_line, across;
 };
 
-/// Responses by Stroh's formalism, in two words throughout. Stroh's matrix N has the eigenvalues p. The matrix with the
-/// same eigenvectors and the eigenvalue i where Im p > 0, -i otherwise, is the matrix sign function over i; Newton's
-/// iteration X -> (X - 1/X)/2 computes it for degenerate solids, too. Beyond the limiting speed some p are real and the
-/// iteration does not converge. The blocks S, H of this matrix are Barnett and Lothe's tensors, and the impedance is
-/// M = H^-1 (1 + i S). A line is subcritical, below its limiting speed and below that of Rayleigh waves, exactly if M
-/// is positive definite.
+/// Responses by Stroh's formalism, in two words throughout (impedance.hpp). A line is subcritical, below its limiting speed
+/// and below that of Rayleigh waves, exactly if its impedance is positive definite.
 class AnisotropicLine final : public LineLimits {
  public:
   explicit AnisotropicLine(const data::Stiffness& solid);
@@ -31,14 +27,9 @@ class AnisotropicLine final : public LineLimits {
   [[nodiscard]] double limit(Direction psi) const override;
   [[nodiscard]] Two limit_in_two_words(Direction psi) const override;
 
-  using Block = std::array<std::array<Two, 3>, 3>;
-
  private:
-  /// Stroh's blocks Q (at rest) and R for the unit vector along psi.
-  struct Blocks {
-    Block q, r;
-  };
-  [[nodiscard]] Blocks blocks(Direction psi) const;
+  using Block = Square<Two, 3>;
+  [[nodiscard]] StrohBlocks blocks(Direction psi) const;
   /// A lower bound of the limit whose relative error is at most `share`.
   [[nodiscard]] Two limit_within(Direction psi, double share) const;
 
