@@ -219,7 +219,8 @@ std::string gnuplot_script(const Json& drawing) {
   if (!figure.contains("panels")) figure = {{"panels", TemplateData::array({figure})}};
   TemplateData& panels = figure["panels"];
   for (TemplateData& panel : panels) prepare(panel);
-  const std::size_t columns = panels.size() == 4 ? 2 : 1, rows = panels.size() / columns;
+  // A key beside a panel leaves no room for a second column; contours have none.
+  const std::size_t columns = panels[0]["contours"].is_null() ? 1 : 2, rows = panels.size() / columns;
   figure.update(
       {{"notes", parts_of(figure.value("parameters", ""))},
        {"long_key", panels[0]["series"].size() > 4},

@@ -148,8 +148,9 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
 }
 
 TEST_CASE("the bench's JSON has the agreed shape") {
-  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13, 0.25, 0.375}},
-                                   {{"what", 2, 3}}};
+  const verify::BenchReport report{
+      {{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13, 0.25, 0.375}},
+      {{"what", 2, 3}}};
   const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).for_machines().text());
   REQUIRE(json["rows"].size() == 1);
   const auto expected = nlohmann::ordered_json::parse(

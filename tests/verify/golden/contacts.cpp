@@ -28,7 +28,8 @@ ContactsFile unit_contact() {
 
 }  // namespace
 
-TEST_CASE("golden contacts: at least 200 of each kind, rolling sheets of all materials together, each confirmed, none twice") {
+TEST_CASE(
+    "golden contacts: at least 200 of each kind, rolling sheets of all materials together, each confirmed, none twice") {
   std::map<std::string, std::size_t> rows;
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);

@@ -256,7 +256,8 @@ TEST_CASE("a shared object of a newer header is understood, others are refused i
     CHECK_THROWS_WITH_AS((void)verify::kernels_of(plugin), doctest::Contains(says), data::BadInput);
   };
   refused({plugin_file("other_abi")}, "ABI number 2: must be 1");
-  refused({plugin_file("no_list")}, "has no symbol nipref_kernels");
+  refused({plugin_file("no_list")},
+          "has no symbol nipref_kernels, as nipref/kernel.h describes it: name a function by --symbol");
   refused({plugin_file("empty_list")}, "lists no kernels");
   refused({plugin_file("crashes")}, "must be loaded without harm: crash, SIGABRT");
   refused({plugin_file("there_is_none")}, "cannot open shared object file");

@@ -36,9 +36,9 @@ constexpr auto evaluators(std::index_sequence<i...>) {
 /// Of 1, 2, ... arguments.
 constexpr auto bare_evaluators = evaluators(std::make_index_sequence<protocol::most_arguments>());
 
-void* symbol_of(void* handle, const char* name) {
+void* symbol_of(void* handle, const char* name, const char* hint = "") {
   if (void* const found = dlsym(handle, name)) return found;
-  throw std::runtime_error(std::string("has no symbol ") + name);
+  throw std::runtime_error(std::string("has no symbol ") + name + hint);
 }
 
 std::string text_of(const char* text) { return text == nullptr ? "" : text; }
@@ -82,7 +82,8 @@ std::vector<Kernel> load_kernels(const std::string& file, const std::string& sym
     kernels.push_back(bare);
     return kernels;
   }
-  const auto list = reinterpret_cast<decltype(&nipref_kernels)>(symbol_of(handle, "nipref_kernels"));
+  const auto list = reinterpret_cast<decltype(&nipref_kernels)>(symbol_of(
+      handle, "nipref_kernels", ", as nipref/kernel.h describes it: name a function by --symbol, or add it"));
   const nipref_kernel* const* const all = list();
   for (std::size_t i = 0; all != nullptr && all[i] != nullptr; ++i) kernels.push_back(checked(*all[i]));
   if (kernels.empty()) throw std::runtime_error("lists no kernels");
