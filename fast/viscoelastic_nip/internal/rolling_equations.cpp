@@ -16,18 +16,19 @@ namespace {
 using Complex = std::complex<double>;
 
 /// int_0^x e^(-rate t) t^power dt over x^(power + 1), power = 0, 1, 2, as functions of z = rate x.
-std::array<Complex, 3> faded_powers(Complex z) {
-  std::array<Complex, 3> sums{};
+template <class Number>
+std::array<Number, 3> faded_powers(Number z) {
+  std::array<Number, 3> sums{};
   if (std::abs(z) < 2) {
     constexpr double negligible = 0x1p-60;
-    Complex term = 1;
+    Number term = 1;
     for (double n = 1; std::norm(term) > negligible * negligible; ++n) {
       for (int power = 0; power < 3; ++power) sums[static_cast<std::size_t>(power)] += term / (n + power);
       term *= -z / n;
     }
     return sums;
   }
-  const Complex end = std::exp(-z);
+  const Number end = std::exp(-z);
   sums[0] = (1.0 - end) / z;
   sums[1] = (sums[0] - end) / z;
   sums[2] = (2.0 * sums[1] - end) / z;
@@ -87,17 +88,23 @@ RollingEquations::Response RollingEquations::lasting_response(const std::vector<
 RollingEquations::Response RollingEquations::fading_response(const std::vector<Mode>& modes,
                                                              double half_length, double x) const {
   Response result;
-  for (const Mode& mode : modes) {
-    if (mode.layer >= 0) continue;
-    const auto& [amplitude, rate] = mode.memory;
-    const Complex z = rate * x;
+  const auto add = [&](const Mode& mode, auto amplitude, auto rate) {
+    const auto z = rate * x;
     const double columns = mode.columns;
-    const std::array<Complex, 3> faded = faded_powers(z);
+    const auto faded = faded_powers(z);
     result.stiffness.add(
         columns *
-        (has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z) : amplitude * x * faded[0]).real());
-    result.first.add(columns * (amplitude * x * x * faded[1]).real());
-    result.second.add(columns * (amplitude * x * x * x * faded[2]).real());
+        std::real(has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z) : amplitude * x * faded[0]));
+    result.first.add(columns * std::real(amplitude * x * x * faded[1]));
+    result.second.add(columns * std::real(amplitude * x * x * x * faded[2]));
+  };
+  for (const Mode& mode : modes) {
+    const auto& [amplitude, rate] = mode.memory;
+    if (mode.layer >= 0) continue;
+    if (rate.imag() == 0)
+      add(mode, amplitude.real(), rate.real());
+    else
+      add(mode, amplitude, rate);
   }
   return result;
 }
