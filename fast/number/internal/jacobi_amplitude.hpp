@@ -42,8 +42,8 @@ class JacobiAmplitude {
     double sc = std::sinh(argument);
     for (std::size_t level = levels_; level-- > 0;)
       sc = (1 + moduli_[level]) * sc / (1 - moduli_[level] * sc * sc);
-    const double secant = std::hypot(1, sc);
-    return {sc / secant, 1 / secant, std::hypot(1, complement_ * sc) / secant};
+    const double secant = std::sqrt(1 + sc * sc), scaled = complement_ * sc;
+    return {sc / secant, 1 / secant, std::sqrt(1 + scaled * scaled) / secant};
   }
 
  private:
