@@ -1,20 +1,20 @@
 #pragma once
 #include <optional>
-#include <vector>
+#include <span>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/fast/nip/work.hpp>
+#include <nipref/data/problem/friction.hpp>
+#include <nipref/fast/nip/line_loads.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
-// The elastic nip with its tractions gathered in line loads: the contact is cut into 2m equal elements, each
-// element's forces act at its centre, and the sheet is held to the cylinder at the ends of the contact and
-// midway between the loads. (thesis 5.1-5.16) One symmetric half is solved, from 2m values of each kernel.
+// The elastic nip by 2m line loads. (thesis 5.1-5.16) One symmetric half is solved, from 2m values of each kernel: I1
+// alone without friction (the thesis's Case B), I1, I3 and I6 with full friction, v = creep Y at the matching points
+// (Case A). Results that are asked for later take 2m values for each place.
 //
 // This is what the thesis computed, not the converged contact (converged.hpp): without friction the
 // scheme's own error falls like ln(m)/m only (contact length at a given load); with friction it does not
-// converge at all at a given creep.
-//
-// Y is the distance along the sheet from the middle of the nip.
+// converge at all at a given creep: the loads zigzag more and more as m grows, and their sum goes nowhere; the creep that
+// the thesis's conditions leave tends to that of the continuous contact like 1/m.
 
 namespace nipref::fast {
 
@@ -34,26 +34,6 @@ struct LineLoadMethod {
   void check() const;
 };
 
-struct LineLoadSolution {
-  double contact_length;           ///< L, unit of length
-  double indentation;              ///< d0, approach of cylinder and centre line, unit of length
-  double edge_displacement;        ///< d1 = d0 - L^2/(8R), normal displacement at the ends, unit of length
-  double load;                     ///< W, force per unit width: the sum of the normal line loads
-  double peak_pressure;            ///< largest normal line load over the element width, unit of stress
-  std::vector<double> line_loads;  ///< normal, one side, from the centre outwards; the other side mirrors it
-  double peak_shear = 0;           ///< the same of the shear loads' sizes
-  /// Along Y on the sheet, the side Y > 0, from the centre outwards; opposite on the other side. Empty
-  /// without friction.
-  std::vector<double> shear_loads = {};
-  /// With full friction: the creep ratio it was solved for, dimensionless.
-  std::optional<double> gripped_creep = {};
-
-  /// Width 2a of an element, unit of length.
-  [[nodiscard]] double element_width() const {
-    return contact_length / (2 * static_cast<double>(line_loads.size()));
-  }
-};
-
 /// How the contact length is sought that carries a load.
 struct LoadSearch {
   enum class Iteration {
@@ -66,24 +46,42 @@ struct LoadSearch {
   double tolerance = 0x1p-46;
 };
 
-// In what follows, what a call evaluates and solves is added to `work` if that is given.
-
-/// Without friction (the thesis's Case B): the solution whose contact has the given length, finite, > 0 and
-/// such that half an element spans at most 300 half-thicknesses, beyond which the kernels underflow; BadInput
-/// otherwise. Evaluates I1 only. With half an element wider than about 1.2 half-thicknesses the loads are
-/// nonsense: the kernel has changed its sign between one load and the next.
-LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                       double contact_length, Work* work = nullptr);
+/// The line loads whose contact has the given length, finite, > 0 and such that half an element spans at most 300
+/// half-thicknesses, beyond which the kernels underflow; BadInput otherwise, and where no creep meets the thesis's
+/// conditions. With half an element wider than about 1.2 half-thicknesses the loads without friction are nonsense:
+/// the kernel has changed its sign between one load and the next. With full friction the matrix is singular at single
+/// lengths, such as L/B = 0.3 for m = 2, 0.1 for m = 20, or half an element of 0.8 half-thicknesses, and next to them
+/// the loads are nonsense: condition_number tells. The loads being affine in the creep, the limits of its ranges are
+/// roots of linear and quadratic functions, found from the one factorisation. (thesis 5.5-5.11)
+LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                  double contact_length, const data::Grip& grip = {});
 
 /// The same for a given load per unit width, > 0 and finite; BadInput otherwise, or if the contact length
-/// would be out of its domain.
-LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                     const LoadSearch& search = {}, Work* work = nullptr);
+/// would be out of its domain. With full friction it is sought from the length without friction; BadInput if the
+/// search leads to loads that are not positive (at a given creep the load need not rise with the length), or to a length
+/// without a creep that the thesis would choose.
+LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
+                                const data::Grip& grip = {}, const LoadSearch& search = {});
 
-/// Creep ratio, dimensionless. Without friction (2/L) v(L/2), v the tangential displacement of the surface
-/// relative to the middle of the nip, at the cost of 2m values of I3 (thesis 5.16); with friction the one
-/// that was solved for.
-double creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                   const LineLoadMethod& method, Work* work = nullptr);
+/// The thesis's own creep, of the least size among the ranges, and the range that it is in, of which it is an end
+/// unless it is 0. (thesis 5.5, Figure 15)
+struct ThesisCreep {
+  CreepRange range;
+  double chosen;
+};
+
+/// Nothing if there is no range.
+std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges);
+
+/// Condition number of the matching matrix in the 1-norm, estimated from its factors: infinite if it is
+/// singular. The matrix is that of line_loads_system.hpp, d0 and the loads times N/pi being lengths.
+/// Domains as for line_loads_for_length.
+double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
+                        data::Friction friction);
+
+/// How much a row of loads zigzags: the sum of the sizes of its second differences over the sum of its sizes.
+/// About (h/l)^2 for a smooth function of length scale l in steps h, up to 4 if every load pulls against the
+/// next; 0 if there are fewer than three, or all are 0.
+double oscillation(std::span<const double> loads);
 
 }  // namespace nipref::fast

@@ -17,23 +17,33 @@ using data::BadInput;
 
 constexpr int most_elements = 500;
 
+/// What does not depend on the length.
+struct RollingLoads {
+  const data::ViscoelasticNip& nip;
+  int leading, trailing;
+  double approach;
+  std::shared_ptr<const ViscoelasticSheet> sheet;
+  std::shared_ptr<Work> work = std::make_shared<Work>();
+
+  RollingLoads(const data::ViscoelasticNip& rolling, const ViscoelasticLineLoadMethod& method)
+      : nip(rolling),
+        leading(method.leading_elements),
+        trailing(method.trailing_elements.value_or(leading)),
+        approach(method.approach),
+        sheet(
+            std::make_shared<const ViscoelasticSheet>(rolling, method.residue_terms, method.smallest_term)) {}
+  [[nodiscard]] int loads() const { return leading + trailing; }
+};
+
 /// (7.11), in half-thicknesses.
 struct Grid {
   double element;  ///< beta: half the width of an element
   double approach;
-  int leading;
   int loads;
 
   [[nodiscard]] double t(int i) const { return 2 * i * element + approach; }        ///< i = 0 .. loads
   [[nodiscard]] double T(int j) const { return (2 * j + 1) * element + approach; }  ///< j = 0 .. loads - 1
-  /// Of a load from the line through the centres, towards the leading side.
-  [[nodiscard]] double position(int j) const { return (2 * leading - 1 - 2 * j) * element; }
 };
-
-Grid grid(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method, double leading_length) {
-  return {leading_length / (2 * method.leading_elements * nip.half_thickness()), method.approach,
-          method.leading_elements, method.leading_elements + method.trailing_elements};
-}
 
 /// u at matching point i by load j depends on j - i and on T_j, so that the sums are few.
 Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) {
@@ -58,57 +68,82 @@ Eigen::MatrixXd influence(const ViscoelasticSheet& sheet, const Grid& grid) {
   });
 }
 
-ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const ViscoelasticSheet& sheet,
-                            const ViscoelasticLineLoadMethod& method, double leading_length) {
-  const Grid cells = grid(nip, method, leading_length);
-  const double half_thickness = nip.half_thickness();
+/// The surface under loads that started when their leading end was `approach` ahead.
+class RollingSurface final : public LineLoadSheet {
+ public:
+  RollingSurface(const RollingLoads& problem, double leading_length)
+      : half_thickness_(problem.nip.half_thickness()),
+        approach_(problem.approach),
+        leading_length_(leading_length),
+        sheet_(problem.sheet) {}
+
+  [[nodiscard]] double normal_displacement(std::span<const FaceLoad> loads, double y,
+                                           Work& /*work*/) const override {
+    return sum(loads, y, [&](double t, double T, double) { return sheet_->normal_displacement(t, T); });
+  }
+  /// Against the point of the middle plane on the line through the centres.
+  [[nodiscard]] double tangential_displacement(std::span<const FaceLoad> loads, double y,
+                                               Work& /*work*/) const override {
+    return sum(loads, y,
+               [&](double t, double T, double t0) { return sheet_->tangential_displacement(t, T, t0); });
+  }
+
+ private:
+  /// The sum of each load's displacement(t, T, t0) for the point that is at Y at the time t, with lengths in
+  /// half-thicknesses and times in half-thickness/speed.
+  [[nodiscard]] double sum(std::span<const FaceLoad> loads, double y, const auto& displacement) const {
+    const double t = approach_ + (leading_length_ - y) / half_thickness_;
+    if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
+    double sum = 0;
+    for (const FaceLoad& load : loads) {
+      // What the load is ahead of the centres, the pinned point has been passed by.
+      const double T = t + (y - load.y) / half_thickness_, t0 = t - load.y / half_thickness_;
+      sum += load.normal * displacement(t, T, t0);
+    }
+    return sum;
+  }
+
+  double half_thickness_, approach_, leading_length_;
+  std::shared_ptr<const ViscoelasticSheet> sheet_;
+};
+
+LineLoadNip solve(const RollingLoads& problem, double leading_length) {
+  const double half_thickness = problem.nip.half_thickness();
+  const Grid cells{leading_length / (2 * problem.leading * half_thickness), problem.approach,
+                   problem.loads()};
   Eigen::MatrixXd matrix(cells.loads + 1, cells.loads + 1);
   matrix.col(0).setOnes();
   // Loads in units that give displacements over b.
-  const double compliance = sheet.compliance();
-  matrix.rightCols(cells.loads) = -influence(sheet, cells) / compliance;
+  const double compliance = problem.sheet->compliance();
+  matrix.rightCols(cells.loads) = -influence(*problem.sheet, cells) / compliance;
   Eigen::VectorXd gap(cells.loads + 1);
   for (int i = 0; i <= cells.loads; ++i) {
-    const double y = 2 * (method.leading_elements - i) * cells.element;
-    gap(i) = y * y * half_thickness / (2 * nip.roller_radius);
+    const double y = 2 * (problem.leading - i) * cells.element;
+    gap(i) = y * y * half_thickness / (2 * problem.nip.roller_radius);
   }
   const Eigen::VectorXd solved = linear_solution(matrix, gap);
-
-  ViscoelasticLineLoads result{};
-  result.systems = 1;
-  result.leading_length = leading_length;
-  result.trailing_length = 2 * method.trailing_elements * cells.element * half_thickness;
-  result.indentation = solved(0) * half_thickness;
-  const auto parabola = [&](double y) { return y * y / (2 * nip.roller_radius); };
-  result.leading_displacement = result.indentation - parabola(result.leading_length);
-  result.trailing_displacement = result.indentation - parabola(result.trailing_length);
-  double moment = 0;
-  for (int j = 0; j < cells.loads; ++j) {
-    const double load = solved(j + 1) * half_thickness / compliance;
-    result.loads.push_back(load);
-    result.load += load;
-    moment += load * cells.position(j) * half_thickness;
-  }
-  result.peak_pressure = std::ranges::max(result.loads) / (2 * cells.element * half_thickness);
-  result.rolling_resistance = moment / (result.load * nip.roller_radius);
-  return result;
+  ++problem.work->systems;
+  problem.work->unknowns = cells.loads + 1;
+  const double width = leading_length / problem.leading;
+  std::vector<FaceLoad> loads;
+  for (int j = 0; j < cells.loads; ++j)
+    loads.push_back({(problem.leading - j - 0.5) * width, solved(j + 1) * half_thickness / compliance, 0});
+  return {.roller_radius = problem.nip.roller_radius,
+          .leading_elements = problem.leading,
+          .leading_length = leading_length,
+          .indentation = solved(0) * half_thickness,
+          .loads = std::move(loads),
+          .is_symmetric = false,
+          .sheet = std::make_shared<const RollingSurface>(problem, leading_length),
+          .spent = problem.work};
 }
 
-ViscoelasticLineLoads solve_for_load(const data::ViscoelasticNip& nip, const ViscoelasticSheet& sheet,
-                                     const ViscoelasticLineLoadMethod& method, double load) {
-  const double half_space = std::sqrt(load * nip.roller_radius * sheet.compliance());
-  LengthSearch lengths(load, half_space, {.tolerance = 1e-10, .longest = nip.roller_radius});
-  int systems = 0;
-  ViscoelasticLineLoads result = solution_at_end(lengths, [&](double length) {
-    ++systems;
-    return solve(nip, sheet, method, length);
-  });
-  if (!lengths.met()) {
-    throw BadInput("load", load,
-                   "must be one that line loads on a length below the roller's radius can carry");
-  }
-  result.systems = systems;
-  return result;
+LineLoadNip solve_for_load(const RollingLoads& problem, double load) {
+  const double half_space = std::sqrt(load * problem.nip.roller_radius * problem.sheet->compliance());
+  LengthSearch lengths(load, half_space, {.tolerance = 1e-10, .longest = problem.nip.roller_radius});
+  LineLoadNip result = solution_at_end(lengths, [&](double length) { return solve(problem, length); });
+  if (lengths.met()) return result;
+  throw BadInput("load", load, "must be one that line loads on a length below the roller's radius can carry");
 }
 
 void check_elements(const char* name, int elements, int least) {
@@ -122,7 +157,7 @@ void check_elements(const char* name, int elements, int least) {
 
 void ViscoelasticLineLoadMethod::check() const {
   check_elements("leading_elements", leading_elements, 1);
-  check_elements("trailing_elements", trailing_elements, 0);
+  check_elements("trailing_elements", trailing_elements.value_or(0), 0);
   if (!(std::isfinite(approach) && approach > 0))
     throw BadInput("approach_lengths", approach, "must be finite and > 0");
   if (!(residue_terms >= 0 && residue_terms <= most_residue_terms)) {
@@ -132,59 +167,26 @@ void ViscoelasticLineLoadMethod::check() const {
     throw BadInput("smallest_term", smallest_term, "must be from 0 to 1");
 }
 
-bool ViscoelasticLineLoads::presses_everywhere() const {
-  return std::ranges::all_of(loads, [](double force) { return force >= 0; });
-}
-
-ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::ViscoelasticNip& nip,
-                                                         const ViscoelasticLineLoadMethod& method,
-                                                         double leading_length) {
+LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+                                  double leading_length) {
   nip.check();
   method.check();
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
     throw BadInput("leading_length", leading_length, "must be > 0 and at most the roller's radius");
-  return solve(nip, ViscoelasticSheet(nip, method.residue_terms, method.smallest_term), method,
-               leading_length);
+  return solve(RollingLoads(nip, method), leading_length);
 }
 
-ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
-                                                       const ViscoelasticLineLoadMethod& method,
-                                                       double load) {
+LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+                                double load) {
   nip.check();
   method.check();
   check_contact_load(load);
-  return solve_for_load(nip, ViscoelasticSheet(nip, method.residue_terms, method.smallest_term), method,
-                        load);
-}
-
-ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::ViscoelasticNip& nip,
-                                                        ViscoelasticLineLoadMethod method, double load) {
-  nip.check();
-  check_contact_load(load);
-  method.trailing_elements = method.leading_elements;
-  method.check();
-  const ViscoelasticSheet sheet(nip, method.residue_terms, method.smallest_term);
-  for (int systems = 0;; --method.trailing_elements) {
-    ViscoelasticLineLoads result = solve_for_load(nip, sheet, method, load);
-    result.systems = systems += result.systems;
-    if (result.presses_everywhere() || method.trailing_elements == 0) return result;
+  RollingLoads problem(nip, method);
+  while (true) {
+    LineLoadNip result = solve_for_load(problem, load);
+    if (method.trailing_elements || problem.trailing == 0 || result.presses_everywhere()) return result;
+    --problem.trailing;
   }
-}
-
-double creep_ratio(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
-                   const ViscoelasticLineLoadMethod& method) {
-  method.check();
-  const ViscoelasticSheet sheet(nip, method.residue_terms, method.smallest_term);
-  const Grid cells = grid(nip, method, loads.leading_length);
-  const auto tangential = [&](int i) {
-    double sum = 0;
-    // The pinned point is where the rollers' centres are when the matching point is at i.
-    for (int j = 0; j < cells.loads; ++j)
-      sum += loads.loads[static_cast<std::size_t>(j)] *
-             sheet.tangential_displacement(cells.t(i), cells.T(j), cells.t(i) - cells.position(j));
-    return sum;
-  };
-  return (tangential(0) - tangential(cells.loads)) / loads.contact_length();
 }
 
 }  // namespace nipref::fast

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/elastic_nip/internal/thesis_creep.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/nip/internal/solved_line_loads.hpp>
+#include <nipref/ref/nip/internal/thesis_creep.hpp>
 #include <nipref/ref/number/internal/enclosed_system.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/kernel_over.hpp>
@@ -17,10 +18,8 @@ namespace {
 
 using data::BadInput;
 
-/// Beyond those asked for: a system that needs more counts as singular.
-constexpr int most_extra_digits = 400;
-/// For what is computed from the unknowns.
-constexpr int spare_digits = 4;
+/// A system that needs more counts as singular.
+constexpr ExtraDigits extra_digits{12, 400};
 
 /// Values of a kernel at the odd multiples 1, 3 .. 4m - 1 of a/b, and a bound on the error of each.
 struct KernelValues {
@@ -41,30 +40,27 @@ struct Problem {
   [[nodiscard]] int elements() const { return method.elements_per_side; }
 };
 
-/// All lengths within `spread` of a length, relative.
-struct Lengths {
-  Float length;
-  Float spread = 0;
+Interval interval_over(const Lengths& lengths) {
+  return interval_of(lengths.length).widened(interval_of(abs(lengths.length) * lengths.spread));
+}
 
-  [[nodiscard]] Interval interval() const {
-    return interval_of(length).widened(interval_of(abs(length) * spread));
-  }
-};
+/// N = theta1 + theta2.
+Interval compliance_of(const data::ElasticNip& nip) {
+  const mpfr_prec_t precision = working_bits();
+  const Interval poisson(nip.material.poisson, precision);
+  return 2 * (1 - poisson) * (poisson + 1L) / Interval(nip.material.young, precision);
+}
 
-/// What all of these lengths have: unknowns, d0, the normal loads times N/pi and the shear loads times N/pi.
-struct Contact {
-  Interval length;
-  std::vector<Interval> unknowns;
-  std::optional<Interval> creep;
-  Float error;      ///< largest of an unknown
-  Float largest;    ///< unknown
-  Float condition;  ///< of the matrix
-};
+/// theta2/N I2 of a positive distance.
+Interval theta2_part(const data::ElasticNip& nip) {
+  const Interval poisson(nip.material.poisson, working_bits());
+  return (1 - 2 * poisson) / (4 * (1 - poisson)) * Interval::pi(working_bits());
+}
 
 /// Half an element over half a sheet, of all lengths.
 Interval spacing(const Problem& problem, const Lengths& lengths) {
   const mpfr_prec_t precision = working_bits();
-  return lengths.interval() / (4L * problem.elements()) /
+  return interval_over(lengths) / (4L * problem.elements()) /
          (Interval(problem.nip.sheet_thickness, precision) / 2L);
 }
 
@@ -106,8 +102,8 @@ NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths,
   const KernelValues normal = evaluate(problem, lengths, SheetKernel::I1, digits);
   const KernelValues tangential = evaluate(problem, lengths, SheetKernel::I6, digits);
   KernelValues coupling = evaluate(problem, lengths, SheetKernel::I3, digits);
-  const Float poisson = problem.nip.material.poisson;
-  for (Float& value : coupling.values) value -= (1 - 2 * poisson) / (2 * (1 - poisson)) * pi() / 2;
+  const Float part = middle_of(theta2_part(problem.nip));
+  for (Float& value : coupling.values) value -= part;
   const auto coupling_at = [&](int multiple) {
     return multiple > 0 ? coupling.at(multiple) : Float(-coupling.at(-multiple));
   };
@@ -131,98 +127,109 @@ NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths,
   return system;
 }
 
-Contact contact_of(const Lengths& lengths, EnclosedSolutions solved) {
-  return {lengths.interval(), std::move(solved.unknowns.front()), {}, solved.error, solved.largest,
-          solved.condition};
+/// Sums of kernels over the loads: N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter
+/// of a shear load.
+class LoadedSheet final : public LineLoadSheet {
+ public:
+  LoadedSheet(const data::ElasticNip& nip, int residue_terms, int digits)
+      : nip_(nip), residue_terms_(residue_terms), digits_(digits) {}
+
+  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads,
+                                             const LineLoadPlace& place) const override {
+    Interval sum(working_bits());
+    for (std::size_t j = 0; j < loads.normal.size(); ++j) {
+      const Interval alpha = distance(loads, j, place);
+      sum = sum + loads.normal[j] * kernel(SheetKernel::I1, alpha);
+      if (!loads.shear.empty()) sum = sum - loads.shear[j] * coupling(alpha);
+    }
+    return scale() * sum;
+  }
+  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads,
+                                                 const LineLoadPlace& place) const override {
+    Interval sum(working_bits());
+    for (std::size_t j = 0; j < loads.normal.size(); ++j) {
+      const Interval alpha = distance(loads, j, place);
+      sum = sum + loads.normal[j] * coupling(alpha);
+      if (!loads.shear.empty()) sum = sum + loads.shear[j] * kernel(SheetKernel::I6, alpha);
+    }
+    return scale() * sum;
+  }
+
+ private:
+  [[nodiscard]] Interval scale() const { return compliance_of(nip_) / Interval::pi(working_bits()); }
+  /// In half-thicknesses.
+  [[nodiscard]] Interval distance(const SolvedLineLoads& loads, std::size_t load,
+                                  const LineLoadPlace& place) const {
+    return 2 * loads.distance(load, place) / Interval(nip_.sheet_thickness, working_bits());
+  }
+  [[nodiscard]] Interval kernel(SheetKernel which, const Interval& alpha) const {
+    return kernel_over(which, alpha, residue_terms_, digits_);
+  }
+  [[nodiscard]] Interval coupling(const Interval& alpha) const {
+    const Interval part = theta2_part(nip_);
+    return kernel(SheetKernel::I3, alpha) - (mpfr_sgn(alpha.upper()) < 0 ? -part : part);
+  }
+
+  data::ElasticNip nip_;
+  int residue_terms_, digits_;
+};
+
+/// The loads of both sides, from those of one times N/pi.
+std::vector<Interval> both_sides(const Interval& unit, std::span<const Interval> side, long sign) {
+  std::vector<Interval> loads;
+  for (std::size_t k = side.size(); k-- > 0;) loads.push_back(unit * side[k]);
+  for (const Interval& load : side) loads.push_back(sign * (unit * load));
+  return loads;
+}
+
+SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const EnclosedSolutions& solved,
+                           const std::vector<Interval>& unknowns, int digits) {
+  const auto m = static_cast<std::size_t>(problem.elements());
+  const Interval unit = Interval::pi(working_bits()) / compliance_of(problem.nip);
+  const std::span loads = std::span(unknowns).subspan(1);
+  return {.roller_radius = problem.nip.roller_radius,
+          .leading_elements = problem.elements(),
+          .is_symmetric = true,
+          .contact_length = interval_over(lengths),
+          .indentation = unknowns.front(),
+          .normal = both_sides(unit, loads.first(m), 1),
+          .shear = both_sides(unit, loads.subspan(m), -1),
+          .error = solved.error / solved.largest,
+          .condition = solved.condition,
+          .unknowns = static_cast<int>(unknowns.size()),
+          .sheet = std::make_shared<const LoadedSheet>(problem.nip, problem.method.residue_terms, digits)};
 }
 
 /// Nothing if the precision does not suffice to prove a bound, or which creep is the thesis's.
-std::optional<Contact> solve(const Problem& problem, const Lengths& lengths, int digits) {
+std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& lengths, int digits) {
   if (!problem.grips()) {
-    auto solved = enclosed_solutions(
+    const auto solved = enclosed_solutions(
         frictionless_system(problem, lengths, evaluate(problem, lengths, SheetKernel::I1, digits)));
-    return solved ? std::optional(contact_of(lengths, *std::move(solved))) : std::nullopt;
+    if (!solved) return std::nullopt;
+    return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
   }
   auto solved = enclosed_solutions(gripped_system(problem, lengths, digits));
   if (!solved) return std::nullopt;
-  const std::vector<Interval> at_zero = solved->unknowns.front(), per_creep = solved->unknowns.back();
-  const std::optional<Interval> creep =
-      problem.grip.kind == Grip::Creep::given
-          ? Interval(problem.grip.creep, working_bits())
-          : thesis_creep({at_zero.begin() + 1, at_zero.end()}, {per_creep.begin() + 1, per_creep.end()});
+  const std::vector<Interval>&at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
+  const std::vector<Interval> loads_at_zero(at_zero.begin() + 1, at_zero.end()),
+      loads_per_creep(per_creep.begin() + 1, per_creep.end());
+  const std::optional<Interval> creep = problem.grip.kind == Grip::Creep::given
+                                            ? Interval(problem.grip.creep, working_bits())
+                                            : thesis_creep(loads_at_zero, loads_per_creep);
   if (!creep) return std::nullopt;
-  Contact contact = contact_of(lengths, *std::move(solved));
-  contact.creep = creep;
-  contact.error = contact.largest = 0;
+  std::vector<Interval> unknowns;
+  solved->error = solved->largest = 0;
   for (std::size_t i = 0; i < at_zero.size(); ++i) {
-    contact.unknowns[i] = at_zero[i] + *creep * per_creep[i];
-    const Float middle = middle_of(contact.unknowns[i]);
-    contact.largest = std::max<Float>(contact.largest, abs(middle));
-    contact.error = std::max<Float>(contact.error, upper_end(distance_from(middle, contact.unknowns[i])));
+    unknowns.push_back(at_zero[i] + *creep * per_creep[i]);
+    const Float middle = middle_of(unknowns[i]);
+    solved->largest = std::max<Float>(solved->largest, abs(middle));
+    solved->error = std::max<Float>(solved->error, upper_end(distance_from(middle, unknowns[i])));
   }
+  SolvedLineLoads contact = contact_of(problem, lengths, *solved, unknowns, digits);
+  contact.gripped_creep = creep;
+  contact.at_zero = loads_at_zero;
+  contact.per_creep = loads_per_creep;
   return contact;
-}
-
-/// pi/N.
-Interval load_unit(const Problem& problem) {
-  const mpfr_prec_t precision = working_bits();
-  const Interval poisson(problem.nip.material.poisson, precision);
-  return Interval::pi(precision) * Interval(problem.nip.material.young, precision) /
-         (2 * (1 - poisson) * (poisson + 1L));
-}
-
-Interval load_of(const Problem& problem, const Contact& contact) {
-  Interval sum(working_bits());
-  for (int k = 1; k <= problem.elements(); ++k) sum = sum + contact.unknowns[static_cast<std::size_t>(k)];
-  return 2 * (load_unit(problem) * sum);
-}
-
-Interval larger_of(const Interval& a, const Interval& b) {
-  Interval result = a;
-  if (mpfr_greater_p(b.lower(), a.lower()) != 0) mpfr_set(&result.get()->left, b.lower(), MPFR_RNDD);
-  if (mpfr_greater_p(b.upper(), a.upper()) != 0) mpfr_set(&result.get()->right, b.upper(), MPFR_RNDU);
-  return result;
-}
-
-LineLoadSolution solution_of(const Problem& problem, const Contact& contact, int digits) {
-  const int m = problem.elements();
-  const mpfr_prec_t precision = working_bits();
-  const Interval unit = load_unit(problem), width = contact.length / (2L * m), &d0 = contact.unknowns.front();
-  const Interval edge_gap = square(contact.length) / (8 * Interval(problem.nip.roller_radius, precision));
-  const auto enclosed = [&](const Interval& interval) { return enclosure_of(interval, digits); };
-  std::vector<Enclosure> normal, shear;
-  std::optional<Interval> peak;
-  Interval peak_shear(precision);
-  for (std::size_t k = 1; k < contact.unknowns.size(); ++k) {
-    const Interval force = unit * contact.unknowns[k];
-    const bool is_normal = k <= static_cast<std::size_t>(m);
-    (is_normal ? normal : shear).push_back(enclosed(force));
-    if (is_normal) peak = peak ? larger_of(*peak, force) : force;
-    if (!is_normal) peak_shear = larger_of(peak_shear, larger_of(force, -force));
-  }
-  return {enclosed(contact.length),
-          enclosed(d0),
-          enclosed(d0 - edge_gap),
-          enclosed(load_of(problem, contact)),
-          enclosed(*peak / width),
-          enclosed(peak_shear / width),
-          normal,
-          shear,
-          contact.creep ? std::optional(enclosed(*contact.creep)) : std::nullopt,
-          static_cast<double>(contact.condition)};
-}
-
-/// Tries with more and more digits until the bounds are small enough; nothing if most_extra_digits do not prove
-/// that. contact_at(digits beyond).
-template <class ContactAt>
-std::optional<LineLoadSolution> solve_to(const Problem& problem, int digits, ContactAt contact_at) {
-  for (int extra = 15; extra <= most_extra_digits; extra += extra + 10) {
-    const WorkingDigits working(digits + extra);
-    const std::optional<Contact> contact = contact_at(extra);
-    if (contact && contact->error <= pow(Float(10), -(digits + spare_digits)) * contact->largest)
-      return solution_of(problem, *contact, digits);
-  }
-  return std::nullopt;
 }
 
 void check_digits_and_elements(const Problem& problem, int digits) {
@@ -248,58 +255,14 @@ void check(const Problem& problem, double contact_length, int digits) {
   }
 }
 
-/// Of the kernels, for a first length.
-constexpr int starting_digits = 16;
-
-/// By secants of ln W over ln L from `length` until W is within 10^-digits of the load; nothing where that does
-/// not lead there.
-std::optional<Float> length_for_load(const Problem& problem, Float length, double load, int digits,
-                                     int kernel_digits) {
-  constexpr int most_tries = 60;
-  constexpr double usual_exponent = 3, least_exponent = 1, longest_step = 2;
-  const Float longest = longest_length * Float(problem.nip.sheet_thickness);
-  const Float tolerance = pow(Float(10), -digits);
-  Float exponent = usual_exponent, last_log = 0, last_excess = 0;
-  for (int step = 0; step < most_tries; ++step) {
-    const std::optional<Contact> tried = solve(problem, {length}, kernel_digits);
-    if (!tried) return std::nullopt;
-    const Float found = middle_of(load_of(problem, *tried));
-    if (!(found > Float(0))) return std::nullopt;
-    const Float excess = log(found / Float(load)), log_length = log(length);
-    if (abs(excess) <= tolerance) return length;
-    if (step > 0 && log_length != last_log) {
-      exponent = std::max<Float>((excess - last_excess) / (log_length - last_log), least_exponent);
-    }
-    last_log = log_length;
-    last_excess = excess;
-    const Float change = std::clamp<Float>(-excess / exponent, -longest_step, longest_step);
-    length = std::min<Float>(exp(log_length + change), longest);
-  }
-  return std::nullopt;
-}
-
-/// Whether W - load has different signs at the two ends of the lengths.
-bool encloses_load(const Problem& problem, const Lengths& lengths, double load, int kernel_digits) {
-  const Interval wanted(load, working_bits());
-  const auto sign_at = [&](const Float& length) {
-    const std::optional<Contact> contact = solve(problem, {length}, kernel_digits);
-    if (!contact) return 0;
-    const Interval excess = load_of(problem, *contact) - wanted;
-    if (mpfr_sgn(excess.lower()) > 0) return 1;
-    return mpfr_sgn(excess.upper()) < 0 ? -1 : 0;
-  };
-  const Float change = lengths.length * lengths.spread * (1 - Float(1e-3));
-  return sign_at(lengths.length - change) * sign_at(lengths.length + change) < 0;
-}
-
 }  // namespace
 
-LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                       double contact_length, int digits, const Grip& grip) {
+LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                  double contact_length, int digits, const Grip& grip) {
   const Problem problem{nip, method, grip};
   check(problem, contact_length, digits);
-  auto solution = solve_to(problem, digits, [&](int extra) {
-    return solve(problem, {Float(contact_length)}, digits + extra - 3);
+  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) {
+    return solve(problem, {Float(contact_length)}, kernel_digits);
   });
   if (solution) return *std::move(solution);
   throw BadInput("contact_length", contact_length,
@@ -308,50 +271,28 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLo
                      : "must be one whose system is farther from singular than the reference can tell");
 }
 
-LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                     int digits, const Grip& grip) {
+LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
+                                int digits, const Grip& grip) {
+  constexpr int starting_digits = 16, starting_tolerance = 3;  // without friction
   const Problem problem{nip, method, grip}, frictionless{nip, method, {}};
   check_digits_and_elements(problem, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  std::optional<Float> start;
-  auto solution = solve_to(problem, digits, [&](int extra) -> std::optional<Contact> {
-    const int kernel_digits = digits + extra - 3;
-    if (!start) start = length_for_load(frictionless, Float(nip.sheet_thickness), load, 3, starting_digits);
-    if (!start) return std::nullopt;
-    // The load's own error is far below what it changes by over the spread.
-    const auto length = length_for_load(problem, *start, load, digits + extra / 2 + 3, kernel_digits);
-    if (!length) return std::nullopt;
-    start = length;
-    const Lengths lengths{*length, pow(Float(10), -(digits + extra / 2))};
-    if (!encloses_load(problem, lengths, load, kernel_digits)) return std::nullopt;
-    return solve(problem, lengths, kernel_digits);
+  LengthSearch search{load, longest_length * Float(nip.sheet_thickness), Float(nip.sheet_thickness)};
+  const auto by = [](const Problem& given, int kernel_digits) {
+    return [&given, kernel_digits](const Lengths& lengths) { return solve(given, lengths, kernel_digits); };
+  };
+  bool has_start = false;
+  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
+    if (!has_start) has_start = search.seek(starting_tolerance, by(frictionless, starting_digits));
+    if (!has_start) return std::nullopt;
+    return search.contact_carrying((digits + kernel_digits) / 2, by(problem, kernel_digits));
   });
   if (solution) return *std::move(solution);
   throw BadInput("load", load, "no contact length was found that carries it");
 }
 
-CreepRange creep_range(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                       const LineLoadMethod& method, int digits) {
-  const Problem problem{nip, method, {Grip::Creep::thesis}};
-  for (int extra = 15; extra <= most_extra_digits; extra += extra + 10) {
-    const WorkingDigits working(digits + extra);
-    const Interval length = interval_of(solution.contact_length);
-    const Float middle = middle_of(length), spread = upper_end(distance_from(middle, length)) / middle;
-    const auto solved = enclosed_solutions(gripped_system(problem, {middle, spread}, digits + extra - 3));
-    if (!solved) continue;
-    const auto &at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
-    const auto range =
-        thesis_creep_range({at_zero.begin() + 1, at_zero.end()}, {per_creep.begin() + 1, per_creep.end()});
-    if (!range) continue;
-    return {enclosure_of(range->lower, digits), enclosure_of(range->upper, digits),
-            enclosure_of(range->chosen, digits)};
-  }
-  throw BadInput("contact_length", solution.contact_length.to_double(),
-                 "must be one for which some creep meets the thesis's conditions, and the bounds tell which");
-}
-
-LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
-                                               double contact_length, int digits) {
+LineLoadNip line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
+                                          double contact_length, int digits) {
   const Problem problem{nip, static_cast<int>(kernel.size() / 2), {}};
   check(problem, contact_length, digits);
   if (kernel.size() % 2 != 0) {
@@ -360,12 +301,12 @@ LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std:
   for (const double value : kernel) {
     if (!std::isfinite(value)) throw BadInput("kernel", value, "must be finite");
   }
-  auto solution = solve_to(problem, digits, [&](int) -> std::optional<Contact> {
+  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
     const Lengths lengths{Float(contact_length)};
-    auto solved = enclosed_solutions(
+    const auto solved = enclosed_solutions(
         frictionless_system(problem, lengths, {std::vector<Float>(kernel.begin(), kernel.end()), 0}));
     if (!solved) return std::nullopt;
-    return contact_of(lengths, *std::move(solved));
+    return contact_of(problem, lengths, *solved, solved->unknowns.front(), kernel_digits);
   });
   if (!solution) {
     throw BadInput("kernel", kernel.front(),

@@ -2,28 +2,28 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/data/problem/friction.hpp>
+#include <nipref/fast/nip/line_loads.hpp>
 #include <nipref/fast/sheet/displacements.hpp>
 
 namespace line_load_tests {
 
-/// A line load anywhere in the nip, both sides, in the thesis's numbering.
-struct Load {
-  double position;
-  double normal;
-  double shear;
-};
+constexpr nipref::data::Grip thesis_grip{nipref::data::Grip::Creep::thesis};
+constexpr nipref::data::Grip grip_with(double creep) { return {nipref::data::Grip::Creep::given, creep}; }
 
-inline std::vector<Load> all_loads(const nipref::fast::LineLoadSolution& solution) {
-  const auto m = static_cast<int>(solution.line_loads.size());
-  std::vector<Load> loads;
-  for (int k = -m; k < m; ++k) {
-    const auto mirrored = static_cast<std::size_t>(k < 0 ? -k - 1 : k);
-    const double shear = solution.shear_loads.empty() ? 0 : solution.shear_loads[mirrored];
-    loads.push_back(
-        {(k + 0.5) * solution.element_width(), solution.line_loads[mirrored], k < 0 ? -shear : shear});
-  }
+/// The normal or the shear loads of one side, from the middle outwards.
+inline std::vector<double> side_of(const nipref::fast::LineLoadNip& solution,
+                                   double nipref::fast::FaceLoad::*kind) {
+  std::vector<double> loads;
+  for (auto k = static_cast<std::size_t>(solution.leading_elements); k > 0; --k)
+    loads.push_back(solution.loads[k - 1].*kind);
   return loads;
+}
+inline std::vector<double> normal_loads(const nipref::fast::LineLoadNip& solution) {
+  return side_of(solution, &nipref::fast::FaceLoad::normal);
+}
+inline std::vector<double> shear_loads(const nipref::fast::LineLoadNip& solution) {
+  return side_of(solution, &nipref::fast::FaceLoad::shear);
 }
 
 /// Displacements at Y by the sum over all loads, no symmetry used: the middle of the nip as pinned point.
@@ -33,13 +33,13 @@ struct Displacement {
 };
 
 inline Displacement displacement(const nipref::data::ElasticNip& nip,
-                                 const nipref::fast::LineLoadSolution& solution, double y) {
+                                 const nipref::fast::LineLoadNip& solution, double y) {
   namespace fast = nipref::fast;
   const double b = nip.half_thickness();
   Displacement sum{0, 0};
-  for (const Load& load : all_loads(solution)) {
-    const double alpha = (y - load.position) / b;
-    const double eta = -load.position / b;
+  for (const fast::FaceLoad& load : solution.loads) {
+    const double alpha = (y - load.y) / b;
+    const double eta = -load.y / b;
     sum.u += load.normal * fast::un(alpha, nip.material) + load.shear * fast::us(alpha, nip.material);
     sum.v +=
         load.normal * fast::vn(alpha, eta, nip.material) + load.shear * fast::vs(alpha, eta, nip.material);

@@ -15,11 +15,7 @@ namespace {
 constexpr double rolling_accuracy = 1e-6;
 
 RowValues continuous(const data::ViscoelasticNip& nip, double load) {
-  const fast::ConvergedNip contact = fast::converged_for_load(nip, load, rolling_accuracy);
-  return viscoelastic_row_values(
-      nip, {contact.load().value, contact.leading_length().value, contact.trailing_length().value,
-            contact.indentation().value, contact.peak_pressure().value, contact.creep_ratio().value,
-            contact.rolling_resistance().value});
+  return row_values(nip.sheet_thickness, fast::converged_for_load(nip, load, rolling_accuracy));
 }
 
 /// The results for one row besides its replay.
@@ -39,8 +35,7 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
   result.with_seed_material = continuous(printed, stated);
   const double load = replay.nips[row].values.at("W");
   const auto line_loads = [&] {
-    return viscoelastic_row_values(printed, method,
-                                   fast::viscoelastic_line_loads_for_load(printed, method, load));
+    return row_values(printed.sheet_thickness, fast::line_loads_for_load(printed, method, load));
   };
   method.smallest_term = 0;
   result.all_terms = line_loads();
@@ -88,12 +83,7 @@ void correct_viscoelastic(Replay& replay) {
 constexpr double elastic_accuracy = 1e-9;
 
 RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, double load) {
-  const fast::ConvergedNip contact = fast::converged_for_load(nip, friction, load, elastic_accuracy);
-  fast::LineLoadSolution numbers{contact.contact_length().value,    contact.indentation().value,
-                                 contact.leading_displacement().value, contact.load().value,
-                                 contact.peak_pressure().value,     {}};
-  if (friction == data::Friction::full) numbers.peak_shear = contact.peak_shear().value;
-  return row_values(nip, numbers, contact.creep_ratio().value);
+  return row_values(nip.sheet_thickness, fast::converged_for_load(nip, friction, load, elastic_accuracy));
 }
 
 void correct_elastic(Replay& replay) {

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <functional>
 
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
@@ -50,29 +50,47 @@ bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& repl
 
 namespace {
 
+double value_of(double number) { return number; }
+double value_of(const fast::Estimate& number) { return number.value; }
+
+template <class Contact>
+RowValues columns_of(double thickness, const Contact& contact) {
+  const auto value = [&](auto member) { return value_of(std::invoke(member, contact)); };
+  const double length = value(&Contact::contact_length), d0 = value(&Contact::indentation),
+               d1 = value(&Contact::leading_displacement), d2 = value(&Contact::trailing_displacement);
+  return {{"W", value(&Contact::load)},
+          {"L1", value(&Contact::leading_length)},
+          {"L2", value(&Contact::trailing_length)},
+          {"L", length},
+          {"d0", d0},
+          {"d1", d1},
+          {"d2", d2},
+          {"L/B", length / thickness},
+          {"d0/B", d0 / thickness},
+          {"d1/B", d1 / thickness},
+          {"d2/B", d2 / thickness},
+          {"d1/d0", d1 / d0},
+          {"d2/d0", d2 / d0},
+          {"p_max", value(&Contact::peak_pressure)},
+          {"q_max", value(&Contact::peak_shear)},
+          {"creep", value(&Contact::creep_ratio)},
+          {"muR", value(&Contact::rolling_resistance)}};
+}
+
 RowValues solved_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method, double length,
                      std::optional<double> creep) {
-  const fast::LineLoadSolution solution =
-      creep ? fast::gripped_line_loads_for_length(nip, method, length, *creep)
-            : fast::line_loads_for_length(nip, method, length);
-  return row_values(nip, solution, fast::creep_ratio(nip, solution, method));
+  using data::Grip;
+  const Grip grip = creep ? Grip{Grip::Creep::given, *creep} : Grip{};
+  return row_values(nip.sheet_thickness, fast::line_loads_for_length(nip, method, length, grip));
 }
 
 }  // namespace
 
-RowValues row_values(const data::ElasticNip& nip, const fast::LineLoadSolution& solution, double creep) {
-  const double thickness = nip.sheet_thickness;
-  return {{"W", solution.load},
-          {"L", solution.contact_length},
-          {"d0", solution.indentation},
-          {"d1", solution.edge_displacement},
-          {"creep", creep},
-          {"p_max", solution.peak_pressure},
-          {"q_max", solution.peak_shear},
-          {"L/B", solution.contact_length / thickness},
-          {"d0/B", solution.indentation / thickness},
-          {"d1/B", solution.edge_displacement / thickness},
-          {"d1/d0", solution.edge_displacement / solution.indentation}};
+RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact) {
+  return columns_of(sheet_thickness, contact);
+}
+RowValues row_values(double sheet_thickness, const fast::ConvergedNip& contact) {
+  return columns_of(sheet_thickness, contact);
 }
 
 data::Interval ReplayedRow::range(const std::string& column) const {

@@ -14,6 +14,7 @@
 #include <nipref/data/table/printed_number.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/nip/converged.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -39,8 +40,9 @@ struct ReplayedRow {
 ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
                        const RowInput& input);
 
-/// The columns of a solution.
-RowValues row_values(const data::ElasticNip& nip, const fast::LineLoadSolution& solution, double creep);
+/// The columns of the tables of nips, for line loads or a converged contact of an elastic or a viscoelastic nip.
+RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact);
+RowValues row_values(double sheet_thickness, const fast::ConvergedNip& contact);
 
 /// The verdict on a cell of a seed's table.
 enum class Verdict {

@@ -69,8 +69,7 @@ std::unique_ptr<SolvedContact<typename Path::Number>> converged(const Problem& p
   auto solved = std::make_unique<SolvedContact<Number>>();
   const auto nip = std::make_shared<Nip<Path, Contact>>(std::move(solution));
   const std::shared_ptr<Contact> contact(nip, &nip->contact);
-  set_nip_results<Contact>([&](ResultId id, auto function) { solved->set(id, contact, function); },
-                           [](const Contact&) -> Number { return Path::exactly(0, 16); });
+  set_nip_results<Contact>([&](ResultId id, auto function) { solved->set(id, contact, function); });
   set_inside<Path>(*solved, nip, std::is_same_v<Problem, data::ElasticNipProblem>);
   complete_nip(*solved, problem);
   solved->work = [contact] { return work_of(*contact); };

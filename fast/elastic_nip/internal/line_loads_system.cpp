@@ -1,12 +1,10 @@
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
-#include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {
@@ -21,18 +19,20 @@ void check_in(const char* name, int value, int least, int most) {
                        "must be from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
-KernelValues from_library(Accuracy accuracy, std::span<const double> alpha, WantedKernels wanted,
-                          Work& work) {
+/// `coupling` is I3 alone.
+LineLoadKernels from_library(Accuracy accuracy, std::span<const double> alpha, WantedKernels wanted,
+                             Work& work) {
   CountedKernels kernels(accuracy, work);
-  KernelValues values;
+  LineLoadKernels values;
   if (wanted.I1) values.I1 = kernels.I1(alpha);
-  if (wanted.I3) values.I3 = kernels.I3(alpha);
+  if (wanted.coupling) values.coupling = kernels.I3(alpha);
   if (wanted.I6) values.I6 = kernels.I6(alpha);
   return values;
 }
 
-KernelValues from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
-  KernelValues values;
+/// Likewise.
+LineLoadKernels from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
+  LineLoadKernels values;
   const auto provide = [&](bool is_wanted, int kernel, std::vector<double>& room) {
     if (!is_wanted) return;
     room.resize(alpha.size());
@@ -40,46 +40,13 @@ KernelValues from_residues(int terms, std::span<const double> alpha, WantedKerne
     work.terms += alpha.size() * static_cast<std::uint64_t>(terms);
   };
   provide(wanted.I1, 1, values.I1);
-  provide(wanted.I3, 3, values.I3);
+  provide(wanted.coupling, 3, values.coupling);
   provide(wanted.I6, 6, values.I6);
-  plain_series(alpha, terms, {values.I1, values.I3, values.I6});
+  plain_series(alpha, terms, {values.I1, values.coupling, values.I6});
   return values;
 }
 
-/// A kernel's values at odd multiples of half an element, by the multiple.
-class AtOddMultiple {
- public:
-  explicit AtOddMultiple(const std::vector<double>& values) : values_(values) {}
-  double even(int multiple) const { return values_[static_cast<std::size_t>(std::abs(multiple) / 2)]; }
-  double odd(int multiple) const { return multiple < 0 ? -even(multiple) : even(multiple); }
-
- private:
-  const std::vector<double>& values_;
-};
-
-int elements_per_side(const std::vector<double>& kernel) { return static_cast<int>(kernel.size() / 2); }
-
-/// pi/N times us at positive distance, sign reversed: I3 - (theta2/N) I2.
-std::vector<double> normal_step(const std::vector<double>& I3, double poisson) {
-  const double I2_part = (1 - 2 * poisson) / (2 * (1 - poisson)) * std::numbers::pi / 2;
-  std::vector<double> step(I3);
-  for (double& value : step) value -= I2_part;
-  return step;
-}
-
-double largest_size(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-}  // namespace
-
-void LineLoadMethod::check() const {
-  check_in("elements_per_side", elements_per_side, 1, most_elements);
-  check_in("residue_terms", residue_terms, 0, most_residue_terms);
-}
-
+/// Distances a, 3a .. (4m - 1) a in half-thicknesses.
 std::vector<double> odd_multiples(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length) {
   nip.check();
@@ -96,84 +63,51 @@ std::vector<double> odd_multiples(const data::ElasticNip& nip, const LineLoadMet
   return distances;
 }
 
-KernelValues line_load_kernels(const LineLoadMethod& method, std::span<const double> alpha,
-                               WantedKernels wanted, Work& work) {
-  return method.residue_terms == 0 ? from_library(method.accuracy, alpha, wanted, work)
-                                   : from_residues(method.residue_terms, alpha, wanted, work);
+/// A kernel's value at an odd multiple of half an element.
+double even(const std::vector<double>& kernel, int multiple) {
+  return kernel[static_cast<std::size_t>(std::abs(multiple) / 2)];
+}
+double odd(const std::vector<double>& kernel, int multiple) {
+  return multiple < 0 ? -even(kernel, multiple) : even(kernel, multiple);
 }
 
-Eigen::MatrixXd slip_matrix(const std::vector<double>& I1) {
-  const int m = elements_per_side(I1);
-  const AtOddMultiple kernel(I1);
-  Eigen::MatrixXd matrix(m + 1, m + 1);
-  matrix.col(0).setOnes();
-  for (int k = 1; k <= m; ++k) {
-    for (int i = 0; i <= m; ++i) {
-      matrix(i, k) = -(kernel.even(2 * (i - k) + 1) + kernel.even(2 * (i + k) - 1));
-    }
-  }
-  return matrix;
+}  // namespace
+
+void LineLoadMethod::check() const {
+  check_in("elements_per_side", elements_per_side, 1, most_elements);
+  check_in("residue_terms", residue_terms, 0, most_residue_terms);
 }
 
-Eigen::MatrixXd grip_matrix(const KernelValues& kernels, double poisson) {
-  const int m = elements_per_side(kernels.I1);
-  const std::vector<double> steps = normal_step(kernels.I3, poisson);
-  const AtOddMultiple step(steps);
-  const AtOddMultiple along(kernels.I6);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * m + 1, 2 * m + 1);
-  matrix.topLeftCorner(m + 1, m + 1) = slip_matrix(kernels.I1);
+LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const LineLoadMethod& method,
+                                  std::span<const double> alpha, WantedKernels wanted, Work& work) {
+  LineLoadKernels kernels = method.residue_terms == 0
+                                ? from_library(method.accuracy, alpha, wanted, work)
+                                : from_residues(method.residue_terms, alpha, wanted, work);
+  const double part = material.theta2() / material.normal_compliance();
+  for (std::size_t i = 0; i < kernels.coupling.size(); ++i) kernels.coupling[i] -= part * I2(alpha[i]);
+  return kernels;
+}
+
+Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                double contact_length, bool grips, Work& work) {
+  const LineLoadKernels kernels =
+      line_load_kernels(nip.material, method, odd_multiples(nip, method, contact_length),
+                        {.I1 = true, .coupling = grips, .I6 = grips}, work);
+  const int m = method.elements_per_side, unknowns = (grips ? 2 : 1) * m + 1;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  matrix.col(0).head(m + 1).setOnes();
   for (int k = 1; k <= m; ++k) {
     for (int i = 0; i <= m; ++i) {
-      const int near = 2 * (i - k) + 1;
-      const int far = 2 * (i + k) - 1;
-      matrix(i, m + k) = step.odd(near) - step.odd(far);
+      const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
+      matrix(i, k) = -(even(kernels.I1, near) + even(kernels.I1, far));
+      if (!grips) continue;
+      matrix(i, m + k) = odd(kernels.coupling, near) - odd(kernels.coupling, far);
       if (i == 0) continue;
-      matrix(m + i, k) = step.odd(near) + step.odd(far);
-      matrix(m + i, m + k) = along.even(near) - along.even(far);
+      matrix(m + i, k) = odd(kernels.coupling, near) + odd(kernels.coupling, far);
+      matrix(m + i, m + k) = even(kernels.I6, near) - even(kernels.I6, far);
     }
   }
   return matrix;
-}
-
-Eigen::VectorXd gap_at_matching_points(const data::ElasticNip& nip, int elements_per_side,
-                                       double contact_length) {
-  Eigen::VectorXd gap(elements_per_side + 1);
-  for (int i = 0; i <= elements_per_side; ++i) {
-    gap(i) = std::pow(i * contact_length / (2 * elements_per_side), 2) / (2 * nip.roller_radius);
-  }
-  return gap;
-}
-
-void count_system(int unknowns, Work& work) {
-  ++work.systems;
-  work.unknowns = std::max(work.unknowns, unknowns);
-}
-
-LengthSearch length_search(double load, double trial_length, const LoadSearch& search) {
-  check_contact_load(load);
-  if (!(search.tolerance >= 1e-14 && search.tolerance <= 0.1)) {
-    throw data::BadInput("tolerance", search.tolerance, "must satisfy 1e-14 <= tolerance <= 0.1");
-  }
-  return {
-      load,
-      trial_length,
-      {.tolerance = search.tolerance, .fixed_exponent = search.iteration == LoadSearch::Iteration::thesis}};
-}
-
-LineLoadSolution solution_of(const data::ElasticNip& nip, int elements_per_side, double contact_length,
-                             const Eigen::VectorXd& unknowns) {
-  const double edge_gap = std::pow(contact_length / 2, 2) / (2 * nip.roller_radius);
-  LineLoadSolution solution{contact_length, unknowns(0), unknowns(0) - edge_gap, 0, 0, {}};
-  const double load_scale = std::numbers::pi / nip.material.normal_compliance();
-  for (int k = 1; k < unknowns.size(); ++k) {
-    auto& loads = k <= elements_per_side ? solution.line_loads : solution.shear_loads;
-    loads.push_back(load_scale * unknowns(k));
-  }
-  for (const double line_load : solution.line_loads) solution.load += 2 * line_load;
-  solution.peak_pressure =
-      *std::max_element(solution.line_loads.begin(), solution.line_loads.end()) / solution.element_width();
-  solution.peak_shear = largest_size(solution.shear_loads) / solution.element_width();
-  return solution;
 }
 
 }  // namespace nipref::fast

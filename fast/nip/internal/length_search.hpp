@@ -71,7 +71,7 @@ template <class Solve>
 auto solution_at_end(LengthSearch& search, const Solve& solve) {
   while (true) {
     auto solution = solve(search.length());
-    if (search.settled(solution.load)) return solution;
+    if (search.settled(solution.load())) return solution;
   }
 }
 

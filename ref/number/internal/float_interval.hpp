@@ -18,6 +18,14 @@ inline Interval hull(const Interval& x, const Interval& y) {
   return result;
 }
 
+/// Contains the larger of any number of x and any of y.
+inline Interval larger_of(const Interval& x, const Interval& y) {
+  Interval result = x;
+  if (mpfr_greater_p(y.lower(), x.lower()) != 0) mpfr_set(&result.get()->left, y.lower(), MPFR_RNDD);
+  if (mpfr_greater_p(y.upper(), x.upper()) != 0) mpfr_set(&result.get()->right, y.upper(), MPFR_RNDU);
+  return result;
+}
+
 /// Rounded to the working precision.
 inline Float middle_of(const Interval& x) {
   Float value = zero_of_bits(x.precision());

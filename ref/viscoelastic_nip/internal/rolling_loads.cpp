@@ -12,6 +12,9 @@ namespace {
 
 using data::BadInput;
 
+/// Half widths from the line through the centres to a load's place, towards the leading side.
+long elements_to(const RollingLoads& problem, int load) { return 2L * (problem.leading - load) - 1; }
+
 /// A distance and so many half widths of an element, in half-thicknesses, in the middle of a grid.
 mpq_class way(const RollingGrid& grid, const mpq_class& distance, long elements) {
   return distance + elements * grid.element;
@@ -49,11 +52,38 @@ bool is_exact(const MovingLoadError& error) {
          error.fixed_point.start == 0 && error.memory == 0;
 }
 
-Interval sum_of_loads(const LoadsOnLength& contact) {
-  Interval sum(working_bits());
-  for (const Interval& load : contact.loads) sum = sum + load;
-  return sum;
+Interval half_thickness_of(const RollingLoads& problem) {
+  return {Exact(problem.half_thickness()), working_bits()};
 }
+
+class StartedSheet final : public LineLoadSheet {
+ public:
+  StartedSheet(RollingLoads problem, RollingGrid grid)
+      : problem_(std::move(problem)), grid_(std::move(grid)) {}
+
+  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads,
+                                             const LineLoadPlace& place) const override {
+    return sum(loads, place, normal_at);
+  }
+  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads,
+                                                 const LineLoadPlace& place) const override {
+    return sum(loads, place, tangential_at);
+  }
+
+ private:
+  [[nodiscard]] Interval sum(const SolvedLineLoads& loads, const LineLoadPlace& place,
+                             const auto& displacement) const {
+    const RollingPlace in_half_thicknesses{place.distance / problem_.half_thickness(), place.half_elements};
+    Interval total(working_bits());
+    for (int j = 0; j < problem_.loads(); ++j)
+      total = total + loads.normal[static_cast<std::size_t>(j)] *
+                          displacement(problem_, grid_, in_half_thicknesses, j);
+    return total;
+  }
+
+  RollingLoads problem_;
+  RollingGrid grid_;
+};
 
 }  // namespace
 
@@ -88,12 +118,12 @@ Interval tangential_at(const RollingLoads& problem, const RollingGrid& grid, con
                                                      problem.residue_terms));
 }
 
-std::optional<LoadsOnLength> solve_loads(const RollingLoads& problem, const RollingGrid& grid) {
+std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const RollingGrid& grid) {
   const int n = problem.loads();
   NearlyKnownSystem system{Matrix(n + 1, n + 1), Matrix(n + 1, 1), 0, Vector(1)};
   const Interval compliance = interval_of(problem.instantaneous());
-  const Interval curvature =
-      half_thickness_of(problem) / (2 * Interval(problem.nip.roller_radius, working_bits()));
+  const Interval half_thickness = half_thickness_of(problem);
+  const Interval curvature = half_thickness / (2 * Interval(problem.nip.roller_radius, working_bits()));
   const auto keep = [](Float& entry, Float& error, const Interval& value) {
     entry = middle_of(value);
     error = std::max<Float>(error, upper_end(distance_from(entry, value)));
@@ -108,74 +138,22 @@ std::optional<LoadsOnLength> solve_loads(const RollingLoads& problem, const Roll
   }
   auto solved = enclosed_solutions(system);
   if (!solved) return std::nullopt;
+  // The unknowns are the indentation over b, and loads times the compliance at once over b.
   const std::vector<Interval>& unknowns = solved->unknowns.front();
-  return LoadsOnLength{
-      grid, unknowns.front(), {unknowns.begin() + 1, unknowns.end()}, solved->error / solved->largest};
-}
-
-Interval half_thickness_of(const RollingLoads& problem) {
-  return {Exact(problem.half_thickness()), working_bits()};
-}
-
-/// Force per unit width of what counts as LoadsOnLength::loads do.
-Interval force_unit(const RollingLoads& problem) {
-  return half_thickness_of(problem) / interval_of(problem.instantaneous());
-}
-
-Interval load_of(const RollingLoads& problem, const LoadsOnLength& contact) {
-  return force_unit(problem) * sum_of_loads(contact);
-}
-
-std::optional<bool> presses_everywhere(const LoadsOnLength& contact) {
-  const auto& loads = contact.loads;
-  if (std::ranges::any_of(loads, [](const Interval& load) { return mpfr_sgn(load.upper()) < 0; }))
-    return false;
-  if (std::ranges::all_of(loads, [](const Interval& load) { return mpfr_sgn(load.lower()) >= 0; }))
-    return true;
-  return std::nullopt;
-}
-
-std::optional<LoadsOnLength> enclose_length(const RollingLoads& problem, LengthGuess& guess, double load,
-                                            int digits, int& systems) {
-  constexpr int most_steps = 40, spare_digits = 2;
-  constexpr double least_exponent = 1, longest_step = 1;
-  const Float tolerance = pow(Float(10), -(digits + spare_digits));
-  const Float longest = to_float(Exact(problem.element(mpq_class(problem.nip.roller_radius))));
-  const Interval wanted(load, working_bits());
-  const auto solved = [&](const mpq_class& element, const mpq_class& spread) {
-    ++systems;
-    return solve_loads(problem, {element, spread});
-  };
-  // The sign of W - load, 0 where the bounds do not tell.
-  const auto sign_at = [&](const mpq_class& element) {
-    const std::optional<LoadsOnLength> contact = solved(element, 0);
-    if (!contact) return 0;
-    const Interval excess = load_of(problem, *contact) - wanted;
-    return mpfr_sgn(excess.lower()) > 0 ? 1 : mpfr_sgn(excess.upper()) < 0 ? -1 : 0;
-  };
-  std::optional<std::pair<Float, Float>> last;  // ln L and ln W - ln load
-  for (int step = 0; step < most_steps; ++step) {
-    const mpq_class middle = to_exact(guess.element).value();
-    const std::optional<LoadsOnLength> tried = solved(middle, 0);
-    if (!tried) return std::nullopt;
-    const Float found = middle_of(load_of(problem, *tried));
-    if (!(found > Float(0))) {
-      guess.element = guess.element / 3;
-      continue;
-    }
-    const Float excess = log(found / Float(load)), log_length = log(guess.element);
-    if (abs(excess) <= tolerance) {
-      const mpq_class spread = to_exact(guess.element * pow(Float(10), -digits)).value();
-      if (sign_at(middle - spread) * sign_at(middle + spread) >= 0) return std::nullopt;
-      return solved(middle, spread);
-    }
-    if (last && log_length != last->first)
-      guess.exponent = std::max<Float>((excess - last->second) / (log_length - last->first), least_exponent);
-    last = {log_length, excess};
-    const Float change = std::clamp<Float>(-excess / guess.exponent, -longest_step, longest_step);
-    guess.element = std::min<Float>(exp(log_length + change), longest);
-  }
-  throw BadInput("load", load, "must be one that line loads on a length below the roller's radius can carry");
+  std::vector<Interval> loads;
+  for (int j = 1; j <= n; ++j)
+    loads.push_back(half_thickness / compliance * unknowns[static_cast<std::size_t>(j)]);
+  return SolvedLineLoads{.roller_radius = problem.nip.roller_radius,
+                         .leading_elements = problem.leading,
+                         .is_symmetric = false,
+                         .contact_length = grid.elements(2L * n) * half_thickness,
+                         .indentation = unknowns.front() * half_thickness,
+                         .normal = std::move(loads),
+                         .shear = {},
+                         .error = solved->error / solved->largest,
+                         .condition = solved->condition,
+                         .unknowns = n + 1,
+                         .sheet = std::make_shared<const StartedSheet>(problem, grid)};
 }
 
 }  // namespace nipref::ref

@@ -4,6 +4,7 @@
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/ref/nip/internal/solved_line_loads.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -46,17 +47,6 @@ struct RollingPlace {
   long elements;
 };
 
-/// What all contacts of a grid have.
-struct LoadsOnLength {
-  RollingGrid grid;
-  Interval indentation;         ///< over b
-  std::vector<Interval> loads;  ///< times the instantaneous compliance over b
-  Float error;                  ///< the largest of an unknown over the largest unknown
-};
-
-/// Half widths from the line through the centres to a load's place, towards the leading side.
-inline long elements_to(const RollingLoads& problem, int load) { return 2L * (problem.leading - load) - 1; }
-
 /// Displacement of a place by the unit load j, 1/stress; the tangential one from the fixed point of thesis 6.27.
 /// (thesis 6.26, 6.27)
 Interval normal_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place, int load);
@@ -64,27 +54,6 @@ Interval tangential_at(const RollingLoads& problem, const RollingGrid& grid, con
                        int load);
 
 /// Nothing if the digits do not suffice to prove that no system of the grid is singular.
-std::optional<LoadsOnLength> solve_loads(const RollingLoads& problem, const RollingGrid& grid);
-
-Interval half_thickness_of(const RollingLoads& problem);
-
-/// Force per unit width of what counts as LoadsOnLength::loads do.
-Interval force_unit(const RollingLoads& problem);
-
-Interval load_of(const RollingLoads& problem, const LoadsOnLength& contact);
-
-/// Nothing where the bounds do not tell.
-std::optional<bool> presses_everywhere(const LoadsOnLength& contact);
-
-/// Where to begin: half the width of an element, in half-thicknesses, and d ln W/d ln L.
-struct LengthGuess {
-  Float element, exponent = 3;
-};
-
-/// By secants of ln W over ln L: one of the contacts carries the load, as those at the ends of the grid, 10^-digits of the
-/// length away, carry less and more. The guess becomes what was found; `systems` rises by those that were solved. Nothing
-/// where the precision does not suffice for the proof. BadInput if no length below the roller's radius carries it.
-std::optional<LoadsOnLength> enclose_length(const RollingLoads& problem, LengthGuess& guess, double load,
-                                            int digits, int& systems);
+std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const RollingGrid& grid);
 
 }  // namespace nipref::ref

@@ -1,13 +1,12 @@
-#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 #include "support/line_load_sums.hpp"
 #include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;
-using fast::LineLoadSolution;
-using line_load_tests::displacement;
+using fast::LineLoadNip;
+using namespace line_load_tests;
 using test::middling_nip;
 using test::thick_nip;
 using test::thin_nip;
@@ -19,18 +18,18 @@ TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m 
       const double creep = 2e-3;
       CAPTURE(nip.sheet_thickness);
       CAPTURE(m);
-      const LineLoadSolution solution = fast::gripped_line_loads_for_length(nip, m, length, creep);
+      const LineLoadNip solution = fast::line_loads_for_length(nip, m, length, grip_with(creep));
       for (int i = -m; i <= m; ++i) {
         const double y = i * length / (2 * m);
         const auto [u, v] = displacement(nip, solution, y);
         const double scale =
-            std::abs(solution.indentation) + solution.peak_pressure / nip.material.young * length;
+            std::abs(solution.indentation) + solution.peak_pressure() / nip.material.young * length;
         CHECK(u == doctest::Approx(solution.indentation - y * y / (2 * nip.roller_radius))
                        .epsilon(1e-10)
                        .scale(scale));
         CHECK(v == doctest::Approx(creep * y).epsilon(1e-10).scale(creep * length));
       }
-      CHECK(solution.edge_displacement == approx(displacement(nip, solution, length / 2).u, 1e-9));
+      CHECK(solution.leading_displacement() == approx(displacement(nip, solution, length / 2).u, 1e-9));
       CHECK(*solution.gripped_creep == creep);
     }
   }
@@ -38,48 +37,45 @@ TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m 
 
 TEST_CASE("displacements between, outside and at the end are those of all loads together") {
   const double length = 0.1;
-  const LineLoadSolution gripped = fast::gripped_line_loads_for_length(middling_nip, 5, length, 1e-3);
-  const LineLoadSolution slipping = fast::line_loads_for_length(middling_nip, 5, length);
+  const LineLoadNip gripped = fast::line_loads_for_length(middling_nip, 5, length, grip_with(1e-3));
+  const LineLoadNip slipping = fast::line_loads_for_length(middling_nip, 5, length);
   for (const double y : {0.0, 0.013, -0.041, 0.05, 0.0501, -0.08, 1.5}) {
     CAPTURE(y);
-    for (const LineLoadSolution& solution : {gripped, slipping}) {
+    for (const LineLoadNip& solution : {gripped, slipping}) {
       const auto [u, v] = displacement(middling_nip, solution, y);
       const double scale = solution.indentation;
-      CHECK(fast::normal_displacement(middling_nip, solution, 5, y) ==
-            doctest::Approx(u).epsilon(1e-11).scale(scale));
-      CHECK(fast::tangential_displacement(middling_nip, solution, 5, y) ==
-            doctest::Approx(v).epsilon(1e-11).scale(scale));
+      CHECK(solution.normal_displacement(y) == doctest::Approx(u).epsilon(1e-11).scale(scale));
+      CHECK(solution.tangential_displacement(y) == doctest::Approx(v).epsilon(1e-11).scale(scale));
     }
   }
-  CHECK(fast::tangential_displacement(middling_nip, gripped, 5, length / 2) ==
-        approx(1e-3 * length / 2, 1e-11));
-  CHECK_THROWS_AS(fast::normal_displacement(middling_nip, slipping, 5, 0.005), data::BadInput);
-  CHECK_THROWS_AS(fast::tangential_displacement(middling_nip, gripped, 5, std::nan("")), data::BadInput);
+  CHECK(gripped.tangential_displacement(length / 2) == approx(1e-3 * length / 2, 1e-11));
+  CHECK_THROWS_AS((void)slipping.normal_displacement(0.005), data::BadInput);
+  CHECK_THROWS_AS((void)gripped.tangential_displacement(std::nan("")), data::BadInput);
 }
 
 TEST_CASE("an element's tractions are its loads over its width, opposite shear on the other side") {
-  const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 3, 0.12, -1e-3);
+  const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 3, 0.12, grip_with(-1e-3));
   const double width = 0.02;
-  CHECK(fast::element_pressure(solution, 0.021) == approx(solution.line_loads[1] / width, 1e-14));
-  CHECK(fast::element_pressure(solution, -0.021) == fast::element_pressure(solution, 0.021));
-  CHECK(fast::element_shear(solution, 0.06) == approx(solution.shear_loads[2] / width, 1e-14));
-  CHECK(fast::element_shear(solution, -0.06) == -fast::element_shear(solution, 0.06));
-  CHECK(fast::element_pressure(solution, 0.0601) == 0);
-  CHECK(fast::element_shear(fast::line_loads_for_length(thick_nip, 3, 0.12), 0.01) == 0);
-  CHECK_THROWS_AS(fast::element_pressure(solution, std::nan("")), data::BadInput);
+  CHECK(solution.pressure(0.021) == approx(normal_loads(solution)[1] / width, 1e-14));
+  CHECK(solution.pressure(-0.021) == solution.pressure(0.021));
+  CHECK(solution.shear(0.06) == approx(shear_loads(solution)[2] / width, 1e-14));
+  CHECK(solution.shear(-0.06) == -solution.shear(0.06));
+  CHECK(solution.pressure(0.0601) == 0);
+  CHECK(fast::line_loads_for_length(thick_nip, 3, 0.12).shear(0.01) == 0);
+  CHECK_THROWS_AS((void)solution.pressure(std::nan("")), data::BadInput);
 }
 
 TEST_CASE("the loads are affine in the creep") {
   const auto at = [](double creep) {
-    return fast::gripped_line_loads_for_length(middling_nip, 4, 0.07, creep);
+    return fast::line_loads_for_length(middling_nip, 4, 0.07, grip_with(creep));
   };
-  const LineLoadSolution low = at(-1e-3);
-  const LineLoadSolution middle = at(0);
-  const LineLoadSolution high = at(1e-3);
-  CHECK(high.load != approx(low.load, 1e-3));
+  const LineLoadNip low = at(-1e-3);
+  const LineLoadNip middle = at(0);
+  const LineLoadNip high = at(1e-3);
+  CHECK(high.load() != approx(low.load(), 1e-3));
   for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(low.line_loads[k] + high.line_loads[k] == approx(2 * middle.line_loads[k], 1e-11));
-    CHECK(low.shear_loads[k] + high.shear_loads[k] == approx(2 * middle.shear_loads[k], 1e-9));
+    CHECK(low.loads[k].normal + high.loads[k].normal == approx(2 * middle.loads[k].normal, 1e-11));
+    CHECK(low.loads[k].shear + high.loads[k].shear == approx(2 * middle.loads[k].shear, 1e-9));
   }
 }
 
@@ -88,12 +84,12 @@ TEST_CASE("an incompressible sheet much thicker than the contact couples pressur
   const data::ElasticNip nip{1.0, 1.0, {1.0, 0.5}};
   double last_shear = 1;
   for (const double length : {1e-2, 1e-3, 1e-4}) {
-    const LineLoadSolution gripped = fast::gripped_line_loads_for_length(nip, 6, length, 0.0);
-    const LineLoadSolution slipping = fast::line_loads_for_length(nip, 6, length);
+    const LineLoadNip gripped = fast::line_loads_for_length(nip, 6, length, grip_with(0.0));
+    const LineLoadNip slipping = fast::line_loads_for_length(nip, 6, length);
     CAPTURE(length);
     // Shear follows the pressure by a factor of order L/B, and the pressure feels it by as much again.
-    CHECK(gripped.load == approx(slipping.load, 20 * length * length));
-    const double shear = gripped.peak_shear / gripped.peak_pressure;
+    CHECK(gripped.load() == approx(slipping.load(), 20 * length * length));
+    const double shear = gripped.peak_shear() / gripped.peak_pressure();
     CHECK(shear < 5 * length);
     CHECK(shear < 0.2 * last_shear);
     last_shear = shear;
@@ -105,23 +101,20 @@ TEST_CASE("length for a load and load for a length are inverse with full frictio
     CAPTURE(length);
     // The creep of a thick_nip nip is proportional to its length.
     const double creep = -1e-2 * length;
-    const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 4, length, creep);
-    const LineLoadSolution again = fast::gripped_line_loads_for_load(thick_nip, 4, solution.load, creep);
-    CHECK(again.load == approx(solution.load, 1e-12));
-    CHECK(again.contact_length == approx(length, 1e-9));
+    const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 4, length, grip_with(creep));
+    const LineLoadNip again = fast::line_loads_for_load(thick_nip, 4, solution.load(), grip_with(creep));
+    CHECK(again.load() == approx(solution.load(), 1e-12));
+    CHECK(again.contact_length() == approx(length, 1e-9));
   }
 }
 
 TEST_CASE("bad input to the gripped contact is refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH_AS(fast::gripped_line_loads_for_length(thick_nip, 2, 0.1, nan),
+  CHECK_THROWS_WITH_AS(fast::line_loads_for_length(thick_nip, 2, 0.1, grip_with(nan)),
                        "creep = nan: must be finite", data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, 2, -0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, {2, -1}, 0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, {2, 501}, 0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick_nip, 2, 0, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick_nip, 2, 1, 0, {.tolerance = 0}), data::BadInput);
-  CHECK_THROWS_AS(fast::thesis_line_loads_for_length(thick_nip, 0, 0.1), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, -1}, 0.1, grip_with(0)), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, 501}, 0.1, grip_with(0)), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), data::BadInput);
   // Elements so wide that their loads no longer reach the next matching point.
   CHECK_THROWS_AS(fast::line_loads_for_length(thin_nip, 1, 301 * 2 * 0.005), data::BadInput);
 }

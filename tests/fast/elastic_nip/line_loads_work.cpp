@@ -1,12 +1,13 @@
-#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
+#include "support/line_load_sums.hpp"
 #include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;
+using namespace line_load_tests;
 using fast::LineLoadMethod;
 using fast::LoadSearch;
 using fast::Work;
@@ -19,46 +20,41 @@ using Counts = std::array<std::uint64_t, 7>;
 }  // namespace
 
 TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a solve") {
-  Work work;
-  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, &work);
-  CHECK(work.kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
-  CHECK(work.systems == 1);
-  CHECK(work.unknowns == 8);
+  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1);
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
+  CHECK(solution.work().systems == 1);
+  CHECK(solution.work().unknowns == 8);
   // The creep asks for I3 at the loads; displacements at one place likewise.
-  fast::creep_ratio(quarter_inch_nip, solution, 7, &work);
-  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 0, 0});
-  fast::normal_displacement(quarter_inch_nip, solution, 7, 0.2, &work);
-  CHECK(work.kernel_evaluations == Counts{28, 0, 14, 0, 0, 0, 0});
-  CHECK(work.systems == 1);
+  (void)solution.creep_ratio();
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 0, 0});
+  (void)solution.normal_displacement(0.2);
+  CHECK(solution.work().kernel_evaluations == Counts{28, 0, 14, 0, 0, 0, 0});
+  CHECK(solution.work().systems == 1);
 }
 
 TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only") {
-  Work fast_work;
-  fast::line_loads_for_load(quarter_inch_nip, 7, 100.0, {}, &fast_work);
+  const Work fast_work = fast::line_loads_for_load(quarter_inch_nip, 7, 100.0).work();
   CHECK(fast_work.kernel_evaluations == Counts{14 * fast_work.systems, 0, 0, 0, 0, 0, 0});
-  Work thesis_work;
-  const auto by_thesis = fast::line_loads_for_load(quarter_inch_nip, 7, 100.0,
-                                                   {LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);
-  CHECK(by_thesis.load == approx(100.0, 1e-12));
-  CHECK(fast_work.systems < thesis_work.systems);
+  const auto by_thesis =
+      fast::line_loads_for_load(quarter_inch_nip, 7, 100.0, {}, {LoadSearch::Iteration::thesis, 1e-12});
+  CHECK(by_thesis.load() == approx(100.0, 1e-12));
+  CHECK(fast_work.systems < by_thesis.work().systems);
   // The thesis stopped within 0.2 %.
-  Work coarse_work;
-  const auto coarse = fast::line_loads_for_load(quarter_inch_nip, 7, 100.0,
-                                                {LoadSearch::Iteration::thesis, 2e-3}, &coarse_work);
-  CHECK(std::abs(coarse.load / 100.0 - 1) <= 2e-3);
-  CHECK(std::abs(coarse.load / 100.0 - 1) > 1e-9);
-  CHECK(coarse_work.systems < thesis_work.systems / 2);
+  const auto coarse =
+      fast::line_loads_for_load(quarter_inch_nip, 7, 100.0, {}, {LoadSearch::Iteration::thesis, 2e-3});
+  CHECK(std::abs(coarse.load() / 100.0 - 1) <= 2e-3);
+  CHECK(std::abs(coarse.load() / 100.0 - 1) > 1e-9);
+  CHECK(coarse.work().systems < by_thesis.work().systems / 2);
 }
 
 TEST_CASE("with full friction three kernels at the same distances, one system") {
-  Work work;
-  const auto solution = fast::gripped_line_loads_for_length(quarter_inch_nip, 7, 0.1, 1e-4, &work);
-  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
-  CHECK(work.systems == 1);
-  CHECK(work.unknowns == 15);
+  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, grip_with(1e-4));
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+  CHECK(solution.work().systems == 1);
+  CHECK(solution.work().unknowns == 15);
   // The creep is part of the solution.
-  CHECK(fast::creep_ratio(quarter_inch_nip, solution, 7, &work) == 1e-4);
-  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+  CHECK(solution.creep_ratio() == 1e-4);
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
 }
 
 TEST_CASE("work adds up") {
@@ -71,14 +67,13 @@ TEST_CASE("work adds up") {
 }
 
 TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
-  Work work;
-  const auto by_residues = fast::gripped_line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, 1e-4, &work);
-  CHECK(work.terms == 3 * 10 * 500);
-  const auto by_library = fast::gripped_line_loads_for_length(quarter_inch_nip, 5, 0.1, 1e-4);
+  const auto by_residues = fast::line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, grip_with(1e-4));
+  CHECK(by_residues.work().terms == 3 * 10 * 500);
+  const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, grip_with(1e-4));
   CHECK(by_residues.indentation == approx(by_library.indentation, 1e-11));
-  CHECK(by_residues.peak_shear == approx(by_library.peak_shear, 1e-10));
+  CHECK(by_residues.peak_shear() == approx(by_library.peak_shear(), 1e-10));
   // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
-  const auto by_few = fast::gripped_line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, 1e-4);
+  const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, grip_with(1e-4));
   CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
 }
 

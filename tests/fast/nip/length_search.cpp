@@ -12,7 +12,8 @@ namespace {
 
 struct Solution {
   double length;
-  double load;
+  double found;
+  [[nodiscard]] double load() const { return found; }
 };
 
 /// The search for load_of(length), the lengths it took, and where it ended.
@@ -66,7 +67,7 @@ TEST_CASE("length search: a wrong exponent that is kept gets there as slowly as 
   const Solution found = ended(
       search, [](double length) { return length * length; }, &solves);
   CHECK(search.met());
-  CHECK(found.load == approx(std::exp(1.0), 1e-12));
+  CHECK(found.load() == approx(std::exp(1.0), 1e-12));
   CHECK(solves == 1 + std::ceil(12 * std::log(10.0) / std::log(3.0)));
   CHECK(search.exponent() == LengthSearch::usual_exponent);
 }

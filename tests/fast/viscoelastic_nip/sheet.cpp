@@ -3,7 +3,6 @@
 
 #include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 
 #include "support/test.hpp"
 
@@ -11,7 +10,6 @@ using namespace nipref;
 using fast::MovingLoad;
 using fast::PlainMovingLoad;
 using fast::ViscoelasticLineLoadMethod;
-using fast::ViscoelasticLineLoadSurface;
 using fast::ViscoelasticSheet;
 
 namespace {
@@ -42,29 +40,23 @@ TEST_CASE("surface under line loads: the roller's shape where it was matched, th
   for (const int terms : {0, 300}) {
     CAPTURE(terms);
     const ViscoelasticLineLoadMethod method{4, 3, 30, terms};
-    const auto loads = fast::viscoelastic_line_loads_for_length(rolled_nip, method, 0.06);
-    const ViscoelasticLineLoadSurface surface(rolled_nip, loads, method);
+    const auto loads = fast::line_loads_for_length(rolled_nip, method, 0.06);
     for (int i = 0; i <= 7; ++i) {
       const double y = loads.leading_length - i * loads.element_width();
-      CHECK(surface.normal_displacement(y) ==
+      CHECK(loads.normal_displacement(y) ==
             approx(loads.indentation - y * y / (2 * rolled_nip.roller_radius), 1e-10));
     }
-    CHECK(surface.tangential_displacement(0) == 0);
-    const double stretch = surface.tangential_displacement(loads.leading_length) -
-                           surface.tangential_displacement(-loads.trailing_length);
-    CHECK(stretch / loads.contact_length() == approx(fast::creep_ratio(rolled_nip, loads, method), 1e-10));
+    CHECK(loads.tangential_displacement(0) == 0);
+    const double stretch = loads.tangential_displacement(loads.leading_length) -
+                           loads.tangential_displacement(-loads.trailing_length());
+    CHECK(stretch / loads.contact_length() == approx(loads.creep_ratio(), 1e-10));
   }
 }
 
 TEST_CASE("surface under line loads: bad input") {
   const ViscoelasticLineLoadMethod method{4, 3, 30, 0};
-  const auto loads = fast::viscoelastic_line_loads_for_length(rolled_nip, method, 0.06);
-  CHECK_THROWS_AS(ViscoelasticLineLoadSurface(rolled_nip, loads, {4, 4, 30, 0}), data::BadInput);
-  auto standing = rolled_nip;
-  standing.speed = 0;
-  CHECK_THROWS_AS(ViscoelasticLineLoadSurface(standing, loads, method), data::BadInput);
-  const ViscoelasticLineLoadSurface surface(rolled_nip, loads, method);
-  CHECK_THROWS_AS((void)surface.normal_displacement(0.06 - loads.element_width() / 2), data::BadInput);
-  CHECK_THROWS_AS((void)surface.normal_displacement(0.06 + 31 * half), data::BadInput);
-  CHECK_THROWS_AS((void)fast::element_pressure(loads, HUGE_VAL), data::BadInput);
+  const auto loads = fast::line_loads_for_length(rolled_nip, method, 0.06);
+  CHECK_THROWS_AS((void)loads.normal_displacement(loads.loads[0].y), data::BadInput);
+  CHECK_THROWS_AS((void)loads.normal_displacement(0.06 + 31 * half), data::BadInput);
+  CHECK_THROWS_AS((void)loads.pressure(HUGE_VAL), data::BadInput);
 }

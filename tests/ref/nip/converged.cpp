@@ -402,7 +402,7 @@ TEST_CASE("ref contact: tractions end with it, and displacements go on as they w
   // Line loads approach it: their distance halves with the elements.
   const auto load = ref::converged_for_length(quarter_inch_nip, Friction::none, 0.2, 20).load();
   const auto excess = [&](int m) {
-    return ref::line_loads_for_length(quarter_inch_nip, m, 0.2, 16).load.to_double() / load.to_double() - 1;
+    return ref::line_loads_for_length(quarter_inch_nip, m, 0.2, 16).load().to_double() / load.to_double() - 1;
   };
   CHECK(std::fabs(excess(40)) < 0.6 * std::fabs(excess(20)));
 }

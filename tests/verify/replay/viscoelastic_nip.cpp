@@ -1,7 +1,6 @@
 // The replay of the viscoelastic tables: what is met, what the seed's mistakes explain, what they cost.
 #include <nipref/data/table/index.hpp>
 #include <nipref/data/table/known_misses.hpp>
-#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
@@ -221,39 +220,12 @@ TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent co
   CHECK(*d0.corrected_with_seed_material != approx(*d0.corrected, 1e-3));
 }
 
-TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact kernels") {
-  const fast::ViscoelasticLineLoadMethod method{5, 5, 30, 300};
-  SUBCASE("without relaxation they are the elastic line loads") {
-    const data::ElasticNip elastic{6, 0.25, {1.45e5, 0.3}};
-    const data::ViscoelasticNip rolling{
-        6, 0.25, {{elastic.material.theta1(), {}}, {elastic.material.theta2(), {}}}, 1};
-    const auto found = fast::viscoelastic_line_loads_for_length(rolling, {5, 5, 3, 200}, 0.05);
-    const auto expected = fast::line_loads_for_length(elastic, {5, 200}, 0.1);
-    CHECK(found.load == approx(expected.load, 1e-10));
-    CHECK(found.indentation == approx(expected.indentation, 1e-10));
-    CHECK(found.peak_pressure == approx(expected.peak_pressure, 1e-10));
-    CHECK(std::fabs(found.rolling_resistance) < 1e-12);
-  }
-  SUBCASE("the load search inverts the load") {
-    const auto at_length = fast::viscoelastic_line_loads_for_length(nip, method, 0.05);
-    const auto at_load = fast::viscoelastic_line_loads_for_load(nip, method, at_length.load);
-    CHECK(at_load.leading_length == approx(0.05, 1e-9));
-  }
-  SUBCASE("the search for m2 ends at the first that leaves no tension") {
-    const auto found = fast::viscoelastic_line_loads_by_search(nip, {10, 10, 30, 300}, 50);
-    const int trailing = static_cast<int>(found.loads.size()) - 10;
-    CHECK(found.presses_everywhere());
-    REQUIRE(trailing < 10);
-    CHECK_FALSE(
-        fast::viscoelastic_line_loads_for_load(nip, {10, trailing + 1, 30, 300}, 50).presses_everywhere());
-  }
-  SUBCASE("with exact kernels and more elements they approach the continuous contact") {
-    const auto converged = fast::converged_for_load(nip, 50, 1e-9);
-    const auto error = [&](int elements) {
-      const auto found = fast::viscoelastic_line_loads_by_search(nip, {elements, elements, 30, 0}, 50);
-      return std::fabs(found.rolling_resistance / converged.rolling_resistance().value - 1);
-    };
-    CHECK(error(40) < 0.5 * error(10));
-    CHECK(error(40) < 0.05);
-  }
+TEST_CASE("rolling line loads with exact kernels and more elements approach the continuous contact") {
+  const auto converged = fast::converged_for_load(nip, 50, 1e-9);
+  const auto error = [&](int elements) {
+    const auto found = fast::line_loads_for_load(nip, {elements, {}, 30, 0}, 50);
+    return std::fabs(found.rolling_resistance() / converged.rolling_resistance().value - 1);
+  };
+  CHECK(error(40) < 0.5 * error(10));
+  CHECK(error(40) < 0.05);
 }

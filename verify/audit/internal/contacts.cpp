@@ -6,8 +6,7 @@
 #include <limits>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
@@ -36,35 +35,47 @@ std::string name(const char* method, Friction friction) {
   return fmt::format("{}, {}", method, friction == Friction::full ? "full friction" : "no friction");
 }
 
-/// Largest difference over the largest value.
-double error_of(const std::vector<double>& loads, const std::vector<ref::Enclosure>& truth) {
+/// The largest difference over the largest value.
+double error_of(const fast::LineLoadNip& nip, double fast::FaceLoad::*kind, const ref::LineLoadNip& truth,
+                ref::Estimate ref::FaceLoad::*true_kind) {
   double error = 0, size = 0;
-  for (std::size_t k = 0; k < loads.size(); ++k) {
-    if (!std::isfinite(loads[k])) return std::numeric_limits<double>::infinity();
-    error = std::max(error, std::fabs(truth[k].error_of(loads[k])));
-    size = std::max(size, std::fabs(loads[k]));
+  const std::vector<ref::FaceLoad> true_loads = truth.face_loads();
+  for (std::size_t j = 0; j < nip.loads.size(); ++j) {
+    const double load = nip.loads[j].*kind;
+    if (!std::isfinite(load)) return std::numeric_limits<double>::infinity();
+    error = std::max(error, std::fabs((true_loads[j].*true_kind).error_of(load)));
+    size = std::max(size, std::fabs(load));
   }
   return error / size;
 }
 
 /// Finds the part of a frictionless solution's error that its kernel values cause, and the discretisation error.
 void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int m,
-                 const fast::LineLoadSolution& solution, const ref::LineLoadSolution& truth) {
+                 const fast::LineLoadNip& solution, const ref::LineLoadNip& truth) {
   std::vector<double> kernel;
   for (int q = 0; q < 2 * m; ++q)
     kernel.push_back(fast::I1((2 * q + 1) * length / (4 * m) / nip.half_thickness()));
-  const auto exactly_solved = ref::line_loads_from_kernel_values(nip, kernel, length, contact_digits);
+  const auto exactly_solved =
+      ref::line_loads_from_kernel_values(nip, kernel, length, contact_digits).face_loads();
+  const auto true_loads = truth.face_loads();
   double kernel_error = 0, size = 0;
-  for (std::size_t k = 0; k < solution.line_loads.size(); ++k) {
-    const double computed = solution.line_loads[k];
-    const double by_rounding = exactly_solved.line_loads[k].error_of(computed);
+  for (std::size_t j = 0; j < solution.loads.size(); ++j) {
+    const double computed = solution.loads[j].normal;
+    const double by_rounding = exactly_solved[j].normal.error_of(computed);
     size = std::max(size, std::fabs(computed));
-    kernel_error = std::max(kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
+    kernel_error = std::max(kernel_error, std::fabs(true_loads[j].normal.error_of(computed) - by_rounding));
   }
   audit.kernel_error = kernel_error / size;
   const double continuous =
       fast::converged_for_length(nip, Friction::none, length, contact_accuracy).load().value;
-  audit.discretisation_error = solution.load / continuous - 1;
+  audit.discretisation_error = solution.load() / continuous - 1;
+}
+
+/// How much the shear of one side zigzags, from the middle outwards.
+double oscillation_of(const fast::LineLoadNip& nip) {
+  std::vector<double> shear;
+  for (std::size_t j = nip.loads.size() / 2; j < nip.loads.size(); ++j) shear.push_back(nip.loads[j].shear);
+  return fast::oscillation(shear);
 }
 
 ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, int m) {
@@ -72,24 +83,22 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
   const double length = ratio * nip.sheet_thickness;
   const bool shear = friction == Friction::full;
   const double creep = 1e-2 * length;
-  fast::Work work;
-  const auto solution = shear ? fast::gripped_line_loads_for_length(nip, m, length, creep, &work)
-                              : fast::line_loads_for_length(nip, m, length, &work);
+  const data::Grip grip = shear ? data::Grip{data::Grip::Creep::given, creep} : data::Grip{};
+  const auto solution = fast::line_loads_for_length(nip, m, length, grip);
   const double condition = fast::condition_number(nip, m, length, friction);
   ContactAudit audit{name("line loads", friction),
                      ratio,
                      poisson,
-                     work.unknowns,
+                     solution.work().unknowns,
                      condition,
-                     shear ? std::optional(fast::oscillation(solution.shear_loads)) : std::nullopt,
+                     shear ? std::optional(oscillation_of(solution)) : std::nullopt,
                      1e-15 * condition};
   if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
-  const auto truth =
-      shear ? ref::line_loads_for_length(nip, m, length, contact_digits, {ref::Grip::Creep::given, creep})
-            : ref::line_loads_for_length(nip, m, length, contact_digits);
-  audit.error = error_of(solution.line_loads, truth.line_loads);
+  const auto truth = ref::line_loads_for_length(nip, m, length, contact_digits, grip);
+  audit.error = error_of(solution, &fast::FaceLoad::normal, truth, &ref::FaceLoad::normal);
   if (shear) {
-    audit.error = std::max(*audit.error, error_of(solution.shear_loads, truth.shear_loads));
+    audit.error =
+        std::max(*audit.error, error_of(solution, &fast::FaceLoad::shear, truth, &ref::FaceLoad::shear));
   } else {
     split_error(audit, nip, length, m, solution, truth);
   }

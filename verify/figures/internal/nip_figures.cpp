@@ -14,9 +14,8 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
@@ -207,7 +206,10 @@ double length_of(double m_beta) { return 2 * m_beta * sheet_thickness; }
 Series allowed_ranges(const data::ElasticNip& nip, int elements, const std::vector<double>& m_beta) {
   Series series{creep_sheet, "range that the conditions leave", Mark::ranges, {}, {}};
   for (const double place : m_beta) {
-    for (const fast::CreepRange& range : fast::creep_ranges(nip, elements, length_of(place))) {
+    // The ranges do not depend on the creep.
+    const auto loads =
+        fast::line_loads_for_length(nip, elements, length_of(place), {data::Grip::Creep::given, 0});
+    for (const fast::CreepRange& range : loads.creep_ranges) {
       series.x.push_back(place);
       series.y.push_back((range.lower + range.upper) / 2);
       series.low.push_back(range.lower);
@@ -245,48 +247,43 @@ bool is_displacement(ResultId quantity) {
   return quantity == ResultId::normal_displacement || quantity == ResultId::tangential_displacement;
 }
 
-/// A profile by the thesis's line loads for a row, and the places where it is shown: pressures in the middles of the
+/// A profile by the thesis's line loads for a row, and the places where it is shown: tractions in the middles of the
 /// elements, displacements at their ends.
 struct ThesisProfile {
   std::vector<double> places;
   Curve curve;
 };
 
-ThesisProfile elastic_profile(const Replay& replay, std::size_t row, ResultId quantity) {
-  const LineLoadTable& how = line_load_table(replay.table.id);
-  const data::ElasticNip nip = nip_of_the_tables(replay.table);
-  const fast::LineLoadMethod method(how.elements_per_side);
-  const RowValues& values = replay.nips[row].values;
-  const auto loads =
-      how.friction == data::Friction::full
-          ? fast::gripped_line_loads_for_length(nip, method, values.at("L"), values.at("creep"))
-          : fast::line_loads_for_length(nip, method, values.at("L"));
+ThesisProfile thesis_profile(fast::LineLoadNip loads, ResultId quantity) {
   const int ends = is_displacement(quantity) ? 1 : 0;
-  const double reach = (loads.contact_length - (1 - ends) * loads.element_width()) / 2;
-  return {evenly(-reach, reach, 2 * static_cast<int>(loads.line_loads.size()) + ends), [=](double y) {
-            if (quantity == ResultId::pressure) return fast::element_pressure(loads, y);
-            if (quantity == ResultId::shear) return fast::element_shear(loads, y);
-            return quantity == ResultId::normal_displacement
-                       ? fast::normal_displacement(nip, loads, method, y)
-                       : fast::tangential_displacement(nip, loads, method, y);
+  const double inwards = (1 - ends) * loads.element_width() / 2;
+  auto places = evenly(inwards - loads.trailing_length(), loads.leading_length - inwards,
+                       static_cast<int>(loads.loads.size()) + ends);
+  return {std::move(places), [=, loads = std::move(loads)](double y) {
+            if (quantity == ResultId::pressure) return loads.pressure(y);
+            if (quantity == ResultId::shear) return loads.shear(y);
+            return quantity == ResultId::normal_displacement ? loads.normal_displacement(y)
+                                                             : loads.tangential_displacement(y);
           }};
 }
 
+ThesisProfile elastic_profile(const Replay& replay, std::size_t row, ResultId quantity) {
+  const LineLoadTable& how = line_load_table(replay.table.id);
+  const RowValues& values = replay.nips[row].values;
+  const data::Grip grip = how.friction == data::Friction::full
+                              ? data::Grip{data::Grip::Creep::given, values.at("creep")}
+                              : data::Grip{};
+  return thesis_profile(fast::line_loads_for_length(nip_of_the_tables(replay.table), how.elements_per_side,
+                                                    values.at("L"), grip),
+                        quantity);
+}
+
 ThesisProfile rolling_profile(const Replay& replay, std::size_t row, ResultId quantity) {
-  const data::ViscoelasticNip nip = viscoelastic_nip_of_the_tables(replay.table, row, false);
   auto method = viscoelastic_method(*find_viscoelastic_table(replay.table.id));
   method.trailing_elements = replay.nips[row].trailing_elements;
-  const auto loads = fast::viscoelastic_line_loads_for_length(nip, method, replay.nips[row].values.at("L1"));
-  const auto surface = std::make_shared<fast::ViscoelasticLineLoadSurface>(nip, loads, method);
-  const int ends = quantity == ResultId::pressure ? 0 : 1;
-  const double inwards = (1 - ends) * loads.element_width() / 2;
-  return {evenly(inwards - loads.trailing_length, loads.leading_length - inwards,
-                 static_cast<int>(loads.loads.size()) + ends),
-          [=](double y) {
-            if (quantity == ResultId::pressure) return fast::element_pressure(loads, y);
-            return quantity == ResultId::normal_displacement ? surface->normal_displacement(y)
-                                                             : surface->tangential_displacement(y);
-          }};
+  return thesis_profile(fast::line_loads_for_length(viscoelastic_nip_of_the_tables(replay.table, row, false),
+                                                    method, replay.nips[row].values.at("L1")),
+                        quantity);
 }
 
 using Contact = SolvedContact<fast::Estimate>;

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -69,16 +69,14 @@ std::string other_elements(const MissedCell& missed) {
 /// The element whose shear is closest to the printed number, unless it is the element with the largest shear.
 std::string other_shear(const MissedCell& missed) {
   if (missed.column != "q_max") return "";
-  const auto solution = fast::gripped_line_loads_for_length(
-      missed.nip, missed.method, missed.input.length.middle(), missed.input.creep->middle());
+  const std::vector<double> shear =
+      shear_of_side(missed.nip, missed.method, missed.input.length.middle(), missed.input.creep->middle());
   const double printed = cell_of(missed).number->value;
-  const auto shear = [&](double load) { return std::abs(load) / solution.element_width(); };
-  const auto nearest = std::ranges::min_element(solution.shear_loads, {},
-                                                [&](double load) { return std::abs(shear(load) - printed); });
-  if (shear(*nearest) == solution.peak_shear) return "";
-  return fmt::format("not the largest: element {} of {} has {:.6g}",
-                     nearest - solution.shear_loads.begin() + 1, solution.shear_loads.size(),
-                     shear(*nearest));
+  const auto nearest =
+      std::ranges::min_element(shear, {}, [&](double here) { return std::abs(here - printed); });
+  if (*nearest == std::ranges::max(shear)) return "";
+  return fmt::format("not the largest: element {} of {} has {:.6g}", nearest - shear.begin() + 1,
+                     shear.size(), *nearest);
 }
 
 }  // namespace

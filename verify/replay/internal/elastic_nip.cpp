@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
@@ -56,9 +56,7 @@ class RowReplay {
     const int element = line_load_table(table_.id).shear_element;
     if (element == 0) return;
     const auto shear = [&](double length, double creep) {
-      const auto solution = fast::gripped_line_loads_for_length(nip_, method_, length, creep);
-      return std::abs(solution.shear_loads.at(static_cast<std::size_t>(element - 1))) /
-             solution.element_width();
+      return shear_of_side(nip_, method_, length, creep).at(static_cast<std::size_t>(element - 1));
     };
     const double middle = shear(input_.length.middle(), input_.creep->middle());
     data::Interval range = data::Interval::only(middle);
@@ -193,6 +191,15 @@ const LineLoadTable& line_load_table(const std::string& id) {
     throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-III to thesis-X");
   }
   return *known;
+}
+
+std::vector<double> shear_of_side(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
+                                  double length, double creep) {
+  const auto loads = fast::line_loads_for_length(nip, method, length, {data::Grip::Creep::given, creep});
+  std::vector<double> shear;
+  for (auto k = static_cast<std::size_t>(loads.leading_elements); k > 0; --k)
+    shear.push_back(std::fabs(loads.loads[k - 1].shear) / loads.element_width());
+  return shear;
 }
 
 data::ElasticNip nip_of_the_tables(const data::Table& table) {

@@ -32,6 +32,10 @@ const LineLoadTable& line_load_table(const std::string& id);
 /// printed follows from L/B. The material constants are those that reproduce the tables.
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side);
 
+/// The size of the shear of each element of one side, from the middle outwards, with full friction.
+std::vector<double> shear_of_side(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
+                                  double length, double creep);
+
 /// The nip of such a table with these constants, seed::sheet_of_the_tables.
 data::ElasticNip nip_of_the_tables(const data::Table& table);
 
@@ -97,14 +101,5 @@ inline constexpr std::string_view underflown_creep = "creep with underflow";
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
                                     const fast::ViscoelasticLineLoadMethod& method,
                                     const data::Interval& leading_length);
-
-/// The columns of a contact.
-struct ViscoelasticNumbers {
-  double load, leading_length, trailing_length, indentation, peak_pressure, creep_ratio, rolling_resistance;
-};
-RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip, const ViscoelasticNumbers& numbers);
-RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
-                                  const fast::ViscoelasticLineLoadMethod& method,
-                                  const fast::ViscoelasticLineLoads& loads);
 
 }  // namespace nipref::verify

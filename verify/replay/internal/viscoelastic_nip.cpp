@@ -121,12 +121,12 @@ class ViscoelasticRowReplay {
     fast::ViscoelasticLineLoadMethod other = method_;
     for (const int change : {-1, 0, 1}) {
       other.leading_elements = method_.leading_elements + change;
-      for (other.trailing_elements = 1; other.trailing_elements <= other.leading_elements;
-           ++other.trailing_elements) {
+      for (int trailing = 1; trailing <= other.leading_elements; ++trailing) {
+        other.trailing_elements = trailing;
         const data::Interval range =
             replay_viscoelastic_row(nip_, other, input_.leading_length).range(missed.column);
         if (assess(table_.cell(row_, missed.column), range) != Verdict::unexplained)
-          met += fmt::format(" {}+{}", other.leading_elements, other.trailing_elements);
+          met += fmt::format(" {}+{}", other.leading_elements, trailing);
       }
     }
     return met.empty() ? "no other numbers of elements near these meet it"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
@@ -43,7 +44,7 @@ std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
 /// The part of the displacement v at the time t that is lost if e^(-rate t) underflows, from the memory of the sign
 /// terms of the loads that pass at T_j: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j)
 /// e^(-rate (t - T_j))].
-double underflown(const data::MaterialFunction& function, const std::vector<double>& loads, double t,
+double underflown(const data::MaterialFunction& function, std::span<const fast::FaceLoad> loads, double t,
                   double first_T, double step) {
   constexpr double smallest = 180.2;
   double sum = 0;
@@ -53,7 +54,7 @@ double underflown(const data::MaterialFunction& function, const std::vector<doub
     double bracket = 0;
     for (std::size_t j = 0; j < loads.size(); ++j) {
       const double T = first_T + static_cast<double>(j) * step;
-      bracket += loads[j] * (T > t ? 1 : 2 * std::exp(-rate * (t - T)) - 1);
+      bracket += loads[j].normal * (T > t ? 1 : 2 * std::exp(-rate * (t - T)) - 1);
     }
     sum += term.amplitude.real() / rate * bracket / 4;
   }
@@ -62,7 +63,7 @@ double underflown(const data::MaterialFunction& function, const std::vector<doub
 
 /// The lost part at the leading end minus that at the trailing end.
 double underflown_memory(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
-                         const fast::ViscoelasticLineLoads& loads) {
+                         const fast::LineLoadNip& loads) {
   const data::MaterialFunctions functions = fast::material_functions(nip.material);
   const double step = loads.element_width() / nip.speed;
   const double start = method.approach * nip.half_thickness() / nip.speed;
@@ -75,8 +76,8 @@ double underflown_memory(const data::ViscoelasticNip& nip, const fast::Viscoelas
 
 RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
                              double length) {
-  const fast::ViscoelasticLineLoads loads = fast::viscoelastic_line_loads_for_length(nip, method, length);
-  RowValues values = viscoelastic_row_values(nip, method, loads);
+  const fast::LineLoadNip loads = fast::line_loads_for_length(nip, method, length);
+  RowValues values = row_values(nip.sheet_thickness, loads);
   values[std::string(underflown_creep)] =
       values.at("creep") - underflown_memory(nip, method, loads) / values.at("L");
   return values;
@@ -86,7 +87,7 @@ RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::Visco
 double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
                    double d2, double guess) {
   const auto excess = [&](double length) {
-    return fast::viscoelastic_line_loads_for_length(nip, method, length).trailing_displacement - d2;
+    return fast::line_loads_for_length(nip, method, length).trailing_displacement() - d2;
   };
   double last = 1.01 * guess, at_last = excess(last), length = guess;
   for (int step = 0; step < 12; ++step) {
@@ -104,9 +105,9 @@ double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLin
 ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
                                     const data::ViscoelasticNip& nip,
                                     fast::ViscoelasticLineLoadMethod method) {
-  const fast::ViscoelasticLineLoads found =
-      fast::viscoelastic_line_loads_by_search(nip, method, table.parameter("W").value);
-  method.trailing_elements = static_cast<int>(found.loads.size()) - method.leading_elements;
+  method.trailing_elements.reset();
+  const fast::LineLoadNip found = fast::line_loads_for_load(nip, method, table.parameter("W").value);
+  method.trailing_elements = found.trailing_elements();
   const data::TableCell& d2 = table.cell(row, "d2");
   const bool by_load = !d2.is_readable() || !d2.is_printed();
   const auto length = [&](double displacement) {
@@ -114,7 +115,7 @@ ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
   };
   const data::Interval rounding = by_load ? data::Interval{} : d2.number->rounding;
   const data::Interval leading{length(rounding.lower), length(rounding.upper)};
-  return {by_load ? "" : "d2", leading, method.trailing_elements, "", leading, leading};
+  return {by_load ? "" : "d2", leading, found.trailing_elements(), "", leading, leading};
 }
 
 /// L1 by d0 - d1 = L1^2/(2R); nothing if one of them is not legible or its row contradicts it.
@@ -154,61 +155,27 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
   if (lengths.empty()) return without_length(table, row, nip, method);
   std::optional<ViscoelasticRowInput> best;
   std::size_t most = 0;
-  for (method.trailing_elements = method.leading_elements; method.trailing_elements > 0;
-       --method.trailing_elements) {
-    const double ratio = static_cast<double>(method.trailing_elements) / method.leading_elements;
+  for (int trailing = method.leading_elements; trailing > 0; --trailing) {
+    const double ratio = static_cast<double>(trailing) / method.leading_elements;
     const std::size_t agree = agreeing(lengths, ratio);
     if (agree < most) continue;
     const data::Interval leading = lengths.front().leading(ratio);
     if (agree > most || !best) {
       most = agree;
-      best = {lengths.front().column, leading, method.trailing_elements, "", leading, leading};
+      best = {lengths.front().column, leading, trailing, "", leading, leading};
     } else {
       const auto presses = [&](int trailing_elements, double length) {
-        fast::ViscoelasticLineLoadMethod other = method;
-        other.trailing_elements = trailing_elements;
-        return fast::viscoelastic_line_loads_for_length(nip, other, length).presses_everywhere();
+        method.trailing_elements = trailing_elements;
+        return fast::line_loads_for_length(nip, method, length).presses_everywhere();
       };
       if (!presses(best->trailing_elements, best->leading_length.middle()) &&
-          presses(method.trailing_elements, leading.middle()))
-        best = {lengths.front().column, leading, method.trailing_elements, "", leading, leading};
+          presses(trailing, leading.middle()))
+        best = {lengths.front().column, leading, trailing, "", leading, leading};
     }
   }
   narrow(*best, lengths, static_cast<double>(best->trailing_elements) / method.leading_elements,
          length_by_displacements(table, row, nip.roller_radius));
   return *best;
-}
-
-RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip, const ViscoelasticNumbers& numbers) {
-  const double thickness = nip.sheet_thickness;
-  const double length = numbers.leading_length + numbers.trailing_length;
-  const double d0 = numbers.indentation;
-  const double d1 = d0 - std::pow(numbers.leading_length, 2) / (2 * nip.roller_radius);
-  const double d2 = d0 - std::pow(numbers.trailing_length, 2) / (2 * nip.roller_radius);
-  return {{"W", numbers.load},
-          {"L1", numbers.leading_length},
-          {"L2", numbers.trailing_length},
-          {"L", length},
-          {"d0", d0},
-          {"d1", d1},
-          {"d2", d2},
-          {"L/B", length / thickness},
-          {"d0/B", d0 / thickness},
-          {"d1/B", d1 / thickness},
-          {"d2/B", d2 / thickness},
-          {"d1/d0", d1 / d0},
-          {"d2/d0", d2 / d0},
-          {"p_max", numbers.peak_pressure},
-          {"creep", numbers.creep_ratio},
-          {"muR", numbers.rolling_resistance}};
-}
-
-RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
-                                  const fast::ViscoelasticLineLoadMethod& method,
-                                  const fast::ViscoelasticLineLoads& loads) {
-  return viscoelastic_row_values(
-      nip, {loads.load, loads.leading_length, loads.trailing_length, loads.indentation, loads.peak_pressure,
-            fast::creep_ratio(nip, loads, method), loads.rolling_resistance});
 }
 
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,

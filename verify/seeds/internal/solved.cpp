@@ -171,9 +171,9 @@ Propagated printed_cell(const Request& request) {
 Propagated started_resistance(const Request& request) {
   const data::ViscoelasticNip nip{6, request.number("thickness", "2"), solid_of(request), 1};
   const double half_thicknesses = request.number("distance", "1") / nip.half_thickness();
-  const fast::ViscoelasticLineLoadMethod method{10, 10, half_thicknesses, 0};
+  const fast::ViscoelasticLineLoadMethod method{10, {}, half_thicknesses, 0};
   return printed_form(
-      fast::viscoelastic_line_loads_by_search(nip, method, request.number("load", "0")).rolling_resistance);
+      fast::line_loads_for_load(nip, method, request.number("load", "0")).rolling_resistance());
 }
 
 /// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.

@@ -13,48 +13,28 @@
 namespace nipref::verify {
 
 /// Calls set(result, member) for the results of a solved nip: the solution's members, functions or numbers, have the names
-/// of the results. In an elastic nip both sides are alike and there is no rolling resistance; without friction there is no
-/// shear; a pressure of which no position of its peak is known has it in the middle. `zero` is a function of the solution.
+/// of the results.
 template <class Solution>
-void set_nip_results(const auto& set, const auto& zero) {
-  constexpr bool is_rolling = requires { &Solution::leading_length; };
-  constexpr bool has_shear = requires { &Solution::shear; };
-  constexpr bool has_peak = requires { &Solution::peak_pressure_position; };
+void set_nip_results(const auto& set) {
   set(ResultId::contact_length, &Solution::contact_length);
+  set(ResultId::leading_length, &Solution::leading_length);
+  set(ResultId::trailing_length, &Solution::trailing_length);
   set(ResultId::load, &Solution::load);
   set(ResultId::indentation, &Solution::indentation);
+  set(ResultId::edge_displacement, &Solution::leading_displacement);
+  set(ResultId::trailing_displacement, &Solution::trailing_displacement);
+  set(ResultId::rolling_resistance, &Solution::rolling_resistance);
   set(ResultId::creep_ratio, &Solution::creep_ratio);
-  set(ResultId::peak_pressure, &Solution::peak_pressure);
   set(ResultId::pressure, &Solution::pressure);
+  set(ResultId::peak_pressure, &Solution::peak_pressure);
+  set(ResultId::peak_pressure_position, &Solution::peak_pressure_position);
+  set(ResultId::shear, &Solution::shear);
+  set(ResultId::peak_shear, &Solution::peak_shear);
+  set(ResultId::peak_shear_position, &Solution::peak_shear_position);
   set(ResultId::normal_displacement, &Solution::normal_displacement);
   set(ResultId::tangential_displacement, &Solution::tangential_displacement);
-  if constexpr (is_rolling) {
-    set(ResultId::leading_length, &Solution::leading_length);
-    set(ResultId::trailing_length, &Solution::trailing_length);
-    set(ResultId::edge_displacement, &Solution::leading_displacement);
-    set(ResultId::trailing_displacement, &Solution::trailing_displacement);
-    set(ResultId::rolling_resistance, &Solution::rolling_resistance);
-  } else {
-    const auto half = [](const Solution& nip) { return 0.5 * std::invoke(&Solution::contact_length, nip); };
-    set(ResultId::leading_length, half);
-    set(ResultId::trailing_length, half);
-    set(ResultId::edge_displacement, &Solution::edge_displacement);
-    set(ResultId::trailing_displacement, &Solution::edge_displacement);
-    set(ResultId::rolling_resistance, zero);
-  }
-  if constexpr (has_peak) set(ResultId::peak_pressure_position, &Solution::peak_pressure_position);
-  if constexpr (!has_peak) set(ResultId::peak_pressure_position, zero);
-  if constexpr (has_shear) {
-    set(ResultId::shear, &Solution::shear);
-    set(ResultId::peak_shear, &Solution::peak_shear);
-    set(ResultId::peak_shear_position, &Solution::peak_shear_position);
-  } else {
-    set(ResultId::shear, [zero](Solution& nip, double) { return zero(nip); });
-    set(ResultId::peak_shear, zero);
-  }
   // Results that only some methods have.
   if constexpr (requires { &Solution::shear_zeros; }) set(ResultId::shear_zeros, &Solution::shear_zeros);
-  if constexpr (requires { &Solution::creep_range; }) set(ResultId::creep_range, &Solution::creep_range);
   if constexpr (requires { &Solution::leading_moment; }) {
     set(ResultId::leading_moment, &Solution::leading_moment);
     set(ResultId::trailing_moment, &Solution::trailing_moment);
@@ -135,6 +115,13 @@ std::shared_ptr<InnerFields<Path>> line_load_fields(const std::shared_ptr<LineLo
     };
   }
   return fields;
+}
+
+/// What line loads do on the roller.
+inline data::Grip grip_of(const data::ElasticNipProblem& problem) {
+  if (problem.friction == data::Friction::none) return {};
+  if (problem.creep_ratio) return {data::Grip::Creep::given, *problem.creep_ratio};
+  return {data::Grip::Creep::thesis};
 }
 
 inline bool has_full_friction(const data::ElasticNipProblem& problem) {

@@ -1,6 +1,7 @@
 #include <utility>
 
-#include <nipref/ref/elastic_nip/internal/thesis_creep.hpp>
+#include <nipref/ref/nip/internal/thesis_creep.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -66,7 +67,7 @@ class Conditions {
         std::optional<Interval>& nearest = side < 0 ? below : above;
         // If the intervals of two roots overlap, the bound covers both.
         const auto nearer = [&](const Interval& other) {
-          return side < 0 ? larger(root, other) : -larger(-root, -other);
+          return side < 0 ? larger_of(root, other) : -larger_of(-root, -other);
         };
         nearest = nearest ? nearer(*nearest) : root;
       }
@@ -79,12 +80,6 @@ class Conditions {
   }
 
  private:
-  static Interval larger(const Interval& a, const Interval& b) {
-    Interval result = a;
-    if (mpfr_greater_p(b.lower(), a.lower()) != 0) mpfr_set(&result.get()->left, b.lower(), MPFR_RNDD);
-    if (mpfr_greater_p(b.upper(), a.upper()) != 0) mpfr_set(&result.get()->right, b.upper(), MPFR_RNDU);
-    return result;
-  }
   /// Whether x is the same interval as the root.
   static bool is_root(const Interval& x, const Interval& root) {
     return mpfr_equal_p(x.lower(), root.lower()) != 0 && mpfr_equal_p(x.upper(), root.upper()) != 0;
@@ -144,10 +139,6 @@ Conditions conditions(const std::vector<Interval>& at_zero, const std::vector<In
   }
   return result;
 }
-
-}  // namespace
-
-namespace {
 
 /// The conditions of the sign of the shear loads whose creep is nearer to 0, and that creep.
 struct Chosen {

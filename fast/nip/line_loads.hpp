@@ -1,0 +1,89 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nipref/fast/nip/line_load_field.hpp>
+#include <nipref/fast/nip/work.hpp>
+
+namespace nipref::fast {
+
+/// What the surface of a sheet does under line loads.
+class LineLoadSheet {
+ public:
+  virtual ~LineLoadSheet() = default;
+  /// At Y, unit of length, where there is no load: towards the middle plane, and along Y relative to a point that is the
+  /// same for all Y. What is evaluated is counted in `work`.
+  [[nodiscard]] virtual double normal_displacement(std::span<const FaceLoad> loads, double y,
+                                                   Work& work) const = 0;
+  [[nodiscard]] virtual double tangential_displacement(std::span<const FaceLoad> loads, double y,
+                                                       Work& work) const = 0;
+};
+
+/// Creep ratios from `lower` to `upper`, dimensionless.
+struct CreepRange {
+  double lower;
+  double upper;
+};
+
+/// A nip with its tractions gathered in line loads, as the thesis has it: the contact is cut into equal elements, each
+/// element's forces act at its centre, and the sheet is held to the roller at the ends of the contact and midway between
+/// the loads. (thesis 2.2) It is made by line_loads_for_length or line_loads_for_load for an elastic nip
+/// (elastic_nip/line_loads.hpp) or a viscoelastic one (viscoelastic_nip/line_loads.hpp); every result is computed when it
+/// is asked for. The results have no errors: they are those of the discrete contact, to rounding.
+///
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
+/// unit of length, finite; otherwise BadInput. The loads being concentrated, displacements are infinite at them: such a Y
+/// is BadInput too.
+struct LineLoadNip {
+  double roller_radius;         ///< R, unit of length
+  int leading_elements;         ///< m1
+  double leading_length;        ///< L1, unit of length
+  double indentation;           ///< d0, approach of roller and middle plane, unit of length
+  std::vector<FaceLoad> loads;  ///< from the leading end on
+  bool is_symmetric;  ///< the normal loads are even about Y = 0 and the shear odd, as of an elastic sheet
+  std::shared_ptr<const LineLoadSheet> sheet;
+  std::shared_ptr<Work> spent;               ///< grows with each result that is computed
+  std::optional<double> gripped_creep = {};  ///< with full friction: the creep ratio it was solved for
+  /// With full friction: the creep ratios for which, at this contact length, no normal load is negative, the shear
+  /// loads of one side have one sign and their part of the normal load does not fall outwards. Disjoint, rising.
+  /// (thesis 2.1, 2.3, 2.4)
+  std::vector<CreepRange> creep_ranges = {};
+
+  [[nodiscard]] int trailing_elements() const;   ///< m2
+  [[nodiscard]] double trailing_length() const;  ///< L2, unit of length
+  [[nodiscard]] double contact_length() const { return leading_length + trailing_length(); }  ///< L1 + L2
+  [[nodiscard]] double element_width() const {
+    return leading_length / leading_elements;
+  }                                                    ///< unit of length
+  [[nodiscard]] double leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] double trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] double load() const;  ///< W, force per unit width: the sum of the normal loads
+  /// The largest normal load, or shear load in size, over the width of its element, unit of stress, and the centre of
+  /// that element, unit of length; in a symmetric nip the one with Y > 0.
+  [[nodiscard]] double peak_pressure() const;
+  [[nodiscard]] double peak_pressure_position() const;
+  [[nodiscard]] double peak_shear() const;
+  [[nodiscard]] double peak_shear_position() const;
+  /// The sum of the normal loads with Y > 0, or with Y < 0, times Y, a force. (thesis 7.13)
+  [[nodiscard]] double leading_moment() const;
+  [[nodiscard]] double trailing_moment() const;
+  [[nodiscard]] double rolling_resistance() const;  ///< the sum of both over W R, dimensionless (thesis 7.15)
+  /// (v(L1) - v(-L2))/L, dimensionless; with full friction the one that was solved for. (thesis 5.5, 5.16, 7.17)
+  [[nodiscard]] double creep_ratio() const;
+  /// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Unit of length.
+  [[nodiscard]] std::vector<double> shear_zeros() const;
+  /// The normal or the shear load of the element that Y lies in over its width, unit of stress; 0 outside the contact. A
+  /// place on a border counts to the trailing element, in a symmetric nip to the outer one.
+  [[nodiscard]] double pressure(double y) const;
+  [[nodiscard]] double shear(double y) const;
+  /// u, towards the middle plane, and v, relative to Y = 0, at any Y; unit of length. (thesis 5.6, 7.3, 7.16)
+  [[nodiscard]] double normal_displacement(double y) const;
+  [[nodiscard]] double tangential_displacement(double y) const;
+  [[nodiscard]] bool presses_everywhere() const;  ///< no normal load is negative (thesis 2.1)
+  [[nodiscard]] const std::vector<FaceLoad>& face_loads() const { return loads; }
+  [[nodiscard]] Work work() const { return *spent; }
+};
+
+}  // namespace nipref::fast

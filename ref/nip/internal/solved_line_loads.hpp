@@ -1,0 +1,106 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <nipref/ref/nip/line_loads.hpp>
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+/// A place Y: a distance, unit of length, and so many half widths of an element from the line through the rollers'
+/// centres.
+struct LineLoadPlace {
+  mpq_class distance;
+  long half_elements;
+};
+
+/// What the surface of a sheet does under line loads: towards the middle plane, and along Y from a point that is the
+/// same for all places. Not at the place of a load.
+class LineLoadSheet {
+ public:
+  virtual ~LineLoadSheet() = default;
+  [[nodiscard]] virtual Interval normal_displacement(const SolvedLineLoads& loads,
+                                                     const LineLoadPlace& place) const = 0;
+  [[nodiscard]] virtual Interval tangential_displacement(const SolvedLineLoads& loads,
+                                                         const LineLoadPlace& place) const = 0;
+};
+
+/// All lengths within `spread` of a length, relative.
+struct Lengths {
+  Float length;
+  Float spread = 0;
+};
+
+/// What the contacts of some lengths have in common.
+struct SolvedLineLoads {
+  double roller_radius;
+  int leading_elements;
+  bool is_symmetric;  ///< about Y = 0
+  Interval contact_length;
+  Interval indentation;
+  std::vector<Interval> normal,
+      shear;        ///< force per unit width, from the leading end on; no shear without friction
+  Float error;      ///< the largest of an unknown over the largest unknown
+  Float condition;  ///< of the matrix
+  int unknowns;
+  std::shared_ptr<const LineLoadSheet> sheet;
+  int systems = 1;
+  std::optional<Interval> gripped_creep = {};
+  /// With full friction, of one side from the middle outwards, in any unit: the normal loads and then the shear loads
+  /// of the creep 0, and what a creep of 1 adds.
+  std::vector<Interval> at_zero = {}, per_creep = {};
+
+  [[nodiscard]] int elements() const { return static_cast<int>(normal.size()); }
+  /// Half widths of an element from the line through the centres to a load's place, towards the leading side.
+  [[nodiscard]] long half_elements_to(std::size_t load) const {
+    return 2L * (leading_elements - static_cast<long>(load)) - 1;
+  }
+  /// So many half widths of an element.
+  [[nodiscard]] Interval length(long half_elements) const {
+    return half_elements * contact_length / (2L * elements());
+  }
+  /// From a load's place to another, unit of length.
+  [[nodiscard]] Interval distance(std::size_t load, const LineLoadPlace& place) const;
+  [[nodiscard]] Interval load() const;
+  /// No normal load is negative; nothing where the bounds do not tell.
+  [[nodiscard]] std::optional<bool> presses_everywhere() const;
+};
+
+using ContactOf = std::function<std::optional<SolvedLineLoads>(const Lengths&)>;
+
+/// A search for the length that carries a load: where it begins, and then where it has come to.
+struct LengthSearch {
+  double load;
+  Float longest;       ///< not gone beyond
+  Float length;        ///< in any unit that contact_of takes
+  Float exponent = 3;  ///< d ln W/d ln L
+  int systems = 0;     ///< solved
+
+  /// By secants of ln W over ln L until W is within 10^-digits of the load; false where the precision does not
+  /// suffice to solve a contact. BadInput "load" if no length is found.
+  bool seek(int digits, const ContactOf& contact_of);
+  /// All contacts of lengths within 10^-digits, one of which carries the load, as those at the ends carry less and
+  /// more. Nothing where the precision does not suffice for the proof.
+  std::optional<SolvedLineLoads> contact_carrying(int digits, const ContactOf& contact_of);
+};
+
+/// Digits beyond those asked for, with which to begin and to end; arithmetic has some more.
+struct ExtraDigits {
+  int first, most;
+};
+constexpr int spare_digits_of_loads = 4, rounding_digits_of_loads = 6;
+
+/// contact_at(digits of influences), with more and more digits until it is `enough`; nothing where that does not come
+/// about.
+std::optional<LineLoadNip> solved_until(
+    int digits, const ExtraDigits& extra,
+    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at,
+    const std::function<bool(const SolvedLineLoads&)>& enough);
+/// The same until the error of the unknowns is small enough for the digits.
+std::optional<LineLoadNip> solved_to(
+    int digits, const ExtraDigits& extra,
+    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at);
+
+}  // namespace nipref::ref

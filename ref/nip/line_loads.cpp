@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/nip/internal/solved_line_loads.hpp>
+#include <nipref/ref/nip/internal/thesis_creep.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::BadInput;
+
+std::vector<Interval> sizes_of(const std::vector<Interval>& loads) {
+  std::vector<Interval> sizes;
+  for (const Interval& load : loads) sizes.push_back(larger_of(load, -load));
+  return sizes;
+}
+
+/// Those of one side in a symmetric nip, otherwise all.
+std::size_t to_look_at(const SolvedLineLoads& nip) {
+  return static_cast<std::size_t>(nip.is_symmetric ? nip.leading_elements : nip.elements());
+}
+
+Interval largest_of(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
+  Interval largest = loads.front();
+  for (std::size_t j = 1; j < to_look_at(nip); ++j) largest = larger_of(largest, loads[j]);
+  return largest;
+}
+
+/// The hull of the centres of elements that may have the largest.
+Interval place_of_largest(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
+  const Interval largest = largest_of(nip, loads);
+  std::optional<Interval> place;
+  for (std::size_t j = 0; j < to_look_at(nip); ++j) {
+    if (mpfr_less_p(loads[j].upper(), largest.lower()) != 0) continue;
+    const Interval here = nip.length(nip.half_elements_to(j));
+    place = place ? hull(*place, here) : here;
+  }
+  return *place;
+}
+
+/// d0 - Y^2/(2R)
+Interval displacement_at(const SolvedLineLoads& nip, long half_elements) {
+  return nip.indentation -
+         square(nip.length(half_elements)) / (2 * Interval(nip.roller_radius, working_bits()));
+}
+
+/// Of the loads on the side of this sign.
+Interval moment(const SolvedLineLoads& nip, int side) {
+  Interval total(working_bits());
+  for (std::size_t j = 0; j < nip.normal.size(); ++j) {
+    const long place = nip.half_elements_to(j);
+    if (side * place > 0) total = total + nip.normal[j] * nip.length(place);
+  }
+  return total;
+}
+
+/// The load of the element around y over its width; nothing outside the contact.
+std::optional<Interval> density_at(const SolvedLineLoads& nip, const std::vector<Interval>& loads, double y) {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  if (loads.empty()) return std::nullopt;
+  if (nip.is_symmetric) y = -std::fabs(y);
+  const double length = middle_of(nip.contact_length).convert_to<double>();
+  const double width = length / nip.elements(), leading = width * nip.leading_elements;
+  const double ahead = leading - y, border = 0x1p-50 * leading;
+  if (ahead < -border || ahead > length + border) return std::nullopt;
+  const auto element = static_cast<std::size_t>(std::max(0.0, ahead + border) / width);
+  return loads[std::min(element, loads.size() - 1)] / nip.length(2);
+}
+
+LineLoadPlace place_beside_loads(const SolvedLineLoads& nip, double y) {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  LineLoadPlace place{mpq_class(y), 0};
+  for (std::size_t j = 0; j < nip.normal.size(); ++j) {
+    if (mpfi_has_zero(nip.distance(j, place).get()) != 0)
+      throw BadInput("y", y, "must not be the place of a line load");
+  }
+  return place;
+}
+
+int sign_of(const Interval& x) { return mpfr_sgn(x.lower()) > 0 ? 1 : mpfr_sgn(x.upper()) < 0 ? -1 : 0; }
+
+}  // namespace
+
+LineLoadNip::LineLoadNip(SolvedLineLoads solved, int digits, int working_digits)
+    : solved_(std::make_shared<const SolvedLineLoads>(std::move(solved))),
+      digits_(digits),
+      working_digits_(working_digits) {}
+
+Enclosure LineLoadNip::enclosed(const auto& function) const {
+  const WorkingDigits scope(working_digits_);
+  return enclosure_of(function(), digits_);
+}
+
+Enclosure LineLoadNip::contact_length() const {
+  return enclosed([&] { return solved_->contact_length; });
+}
+Enclosure LineLoadNip::leading_length() const {
+  return enclosed([&] { return solved_->length(2L * solved_->leading_elements); });
+}
+Enclosure LineLoadNip::trailing_length() const {
+  return enclosed([&] { return solved_->length(2L * (solved_->elements() - solved_->leading_elements)); });
+}
+Enclosure LineLoadNip::indentation() const {
+  return enclosed([&] { return solved_->indentation; });
+}
+Enclosure LineLoadNip::leading_displacement() const {
+  return enclosed([&] { return displacement_at(*solved_, 2L * solved_->leading_elements); });
+}
+Enclosure LineLoadNip::trailing_displacement() const {
+  return enclosed(
+      [&] { return displacement_at(*solved_, 2L * (solved_->elements() - solved_->leading_elements)); });
+}
+Enclosure LineLoadNip::load() const {
+  return enclosed([&] { return solved_->load(); });
+}
+
+Enclosure LineLoadNip::peak_pressure() const {
+  return enclosed([&] { return largest_of(*solved_, solved_->normal) / solved_->length(2); });
+}
+Enclosure LineLoadNip::peak_pressure_position() const {
+  return enclosed([&] { return place_of_largest(*solved_, solved_->normal); });
+}
+Enclosure LineLoadNip::peak_shear() const {
+  if (solved_->shear.empty()) return exact_zero(digits_);
+  return enclosed([&] { return largest_of(*solved_, sizes_of(solved_->shear)) / solved_->length(2); });
+}
+Enclosure LineLoadNip::peak_shear_position() const {
+  return enclosed([&] { return place_of_largest(*solved_, sizes_of(solved_->shear)); });
+}
+
+Enclosure LineLoadNip::leading_moment() const {
+  return enclosed([&] { return moment(*solved_, 1); });
+}
+Enclosure LineLoadNip::trailing_moment() const {
+  return enclosed([&] { return moment(*solved_, -1); });
+}
+Enclosure LineLoadNip::rolling_resistance() const {
+  if (solved_->is_symmetric) return exact_zero(digits_);
+  return enclosed([&] {
+    return (moment(*solved_, 1) + moment(*solved_, -1)) /
+           (solved_->load() * Interval(solved_->roller_radius, working_bits()));
+  });
+}
+
+Enclosure LineLoadNip::creep_ratio() const {
+  return enclosed([&] {
+    if (solved_->gripped_creep) return *solved_->gripped_creep;
+    const long leading = 2L * solved_->leading_elements, all = 2L * solved_->elements();
+    const auto at = [&](long half_elements) {
+      return solved_->sheet->tangential_displacement(*solved_, {0, half_elements});
+    };
+    if (solved_->is_symmetric) return at(leading) / solved_->length(leading);
+    return (at(leading) - at(leading - all)) / solved_->contact_length;
+  });
+}
+
+CreepRange LineLoadNip::creep_range() const {
+  const WorkingDigits scope(working_digits_);
+  const auto range = thesis_creep_range(solved_->at_zero, solved_->per_creep);
+  if (!range)
+    throw BadInput(
+        "contact_length", contact_length().to_double(),
+        "must be one for which some creep meets the thesis's conditions, and the bounds tell which");
+  return {enclosure_of(range->lower, digits_), enclosure_of(range->upper, digits_),
+          enclosure_of(range->chosen, digits_)};
+}
+
+std::vector<Enclosure> LineLoadNip::shear_zeros() const {
+  std::vector<Enclosure> zeros;
+  const auto& loads = solved_->shear;
+  if (loads.empty()) return zeros;
+  zeros.push_back(exact_zero(digits_));
+  long last_border = 0;
+  int last_sign = 0;
+  for (auto load = static_cast<std::size_t>(solved_->leading_elements); load-- > 0;) {
+    const int sign = sign_of(loads[load]);
+    if (sign == 0) continue;
+    const long inner = solved_->half_elements_to(load) - 1;
+    if (last_sign != 0 && sign != last_sign)
+      zeros.push_back(enclosed([&] { return hull(solved_->length(last_border), solved_->length(inner)); }));
+    last_border = inner + 2;
+    last_sign = sign;
+  }
+  return zeros;
+}
+
+Enclosure LineLoadNip::pressure(double y) const {
+  const WorkingDigits scope(working_digits_);
+  const auto density = density_at(*solved_, solved_->normal, y);
+  return density ? enclosure_of(*density, digits_) : exact_zero(digits_);
+}
+Enclosure LineLoadNip::shear(double y) const {
+  const WorkingDigits scope(working_digits_);
+  const auto trailing = density_at(*solved_, solved_->shear, y);
+  if (!trailing) return exact_zero(digits_);
+  return enclosure_of(std::signbit(y) ? *trailing : -*trailing, digits_);
+}
+
+Enclosure LineLoadNip::normal_displacement(double y) const {
+  return enclosed(
+      [&] { return solved_->sheet->normal_displacement(*solved_, place_beside_loads(*solved_, y)); });
+}
+Enclosure LineLoadNip::tangential_displacement(double y) const {
+  if (y == 0) return exact_zero(digits_);
+  return enclosed([&] {
+    const LineLoadSheet& sheet = *solved_->sheet;
+    const Interval to_point = sheet.tangential_displacement(*solved_, place_beside_loads(*solved_, y));
+    return solved_->is_symmetric ? to_point : to_point - sheet.tangential_displacement(*solved_, {0, 0});
+  });
+}
+
+std::vector<FaceLoad> LineLoadNip::face_loads() const {
+  std::vector<FaceLoad> loads;
+  for (std::size_t j = 0; j < solved_->normal.size(); ++j) {
+    const auto of = [&](const std::vector<Interval>& all) {
+      return all.empty() ? exact_zero(digits_) : enclosed([&] { return all[j]; });
+    };
+    loads.push_back({enclosed([&] { return solved_->length(solved_->half_elements_to(j)); }),
+                     of(solved_->normal), of(solved_->shear)});
+  }
+  return loads;
+}
+
+int LineLoadNip::systems() const { return solved_->systems; }
+int LineLoadNip::unknowns() const { return solved_->unknowns; }
+double LineLoadNip::condition() const { return static_cast<double>(solved_->condition); }
+
+}  // namespace nipref::ref
