@@ -4,13 +4,20 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
 namespace {
 
-constexpr double longest_proven = 80;  ///< sheet thicknesses
+/// Sheet thicknesses.
+double longest_proven(data::Friction friction) { return friction == data::Friction::full ? 4 : 80; }
+
+mpq_class beta_of(const data::ElasticMaterial& material) {
+  const mpq_class poisson = material.poisson;
+  return (1 - 2 * poisson) / (2 * (1 - poisson));
+}
 
 NipTask task_of(const data::ElasticNip& nip, int digits) {
   nip.check();
@@ -21,8 +28,7 @@ NipTask task_of(const data::ElasticNip& nip, int digits) {
 
 ConvergedNip::Parts parts_of(const data::ElasticNip& nip, data::Friction friction, int digits) {
   const mpq_class poisson = nip.material.poisson, young = nip.material.young;
-  const mpq_class compliance = 2 * (1 - poisson) * (1 + poisson) / young,
-                  beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+  const mpq_class compliance = 2 * (1 - poisson) * (1 + poisson) / young, beta = beta_of(nip.material);
   const WorkingDigits working(SolvedNip::working_digits(digits, 0));
   return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance),
           beta,
@@ -41,8 +47,10 @@ ConvergedNip contact_of(ConvergedNip::Parts parts) {
 int proven_terms(const data::ElasticNip& nip, data::Friction friction, double contact_length, int digits,
                  int most_terms) {
   const double half_length = task_of(nip, digits).half_length(contact_length).approximate();
-  if (friction != data::Friction::none || half_length > longest_proven) return 0;
-  const int terms = proven_elastic_terms(half_length, digits);
+  if (half_length > longest_proven(friction)) return 0;
+  const int terms = friction == data::Friction::full
+                        ? proven_gripped_terms(half_length, beta_of(nip.material).get_d(), digits)
+                        : proven_elastic_terms(half_length, digits);
   return terms <= most_terms ? terms : 0;
 }
 
@@ -58,8 +66,11 @@ ConvergedNip converged_for_length(const data::ElasticNip& nip, data::Friction fr
   const Exact half_length = task_of(nip, digits).half_length(contact_length);
   ConvergedNip::Parts parts = parts_of(nip, friction, digits);
   parts.half_length = half_length;
-  if (proven_terms(nip, friction, contact_length, digits, most_terms) > 0)
-    parts.proof = proven_elastic(half_length, digits, I1_interval, most_terms);
+  if (proven_terms(nip, friction, contact_length, digits, most_terms) > 0) {
+    parts.proof = parts.sheet->grips()
+                      ? proven_gripped(half_length, Exact(parts.beta), digits, gripped_kernels())
+                      : proven_elastic(half_length, digits, I1_interval, most_terms);
+  }
   return contact_of(std::move(parts));
 }
 
@@ -71,11 +82,15 @@ ConvergedNip converged_for_load(const data::ElasticNip& nip, data::Friction fric
   const Exact wanted(mpq_class(load) / parts.units.force);
   const double guess = guessed_half_length(wanted.approximate(), [](double) { return 1; });
   const auto is_allowed = [&](double half_length) {
-    return half_length <= longest_proven && task.allows(half_length * nip.sheet_thickness);
+    return half_length <= longest_proven(friction) && task.allows(half_length * nip.sheet_thickness);
   };
   // The guess is good to a tenth or so.
-  if (friction == data::Friction::none && is_allowed(0.8 * guess) && is_allowed(1.25 * guess))
-    parts.proof = proven_elastic_for_load(wanted, guess, is_allowed, digits, I1_interval, most_terms);
+  if (is_allowed(0.8 * guess) && is_allowed(1.25 * guess)) {
+    parts.proof = parts.sheet->grips()
+                      ? proven_gripped_for_load(wanted, guess, is_allowed, Exact(parts.beta), digits,
+                                                gripped_kernels(), most_terms)
+                      : proven_elastic_for_load(wanted, guess, is_allowed, digits, I1_interval, most_terms);
+  }
   if (!parts.proof) {
     const WorkingDigits working(parts.working_digits());
     parts.solved = task.solved_for_load(parts.sheet, load, to_float(wanted), guess);

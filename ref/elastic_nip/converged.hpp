@@ -5,13 +5,13 @@
 
 namespace nipref::ref {
 
-/// Terms of the expansion that is tried at most to prove a frictionless contact: beyond a few sheet thicknesses it needs
-/// about L/B (digits + 20) 0.6 of them, and the time grows with their square.
+/// Terms of the expansion that is tried at most to prove a contact: beyond a few sheet thicknesses it needs
+/// about L/B (digits + 20) 0.6 of them without friction, and the time grows with their square.
 inline constexpr int most_proof_terms = 2200;
 
 /// Contact of an elastic nip of the given length: > 0, L <= R and 1e-8 <= L/B <= 1000; digits: 16 to 100. BadInput
-/// otherwise, and naming the digits where 1400 unknowns do not give them. Without friction, of up to 80 sheet thicknesses,
-/// all but stresses inside is proven where so many terms suffice: ref/elastic_nip/README.md, Contacts without friction.
+/// otherwise, and naming the digits where 1400 unknowns do not give them. Where so many terms
+/// suffice, of up to 80 sheet thicknesses without friction and 4 with it, what ref/elastic_nip/README.md says is proven.
 ConvergedNip converged_for_length(const data::ElasticNip& nip, data::Friction friction, double contact_length,
                                   int digits, int most_terms = most_proof_terms);
 

@@ -88,7 +88,7 @@ Float square_of(const NipSolution& of) { return of.half_length() * of.half_lengt
 Float pressure_of(const NipSolution& of) { return of.load() / of.half_length(); }
 
 /// Proven of nothing.
-std::optional<Interval> unproven(const ProvenContact&) { return std::nullopt; }
+std::optional<Interval> unproven(const ProvenResults&) { return std::nullopt; }
 
 /// x of samples on all panels of both halves, rising.
 std::vector<Float> samples_of(const NipSolution& of) {
@@ -161,14 +161,14 @@ const SolvedNip& ConvergedNip::Parts::by_panels() const {
 
 Float ConvergedNip::Parts::size() const {
   if (half_length) return to_float(*half_length);
-  return proof ? middle_of(proof->contact.half_length()) : fine().half_length();
+  return proof ? middle_of(proof->contact->half_length()) : fine().half_length();
 }
 
 Estimate ConvergedNip::Parts::number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
                                      const SolvedNip::Functional& size) const {
   if (proof) {
     const WorkingDigits working(proof->working_digits);
-    const std::optional<Interval> value = proven(proof->contact);
+    const std::optional<Interval> value = proven(*proof->contact);
     if (value) return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
   }
   const WorkingDigits working(working_digits());
@@ -186,7 +186,7 @@ Float ConvergedNip::Parts::behind(const NipSolution& of, double y) const {
 }
 
 SurfacePoint ConvergedNip::Parts::place(double y) const {
-  const ProvenContact& of = proof->contact;
+  const ProvenResults& of = *proof->contact;
   const mpq_class distance = mpq_class(y) / units.length;
   // Exact where the ends are.
   const Interval ahead = sheet->is_symmetric() && half_length
@@ -310,7 +310,7 @@ Estimate ConvergedNip::rolling_resistance() const {
 }
 
 Estimate ConvergedNip::creep_ratio() const {
-  const auto proven = [&](const ProvenContact& of) -> std::optional<Interval> {
+  const auto proven = [&](const ProvenResults& of) -> std::optional<Interval> {
     const Interval beta(Exact(parts_->beta), working_bits());
     const std::optional<Interval> end = of.tangential({Interval(working_bits())}, beta);
     return end ? std::optional(*end / of.half_length()) : end;
@@ -327,7 +327,7 @@ Estimate ConvergedNip::peak_pressure() const {
   const auto largest = [](const NipSolution& of) {
     return of.tractions(place_of_largest(of, &PressureAndShear::pressure)).pressure;
   };
-  return parts_->number(&Unit::pressure, std::mem_fn(&ProvenContact::peak_pressure), largest, itself);
+  return parts_->number(&Unit::pressure, std::mem_fn(&ProvenResults::peak_pressure), largest, itself);
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
@@ -380,20 +380,23 @@ Estimate ConvergedNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   if (!parts_->proof) return parts_->traction(y, &PressureAndShear::pressure);
   const WorkingDigits working(parts_->proof->working_digits);
-  const Interval pressure = parts_->proof->contact.pressure(parts_->place(y));
+  const Interval pressure = parts_->proof->contact->pressure(parts_->place(y));
   return enclosure_of(Interval(Exact(parts_->units.pressure), working_bits()) * pressure, parts_->digits);
 }
 
 Estimate ConvergedNip::shear(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   if (!parts_->sheet->grips() || y == 0) return exact_zero(parts_->digits);
-  return parts_->traction(y, &PressureAndShear::shear);
+  if (!parts_->proof) return parts_->traction(y, &PressureAndShear::shear);
+  const WorkingDigits working(parts_->proof->working_digits);
+  const Interval shear = parts_->proof->contact->shear(parts_->place(y));
+  return enclosure_of(Interval(Exact(parts_->units.pressure), working_bits()) * shear, parts_->digits);
 }
 
 Estimate ConvergedNip::normal_displacement(double y) const {
   parts_->check_place(y);
   return parts_->number(
-      &Unit::displacement, [&](const ProvenContact& of) { return of.normal(parts_->place(y)); },
+      &Unit::displacement, [&](const ProvenResults& of) { return of.normal(parts_->place(y)); },
       [&](const NipSolution& of) { return of.normal(parts_->behind(of, y), parts_->by_panels().kernels()); },
       square_of);
 }
@@ -403,7 +406,7 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   if (y == 0) return exact_zero(parts_->digits);
   return parts_->number(
       &Unit::displacement,
-      [&](const ProvenContact& of) {
+      [&](const ProvenResults& of) {
         return of.tangential(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
       },
       [&](const NipSolution& of) -> Float {
@@ -421,7 +424,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   if (parts_->proof) {
     const WorkingDigits working(parts_->proof->working_digits);
     const auto proven =
-        parts_->proof->contact.strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
+        parts_->proof->contact->strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
     if (proven)
       return enclosure_of(Interval(Exact(parts_->units.slope), working_bits()) * *proven, parts_->digits);
   }
@@ -472,18 +475,19 @@ GreatestShear ConvergedNip::greatest_shear() const {
 }
 
 int ConvergedNip::unknowns() const {
-  return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact.terms();
+  return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact->terms();
 }
 long ConvergedNip::normal_values() const {
   return (parts_->solved ? parts_->solved->kernels().normal_values() : 0) +
-         (parts_->proof ? parts_->proof->contact.normal_values() : 0);
+         (parts_->proof ? parts_->proof->contact->normal_values() : 0);
 }
 long ConvergedNip::coupling_values() const {
   return (parts_->solved ? parts_->solved->kernels().coupling_values() : 0) +
-         (parts_->proof ? parts_->proof->contact.coupling_values() : 0);
+         (parts_->proof ? parts_->proof->contact->coupling_values() : 0);
 }
 long ConvergedNip::stretch_values() const {
-  return parts_->solved ? parts_->solved->kernels().stretch_values() : 0;
+  return (parts_->solved ? parts_->solved->kernels().stretch_values() : 0) +
+         (parts_->proof ? parts_->proof->contact->stretch_values() : 0);
 }
 
 }  // namespace nipref::ref

@@ -10,10 +10,13 @@ using Number = data::WithError<Float>;
 
 Number number_of(const Estimate& x) { return {at_working_precision(x.value), at_working_precision(x.error)}; }
 
-/// With half a unit in the last place added to the error.
-Estimate estimate_of(const Number& x, int digits) {
-  const Float rounding = ldexp(abs(x.value), 2 - bits_of(x.value));
-  return {x.value, x.error + rounding, digits};
+/// Of value +- other, with what roundings do to it and, a thousandth at most, to its error.
+Estimate estimate_of(const Number& value, const Number& other, int sign, const InnerStresses& of) {
+  const Float sum = value.value + sign * other.value, size = abs(value.value) + abs(other.value);
+  const Float error = value.error + other.error + ldexp(size, 2 - bits_of(sum));
+  Estimate result{sum, error * (1 + Float(1e-3)), of.across.digits};
+  result.proven = of.across.proven && of.along.proven && of.shear.proven;
+  return result;
 }
 
 /// So many that the stresses are not rounded.
@@ -38,19 +41,17 @@ Number radius_of(const InnerStresses& s) {
 
 Estimate InnerStresses::maximum_shear() const {
   const WorkingDigits working(digits_beyond(*this));
-  return estimate_of(radius_of(*this), across.digits);
+  return estimate_of(radius_of(*this), {0, 0}, 1, *this);
 }
 
 Estimate InnerStresses::highest() const {
   const WorkingDigits working(digits_beyond(*this));
-  const Number mean = mean_of(*this), radius = radius_of(*this);
-  return estimate_of({mean.value + radius.value, mean.error + radius.error}, across.digits);
+  return estimate_of(mean_of(*this), radius_of(*this), 1, *this);
 }
 
 Estimate InnerStresses::lowest() const {
   const WorkingDigits working(digits_beyond(*this));
-  const Number mean = mean_of(*this), radius = radius_of(*this);
-  return estimate_of({mean.value - radius.value, mean.error + radius.error}, across.digits);
+  return estimate_of(mean_of(*this), radius_of(*this), -1, *this);
 }
 
 }  // namespace nipref::ref

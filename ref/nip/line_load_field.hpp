@@ -12,10 +12,9 @@ struct FaceLoad {
   Estimate y, normal, shear;
 };
 
-// Inside a sheet under line loads: the sums of the loads' own proven fields (sheet/field.hpp). The errors are estimates: a
-// place that is known to an error is tried twice, where it is and wrong by that, and what differs counts. BadInput for a place
-// of a load on a face, where nothing is bounded, and for places out of the domain of InnerPoint or more than 500 sheet
-// thicknesses from a load.
+// Inside a sheet under line loads: the sums of the loads' own proven fields (sheet/field.hpp). The errors are proven where the
+// loads' are, but on the faces: ref/nip/README.md, The field under line loads. BadInput for a place of a load on a face, where
+// nothing is bounded, and for places out of the domain of InnerPoint or more than 500 sheet thicknesses from a load.
 
 std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
                                               std::span<const InnerPoint> points, int digits);

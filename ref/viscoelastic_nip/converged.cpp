@@ -68,7 +68,7 @@ std::optional<Proof> proof_of(const std::optional<ProvenMemories>& memories, dou
   const WorkingDigits working(working_digits);
   std::optional<ProvenContact> contact = contact_at();
   if (!contact || !contact->is_good_to(digits)) return std::nullopt;
-  return Proof{*std::move(contact), working_digits};
+  return Proof{std::make_shared<const ProvenContact>(*std::move(contact)), working_digits};
 }
 
 /// The unknowns with which a contact is solved at first; BadInput for what is not.

@@ -50,9 +50,11 @@ struct SolvedSystem {
     const Float growth = 2 * sum * sum / c[1];
     return exp(log(load / (pi() * system.half_length() * system.half_length() * c[1])) / growth);
   }
-  [[nodiscard]] ProvenContact proven(const Interval& half_length, const std::shared_ptr<SmoothKernel>& kernel,
-                                     const ContactPrecision& precision) const {
-    return {system.proven(c, right, half_length), kernel, precision.kernel * std::numbers::ln10};
+  [[nodiscard]] Proof proven(const Interval& half_length, const std::shared_ptr<SmoothKernel>& kernel,
+                             const ContactPrecision& precision) const {
+    return {std::make_shared<const ProvenContact>(system.proven(c, right, half_length), kernel,
+                                                  precision.kernel * std::numbers::ln10),
+            precision.working};
   }
 };
 
@@ -87,7 +89,7 @@ std::optional<Proof> proven_elastic(const Exact& half_length, int digits, const 
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
   const SolvedSystem solved(to_float(half_length), size, *smooth);
-  return Proof{solved.proven(Interval(half_length, working_bits()), smooth, precision), precision.working};
+  return solved.proven(Interval(half_length, working_bits()), smooth, precision);
 }
 
 std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
@@ -111,9 +113,9 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
     }
     // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
     const Interval here = interval_of(half_length);
-    const Interval found = solved.proven(here, smooth, precision).load();
+    const Interval found = solved.proven(here, smooth, precision).contact->load();
     const Interval there = here * sqrt(Interval(load, working_bits()) / found);
-    return Proof{solved.proven(hull(here, there), smooth, precision), precision.working};
+    return solved.proven(hull(here, there), smooth, precision);
   }
 }
 

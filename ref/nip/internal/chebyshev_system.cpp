@@ -38,13 +38,6 @@ std::size_t place(int i, int j) {
   return at(high) * at(high + 1) / 2 + at(low);
 }
 
-/// sum over m = first, first + 2, .. of m e^{-m tau/parts}
-Interval tail(const EntryBounds& decay, long first, long parts) {
-  const Interval rate = decay.rate / parts;
-  const Interval gap = -expm1(-(2 * rate));
-  return exp(-(first * rate)) * (first / gap + 2 / square(gap));
-}
-
 }  // namespace
 
 SlopeSeries SlopeSeries::line(int size) {
@@ -200,9 +193,10 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   const Interval norm = sqrt(sum) + 2 * (entry_error * node_sum) + sqrt_of(4 * n) * right.next +
                         unknowns * (apart / half_length + decay.amplitude * (folded + beyond));
   const Interval energy_radius = magnitude_of(norm / coercivity(half_length));
-  const Interval radius = n * energy_radius + 8 * n * right.next +
-                          decay.amplitude * (unknowns * tail(decay, rest, 1) +
-                                             energy_radius * tail(decay, rest, 2) / sqrt(1 - decay.power(2)));
+  const Interval radius =
+      n * energy_radius + 8 * n * right.next +
+      decay.amplitude * (unknowns * tail(decay.rate, rest) +
+                         energy_radius * tail(decay.rate / 2, rest) / sqrt(1 - decay.power(2)));
   const Interval quadrature_error =
       Interval::pi(bits) * decay.amplitude * unknowns * decay.power(2 * n) / (1 - decay.power(4 * n));
   const Interval constant_error = decay.amplitude * folded * unknowns +

@@ -36,6 +36,18 @@ EntryBounds entry_bounds(const Interval& half_length, int size) {
   return {2 * (bound * cosh_tau * (2 / left + 4 / square(left))), log(slope + cosh_tau)};
 }
 
+Interval tail(const Interval& rate, long first) {
+  const Interval gap = -expm1(-(2 * rate));
+  return exp(-(first * rate)) * (first / gap + 2 / square(gap));
+}
+
+/// With m = first + j: (1 - q) sum q^j = 1, (1 - q)^2 sum j q^j = q, (1 - q)^3 sum j^2 q^j = q (1 + q).
+Interval square_tail(const Interval& rate, long first) {
+  const Interval gap = -expm1(-rate), q = 1 - gap;
+  return exp(-(first * rate)) *
+         (first * first / gap + 2 * first * q / square(gap) + q * (q + 1) / (square(gap) * gap));
+}
+
 int size_for(double half_length, int digits) {
   const double wanted = digits * std::numbers::ln10;
   // lambda is about 1/(1 + 3 A), the sum of the unknowns about 1 + A.

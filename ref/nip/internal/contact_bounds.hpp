@@ -18,6 +18,10 @@ struct EntryBounds {
 };
 EntryBounds entry_bounds(const Interval& half_length, int size);
 
+/// Bounds of sum m e^{-m rate} over m = first, first + 2, .., and of sum m^2 e^{-m rate} over all m >= first; rate > 0.
+Interval tail(const Interval& rate, long first);
+Interval square_tail(const Interval& rate, long first);
+
 /// Units of (A + 1) that cover what rounding A cos(theta_i) -+ A cos(theta_j) does to a value of J.
 inline constexpr long argument_units = 64;
 

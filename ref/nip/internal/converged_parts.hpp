@@ -53,7 +53,7 @@ struct ConvergedNip::Parts {
   mutable std::map<const NipSolution*, Float> at_middle = {};
 
   using Unit = mpq_class NipUnits::*;
-  using Proven = std::function<std::optional<Interval>(const ProvenContact&)>;
+  using Proven = std::function<std::optional<Interval>(const ProvenResults&)>;
 
   [[nodiscard]] int working_digits() const { return SolvedNip::working_digits(digits, sheet->lost_digits()); }
   // The rest at the working precision.

@@ -27,41 +27,72 @@ struct ProvenExpansion {
   Interval quadrature_error;
 };
 
-/// What follows from a proven expansion, in half-thicknesses b, pressures in b/(2 R N), displacements in b^2/(2R), N at
-/// once. Intervals contain the truth for each half length of the expansion's. (ref/elastic_nip/README.md, Contacts without
-/// friction)
-class ProvenContact {
+/// What is proven of a contact, in half-thicknesses b, pressures in b/(2 R N), displacements in b^2/(2R), N at once.
+/// Intervals contain the truth; nothing where none is known.
+class ProvenResults {
+ public:
+  virtual ~ProvenResults() = default;
+
+  [[nodiscard]] virtual const Interval& half_length() const = 0;
+  /// Of the middle from the line through the rollers' centres, towards the leading side.
+  [[nodiscard]] virtual const Interval& offset() const = 0;
+  [[nodiscard]] virtual Interval edge_displacement() const = 0;  ///< at the leading end
+  [[nodiscard]] virtual Interval load() const = 0;
+  [[nodiscard]] virtual Interval lever() const = 0;  ///< of the resultant from the line through the centres
+  [[nodiscard]] virtual Interval pressure(const SurfacePoint& place) const = 0;  ///< 0 outside
+  [[nodiscard]] virtual Interval shear(const SurfacePoint& place) const = 0;     ///< the same
+  /// Towards the middle plane.
+  [[nodiscard]] virtual std::optional<Interval> normal(const SurfacePoint& place) const = 0;
+  /// Along Y; beta = theta2/N.
+  [[nodiscard]] virtual std::optional<Interval> tangential(const SurfacePoint& place,
+                                                           const Interval& beta) const = 0;
+  /// Its derivative along the surface, in b/(2R).
+  [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place,
+                                                       const Interval& beta) const = 0;
+  [[nodiscard]] virtual std::optional<Interval> peak_pressure() const = 0;
+  [[nodiscard]] virtual int terms() const = 0;
+  [[nodiscard]] virtual long normal_values() const = 0;    ///< of I1, so far
+  [[nodiscard]] virtual long coupling_values() const = 0;  ///< of I3, so far
+  [[nodiscard]] virtual long stretch_values() const = 0;   ///< of what I6 has beside I1, so far
+};
+
+/// What follows from a proven expansion without friction, for each half length of the expansion's.
+/// (ref/elastic_nip/README.md, Contacts without friction)
+class ProvenContact final : public ProvenResults {
  public:
   /// Of a sheet without memory: both halves are alike.
   ProvenContact(ProvenExpansion expansion, std::shared_ptr<SmoothKernel> kernel, double nats);
   /// Of a rolling sheet with a memory, of which less is proven.
   ProvenContact(ProvenExpansion expansion, Interval offset, Interval edge_displacement);
 
-  [[nodiscard]] const Interval& half_length() const { return expansion_.half_length; }
-  /// Of the middle from the line through the rollers' centres, towards the leading side.
-  [[nodiscard]] const Interval& offset() const { return offset_; }
-  [[nodiscard]] Interval edge_displacement() const;  ///< at the leading end
-  [[nodiscard]] Interval load() const;               ///< pi A^2 c_1
-  [[nodiscard]] Interval lever() const;              ///< of the resultant from the line through the centres
-  [[nodiscard]] Interval pressure(const SurfacePoint& place) const;  ///< 0 outside
-  /// Towards the middle plane. With a memory, only in the contact.
-  [[nodiscard]] std::optional<Interval> normal(const SurfacePoint& place) const;
-  /// Along Y; beta = theta2/N. Without memory.
-  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place, const Interval& beta) const;
-  /// Its derivative along the surface, in b/(2R), by parts and by the same nodes. Without memory.
-  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place, const Interval& beta) const;
+  [[nodiscard]] const Interval& half_length() const override { return expansion_.half_length; }
+  [[nodiscard]] const Interval& offset() const override { return offset_; }
+  [[nodiscard]] Interval edge_displacement() const override;
+  [[nodiscard]] Interval load() const override;  ///< pi A^2 c_1
+  [[nodiscard]] Interval lever() const override;
+  [[nodiscard]] Interval pressure(const SurfacePoint& place) const override;
+  [[nodiscard]] Interval shear(const SurfacePoint& /*place*/) const override {
+    return Interval(offset_.precision());
+  }
+  /// With a memory, only in the contact.
+  [[nodiscard]] std::optional<Interval> normal(const SurfacePoint& place) const override;
+  /// Without memory.
+  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place,
+                                                   const Interval& beta) const override;
+  /// By parts and by the same nodes. Without memory.
+  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place,
+                                               const Interval& beta) const override;
   /// The largest pressure, which without memory is that in the middle if the pressure that the coefficients give falls from
   /// there to the ends, as a proof.
-  [[nodiscard]] std::optional<Interval> peak_pressure() const;
+  [[nodiscard]] std::optional<Interval> peak_pressure() const override;
   /// Whether all of these are known to so many digits of their scale.
   [[nodiscard]] bool is_good_to(int digits) const;
 
   [[nodiscard]] const ProvenExpansion& expansion() const { return expansion_; }
-  [[nodiscard]] int terms() const { return static_cast<int>(size()); }
-  [[nodiscard]] long normal_values() const {
-    return kernel_ ? kernel_->kernel_values() : 0;
-  }                                                                        ///< of I1, so far
-  [[nodiscard]] long coupling_values() const { return coupling_values_; }  ///< of I3, so far
+  [[nodiscard]] int terms() const override { return static_cast<int>(size()); }
+  [[nodiscard]] long normal_values() const override { return kernel_ ? kernel_->kernel_values() : 0; }
+  [[nodiscard]] long coupling_values() const override { return coupling_values_; }
+  [[nodiscard]] long stretch_values() const override { return 0; }
 
  private:
   [[nodiscard]] bool remembers() const { return kernel_ == nullptr; }
@@ -93,7 +124,7 @@ class ProvenContact {
 
 /// A proof, with the working precision at which what it has is to be computed.
 struct Proof {
-  ProvenContact contact;
+  std::shared_ptr<const ProvenResults> contact;
   int working_digits;
 };
 

@@ -11,14 +11,13 @@ namespace {
 /// What the slope of an interpolation loses of its values' digits, see SmoothKernel::slope().
 constexpr int digits_of_slope = 4;
 
-/// What I6 is of alpha beside I1, see I6_eta_interval.
+}  // namespace
+
 Interval stretch_interval(const Exact& alpha, double nats) {
   const Interval finite_part = transform(Symbol::I6_alpha, alpha, nats);
   const mpfr_prec_t precision = finite_part.precision();
   return finite_part - Interval::pi(precision) / 4 * Interval(alpha, precision);
 }
-
-}  // namespace
 
 SheetKernels::SheetKernels(int digits)
     : nats_(digits * std::numbers::ln10),

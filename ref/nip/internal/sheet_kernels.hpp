@@ -3,6 +3,9 @@
 
 namespace nipref::ref {
 
+/// The integral of I3 from 0, with the sign changed, up to a constant: what I6 has of alpha beside I1.
+Interval stretch_interval(const Exact& alpha, double nats);
+
 /// The kernels of a nip at any distance alpha in half-thicknesses, and their analytic parts.
 class SheetKernels {
  public:

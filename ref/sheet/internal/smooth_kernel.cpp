@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -68,7 +69,8 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
   const Cosines cosines(points_, precision);
   const std::vector<Interval> values = node_values(index, cosines);
   Coefficients coefficients;
-  // The errors of the interpolation, of the coefficients, of Clenshaw's sum and of its argument.
+  // The errors of the interpolation and of the coefficients, and that of Clenshaw's sum, 16 units of N (n + 1) |c_n|, with
+  // that of its argument, which is a unit at most and counts n^2 |c_n|.
   Interval error = coefficient_bound(shape_.variation, points_ - 1, precision) / static_cast<long>(ratio - 1);
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   for (long n = 0; n < points_; ++n) {
@@ -82,10 +84,10 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
     }
     const Float near = middle_of(coefficient);
     error = error + distance_from(near, coefficient) +
-            (16 * points_ * (n + 1)) * (magnitude_of(coefficient) * unit);
+            (17 * points_ * (n + 1)) * (magnitude_of(coefficient) * unit);
     coefficients.push_back(near);
   }
-  const Float bound = upper_end(error + 1024 * unit);
+  const Float bound = upper_end(error);
   if (bound > error_) error_ = bound;
   Coefficients slope = slope_of(coefficients);
   return {std::move(coefficients), std::move(slope)};
@@ -93,11 +95,15 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
 
 template <class Evaluate>
 Float SmoothKernel::in_panel(const Float& alpha, const Evaluate& evaluate) {
-  const Float place = half_panels_per_unit * abs(alpha);
+  // The first is exact, and the distance from the middle but where it is next to 1.
+  Float place = zero_of_bits(std::max(bits_of(alpha), working_bits()));
+  mpfr_mul_si(raw(place), raw(alpha), half_panels_per_unit, MPFR_RNDN);
+  mpfr_abs(raw(place), raw(place), MPFR_RNDN);
   const long index = mpfr_get_si(raw(place), MPFR_RNDD) / 2;
   auto panel = panels_.find(index);
   if (panel == panels_.end()) panel = panels_.emplace(index, make_panel(index)).first;
-  return evaluate(panel->second, place - middle_of_panel(index));
+  mpfr_sub_si(raw(place), raw(place), middle_of_panel(index), MPFR_RNDN);
+  return evaluate(panel->second, place);
 }
 
 Float SmoothKernel::operator()(const Float& alpha) {

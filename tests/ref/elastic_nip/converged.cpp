@@ -189,8 +189,10 @@ TEST_CASE("ref gripped contact: incompressible and thick it is the proven contac
   const auto gripped = ref::converged_for_length(nip_of(0.5), data::Friction::full, 1e-5, 20);
   CHECK(difference(gripped.pressure(2e-6), free.pressure(2e-6)) <=
         error(gripped.pressure(2e-6)) + error(free.pressure(2e-6)));
+  // The shear's moment under the linear part of I3 moves all of the surface by A^4 of that.
+  const double moved = 1e-20 * free.leading_displacement().to_double();
   CHECK(difference(gripped.leading_displacement(), free.leading_displacement()) <=
-        error(gripped.leading_displacement()) + error(free.leading_displacement()));
+        moved + error(gripped.leading_displacement()) + error(free.leading_displacement()));
 }
 
 TEST_CASE("ref gripped contact: in the middle of a long one the sheet is compressed and stretched evenly") {

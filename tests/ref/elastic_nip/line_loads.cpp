@@ -1,4 +1,5 @@
 // Line loads in multiprecision: bounds, independent routes, and what the double path loses against them.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/nip/line_load_field.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 
 #include "support/reference_values.hpp"
@@ -85,6 +87,42 @@ TEST_CASE(
         fast::line_loads_for_length(quarter_inch_nip, m, 0.1, {data::Grip::Creep::given, 1e-4});
     CHECK(relative_error(truth.load(), computed.load()) < 1e-15 * truth.condition());
   }
+}
+
+TEST_CASE("ref line loads: inside the sheet the field is proven, and covers what a place that is off does") {
+  const double half_thickness = 0.5, off = 1e-7;
+  const std::vector<ref::InnerPoint> points{{0.1, 0.3}, {0.25, -0.6}, {2, 0}};
+  const data::ElasticMaterial material{2, 0.25};
+  const auto loads_at = [](const ref::Enclosure& y) {
+    return std::vector<ref::FaceLoad>{{y, ref::exactly(3, 30), ref::exactly(1, 30)},
+                                      {-1 * y, ref::exactly(3, 30), ref::exactly(-1, 30)}};
+  };
+  const auto numbers_of = [&](const std::vector<ref::FaceLoad>& loads) {
+    std::vector<ref::Estimate> numbers;
+    for (const ref::InnerStresses& stress : ref::line_load_stresses(loads, half_thickness, points, 30))
+      numbers.insert(numbers.end(), {stress.across, stress.along, stress.shear, stress.highest(),
+                                     stress.lowest(), stress.maximum_shear()});
+    for (const auto& moved : ref::line_load_displacements(loads, half_thickness, material, points, 30))
+      numbers.insert(numbers.end(), {moved.across, moved.along});
+    return numbers;
+  };
+  const auto wide = numbers_of(loads_at(ref::Enclosure(0.25, off, 30)));
+  std::vector<double> largest(wide.size(), 0);
+  for (const double share : {-1.0, -0.4, 0.0, 0.7, 1.0}) {
+    const auto exact = numbers_of(loads_at(ref::exactly(0.25 + share * off, 30)));
+    for (std::size_t k = 0; k < wide.size(); ++k) {
+      CAPTURE(k);
+      CHECK(wide[k].proven);
+      CHECK(exact[k].proven);
+      CHECK(error(exact[k]) < 1e-28);
+      CHECK(difference(wide[k], exact[k]) <= error(wide[k]) + error(exact[k]));
+      largest[k] = std::max(largest[k], difference(wide[k], exact[k]));
+    }
+  }
+  for (std::size_t k = 0; k < wide.size(); ++k) CHECK(error(wide[k]) <= 50 * largest[k] + 1e-9);
+  const std::vector<ref::InnerPoint> face{{0.1, 1}};
+  CHECK_FALSE(
+      ref::line_load_stresses(loads_at(ref::exactly(0.25, 30)), half_thickness, face, 30)[0].along.proven);
 }
 
 TEST_CASE("ref line loads refuse bad input by name") {

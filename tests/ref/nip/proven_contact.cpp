@@ -23,7 +23,7 @@ bool meet(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get
 Interval load_of(double half_length, int digits, const NormalKernel& kernel) {
   const auto proof = proven_elastic(Exact(half_length), digits, kernel, 100);
   const WorkingDigits working(proof->working_digits);
-  return proof->contact.load();
+  return proof->contact->load();
 }
 
 /// Right-hand sides of both parities: that of the elastic contact, and one that falls steadily.
@@ -148,6 +148,12 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
     const EntryBounds bounds = entry_bounds(Interval(A, 64), n);
     CHECK(upper_bound(bounds.amplitude) == doctest::Approx(C).epsilon(1e-12));
     CHECK(upper_bound(bounds.rate) == doctest::Approx(tau).epsilon(1e-12));
+    double lambda = 0;
+    for (double z = 0.125; z < 2; z += 0.125) {
+      const double k = 2 * z / A;
+      lambda = std::fmax(lambda, (std::cosh(k) - 1) / (std::sinh(k) + k) * (1 - z * z / 4));
+    }
+    if (A > 0.01) CHECK(lower_bound(coercivity(Interval(A, 64))) == doctest::Approx(lambda).epsilon(1e-12));
     // Half a difference of two values of J, |J'| <= 2, whose arguments are rounded as the system rounds them.
     const WorkingDigits working(40);
     const Cosines cosines(2L * n, working_bits());
@@ -165,6 +171,26 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
     }
     CHECK(largest <= argument_units * (A + 1) * unit);
     CHECK(largest >= argument_units * A * unit / 1e3);
+  }
+}
+
+TEST_CASE("what tails of sums are taken for is at least what their terms sum to, and not much more") {
+  for (const double rate : {0.05, 0.4, 2.0}) {
+    for (const long first : {1L, 8L, 61L}) {
+      CAPTURE(rate);
+      CAPTURE(first);
+      double by_twos = 0, squares = 0;
+      for (long m = first; m < first + 2000; ++m) {
+        const auto term = static_cast<double>(m) * std::exp(-rate * static_cast<double>(m));
+        if ((m - first) % 2 == 0) by_twos += term;
+        squares += static_cast<double>(m) * term;
+      }
+      const double tails = upper_bound(tail(Interval(rate, 64), first)),
+                   of_squares = lower_bound(square_tail(Interval(rate, 64), first));
+      CHECK(tails >= by_twos * (1 - 1e-12));
+      CHECK(tails <= 4 * by_twos);
+      CHECK(of_squares == doctest::Approx(squares).epsilon(1e-12));
+    }
   }
 }
 
@@ -237,7 +263,7 @@ TEST_CASE("what an expansion for one half length misses at another is in its rad
 TEST_CASE("a place that may be inside or outside has results for both") {
   const auto proof = proven_elastic(Exact(1.25), 25, I1_interval, 100);
   const WorkingDigits working(proof->working_digits);
-  const ProvenContact& contact = proof->contact;
+  const ProvenResults& contact = *proof->contact;
   const Interval beta(0.25, working_bits()), step(1e-18, working_bits());
   const SurfacePoint inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
   const auto covers = [&](const auto& result) {
@@ -274,7 +300,7 @@ TEST_CASE("displacements of the contact are the integrals of ref's kernels over 
     CAPTURE(half_length);
     const auto proof = proven_elastic(Exact(half_length), 25, I1_interval, 100);
     const WorkingDigits working(proof->working_digits);
-    const ProvenContact& contact = proof->contact;
+    const ProvenResults& contact = *proof->contact;
     const Float A = half_length;
     const auto pressure = [&](const Float& rest) { return middle_of(contact.pressure({interval_of(rest)})); };
     // The kernel at t - s and t + s for both sides of the contact.

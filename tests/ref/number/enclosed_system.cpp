@@ -4,6 +4,21 @@
 
 using namespace nipref::ref;
 
+TEST_CASE("a system that may be singular within its errors is not solved") {
+  const WorkingDigits working(30);
+  NearlyKnownSystem system{Matrix(2, 2), Matrix(2, 1)};
+  system.matrix(0, 0) = system.matrix(0, 1) = system.matrix(1, 0) = 1;
+  system.right(0) = 1;
+  for (const double apart : {1e-3, 1e-6}) {
+    system.matrix(1, 1) = 1 + Float(apart);
+    // Its determinant is `apart`, and changes by up to four times the error.
+    system.error = apart / 2;
+    CHECK_FALSE(enclosed_solutions(system));
+    system.error = apart / 1000;
+    CHECK(enclosed_solutions(system));
+  }
+}
+
 TEST_CASE("the solutions of all systems within the errors are enclosed") {
   const WorkingDigits working(30);
   const long n = 3;

@@ -64,6 +64,40 @@ TEST_CASE("the integral that bounds the field's aliasing holds on an interval me
   CHECK(2 * sum >= field_line_integral);
 }
 
+TEST_CASE("the curvature of the field along the sheet is bounded by 160 over the fourth power of the depth") {
+  // 2 z e^{2z}/S <= 1/2 + 4z: below 0.01 as S >= 4z, from 0.25 on as S >= e^{2z}/2, between on a mesh.
+  for (double z = 0.01; z < 0.3; z += 1e-4) {
+    const Interval x = cell(z, z + 1e-4), twice = 2 * x;
+    const Interval left = twice * exp(twice) / (sinh(twice) + twice);
+    CHECK_UNARY(mpfr_get_d(left.upper(), MPFR_RNDU) <= 0.5 + 4 * z);
+  }
+  for (const double depth : {0.0, 0.5, -0.8, 0.95}) {
+    const double from_face = 1 - std::fabs(depth), most = 160 / std::pow(from_face, 4);
+    double largest = 0;
+    for (const SheetLoad load : {SheetLoad::normal, SheetLoad::shear}) {
+      for (const double alpha : {0.0, 0.02, 0.3, 2.0}) {
+        const auto curvature = [&](const auto& kernel) {
+          const auto at = [&](double place) {
+            return kernel(Exact(mpq_class(alpha) + mpq_class(place))).value;
+          };
+          const double step = 0x1p-20 * from_face;
+          const Float second = at(step) - 2 * at(0) + at(-step);
+          largest = std::max(largest, std::fabs(static_cast<double>(second)) / (step * step));
+        };
+        const Exact here(depth), poisson(0.25), middle(0.0);
+        curvature([&](const Exact& a) { return sheet_across(a, here, load, 40); });
+        curvature([&](const Exact& a) { return sheet_along(a, here, load, 40); });
+        curvature([&](const Exact& a) { return sheet_shear(a, here, load, 40); });
+        curvature([&](const Exact& a) { return sheet_u(a, here, load, poisson, 40); });
+        curvature([&](const Exact& a) { return sheet_v(a, middle, here, load, poisson, 40); });
+      }
+    }
+    CAPTURE(depth);
+    CHECK(largest <= most);
+    CHECK(largest >= 1e-3 * most * from_face);
+  }
+}
+
 TEST_CASE("what the field's sum and series leave out is bounded by 25 and 1300") {
   const auto upper = [](const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); };
   // The second parts times e^{3x}/x from x = 8 on, q = e^{-2x}: at most 8/((1 - q^2)(1 - q)).

@@ -40,8 +40,8 @@ SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
 /// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
 SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
 
-/// The continuous contact by the reference. The errors are proven bounds for an elastic nip without friction and for much
-/// of what a rolling one has (ref/README.md, What is proven), otherwise estimates.
+/// The continuous contact by the reference. The errors are proven bounds for much of what elastic and rolling nips have
+/// (ref/README.md, What is proven), otherwise estimates.
 SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits);
 SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int digits);
 

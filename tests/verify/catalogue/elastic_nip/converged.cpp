@@ -47,7 +47,9 @@ TEST_CASE("dimensionless nips: a thin frictionless sheet is a row of springs wit
 
 TEST_CASE("dimensionless nips: what is proven says so, and fast's errors are covered to both ends") {
   CHECK(nip_reference("nip.load", {0.5, 0.3, 0}).proven);
-  CHECK_FALSE(nip_reference("nip.load", {0.5, 0.3, 1}).proven);
+  CHECK(nip_reference("nip.load", {0.5, 0.3, 1}).proven);
+  CHECK_FALSE(nip_reference("nip.load", {5, 0.3, 1}).proven);
+  CHECK_FALSE(nip_reference("nip.peak_shear", {0.5, 0.3, 1}).proven);
   for (const char* name :
        {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}) {
     const verify::Quantity& quantity = verify::find_quantity(name);

@@ -1,0 +1,358 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/elastic_nip/internal/gripped_system.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using gripped::at, gripped::converted, gripped::System, gripped::with_sign_of;
+
+/// Coefficients f_j of ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, over i^j, j < count.
+std::vector<Interval> power_series(const Interval& epsilon, long order, long count) {
+  std::vector<Interval> f{Interval(1L, epsilon.precision()), 4 * epsilon};
+  for (long j = 1; j + 1 < count; ++j)
+    f.push_back((4 * (epsilon * f[at(j)]) - (j - 1 - 2 * order) * f[at(j - 1)]) / (j + 1));
+  return f;
+}
+
+/// ln 2 - Re (digamma(1/2 + i epsilon) - digamma(1/2)), 0 <= epsilon < 1/3.
+Interval capacity(const Interval& epsilon) {
+  const mpfr_prec_t bits = epsilon.precision();
+  const Interval ratio = 4 * square(epsilon);
+  Interval sum = log(Interval(2L, bits)), power = ratio;  // (2 epsilon)^k
+  long k = 2;
+  for (; mpfr_cmp_d(power.upper(), std::ldexp(1.0, static_cast<int>(-bits))) > 0; k += 2) {
+    Interval zeta(bits);
+    mpfr_zeta_ui(&zeta.get()->left, at(k + 1), MPFR_RNDD);
+    mpfr_zeta_ui(&zeta.get()->right, at(k + 1), MPFR_RNDU);
+    Interval halves(1L, bits);
+    mpfi_div_2ui(halves.get(), halves.get(), at(k));
+    const Interval term = (2 - halves) * zeta * power;
+    sum = (k & 2) != 0 ? sum - term : sum + term;
+    power = power * ratio;
+  }
+  return sum.widened(3 * power / (1 - ratio));
+}
+
+/// A bound of entries of all kernels together, as of entry_bounds() for J.
+EntryBounds gripped_bounds(const Interval& half_length, long size) {
+  EntryBounds bounds = entry_bounds(half_length, static_cast<int>(size));
+  bounds.amplitude = bounds.amplitude * (half_length * cosh(bounds.rate) + 1);
+  return bounds;
+}
+
+Interval least_form(const Interval& half_length, const Interval& beta) {
+  constexpr long steps = 16;
+  Interval best(half_length.precision());
+  for (long k = 1; k < steps; ++k) {
+    const Interval z = Interval(2 * k, half_length.precision()) / steps;
+    const Interval value = least_stiffness(z / half_length, beta) * (1 - square(z) / 4);
+    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
+  }
+  return best;
+}
+
+Interval sum_of_magnitudes(const std::vector<Interval>& x) {
+  Interval sum(working_bits());
+  for (const Interval& value : x) sum = sum + magnitude_of(value);
+  return sum;
+}
+
+/// What an expansion is computed to, and its size.
+struct GrippedPlan {
+  long size;
+  int kernel_digits, working_digits;
+};
+
+/// Tractions and their coefficients are of the size (1 + A)^2. The residual's share in the error of tractions grows by what
+/// the smooth kernels make of it; of what is left out, that of tractions beyond N falls most slowly.
+GrippedPlan plan_of(double half_length, double beta, int digits) {
+  constexpr mpfr_prec_t coarse = 64;
+  const Interval A(half_length, coarse);
+  const auto digits_of = [](const Interval& x) { return std::log10(mpfr_get_d(x.upper(), MPFR_RNDU)); };
+  const EntryBounds slow = gripped_bounds(A, 1);
+  const double growth = digits_of(square(A + 1) * (slow.amplitude * square_tail(slow.rate / 2, 1) + 1) /
+                                  least_form(A, Interval(beta, coarse)));
+  const auto left_out = [&](long size) {
+    const EntryBounds bounds = gripped_bounds(A, size);
+    return digits_of(size * size * size * (bounds.amplitude * square_tail(bounds.rate, size)));
+  };
+  long size = 8;
+  while (left_out(size) + growth > -digits - 1) size += 2 * (1 + size / 64);
+  const int kernel = digits + 2 + static_cast<int>(std::ceil(growth + 3 * std::log10(size)));
+  return {size, kernel, kernel + 8};
+}
+
+class GrippedContact final : public ProvenResults {
+ public:
+  using Kernels = std::vector<SmoothKernel>;
+
+  GrippedContact(const Interval& half_length, const Exact& beta, long size, std::shared_ptr<Kernels> kernels)
+      : size_(size),
+        A_(half_length),
+        beta_(beta, working_bits()),
+        epsilon_((log(beta_ + 1) - log(1 - beta_)) / (2 * Interval::pi(working_bits()))),
+        offset_(working_bits()),
+        kernels_(std::move(kernels)) {
+    const System<Interval> system = assembled();
+    solve(system);
+    prove(system);
+  }
+
+  [[nodiscard]] const Interval& half_length() const override { return A_; }
+  [[nodiscard]] const Interval& offset() const override { return offset_; }
+  [[nodiscard]] Interval lever() const override { return offset_; }
+  [[nodiscard]] Interval edge_displacement() const override { return edge_displacement_; }
+  [[nodiscard]] Interval load() const override { return Interval::pi(working_bits()) * square(A_) * first_; }
+  [[nodiscard]] Interval pressure(const SurfacePoint& place) const override { return traction(place, false); }
+  [[nodiscard]] Interval shear(const SurfacePoint& place) const override { return traction(place, true); }
+  [[nodiscard]] std::optional<Interval> normal(const SurfacePoint& place) const override {
+    if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
+    return edge_displacement_ + square(A_) * (place.before_end * (2 - place.before_end));
+  }
+  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place,
+                                                   const Interval& /*beta*/) const override {
+    if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
+    const Interval away = 2 * square(A_) * creep_ * (1 - place.before_end);
+    return place.is_trailing ? -away : away;
+  }
+  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place,
+                                               const Interval& /*beta*/) const override {
+    if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
+    return 2 * A_ * creep_;
+  }
+  [[nodiscard]] std::optional<Interval> peak_pressure() const override { return std::nullopt; }
+  [[nodiscard]] int terms() const override { return static_cast<int>(size_); }
+  [[nodiscard]] long normal_values() const override { return kernels_->at(0).kernel_values(); }
+  [[nodiscard]] long coupling_values() const override { return (*kernels_)[1].kernel_values(); }
+  [[nodiscard]] long stretch_values() const override { return kernels_->back().kernel_values(); }
+
+ private:
+  System<Interval> assembled();
+  void solve(const System<Interval>& system);
+  void prove(const System<Interval>& system);
+  void find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
+                         const EntryBounds& decay, const Interval& entry_error);
+  [[nodiscard]] Interval traction(const SurfacePoint& place, bool shear) const;
+
+  long size_;
+  Interval A_, beta_, epsilon_, offset_;
+  std::shared_ptr<Kernels> kernels_;  ///< I1, I3 and what I6 has beside I1
+  std::vector<Interval> alpha_;       ///< of g = w sum_k alpha_k i^k T_k
+  Interval first_{working_bits()}, creep_{working_bits()}, edge_displacement_{working_bits()};
+  Interval energy_error_{working_bits()}, slope_error_{working_bits()}, creep_error_{working_bits()};
+};
+
+System<Interval> GrippedContact::assembled() {
+  const long N = size_;
+  const mpfr_prec_t bits = working_bits();
+  const Cosines cosines(N, bits);
+  System<Interval> system{
+      N, Interval(bits), sqrt(1 - square(beta_)), Interval(4L, bits) / (N * N), {}, {}, {}, {}, {}};
+  for (long k = 0; k < 4 * N; ++k) system.cosines.push_back(cosines(k));
+  system.powers = power_series(epsilon_, 1, 2 * N);
+  const Float A = middle_of(A_);
+  std::vector<Float> places;
+  for (long i = 0; i < N; ++i) places.push_back(A * middle_of(cosines(2 * i + 1)));
+  for (long i = 0; i < N / 2; ++i) {
+    for (long j = 0; j < N; ++j) {
+      const Float alpha = places[at(i)] - places[at(j)];
+      const Float normal = (*kernels_)[0](alpha), coupling = (*kernels_)[1](alpha);
+      system.normal.push_back(interval_of(normal));
+      system.coupling.push_back(i == j ? Interval(bits)
+                                       : interval_of(alpha < 0 ? Float(-coupling) : coupling));
+      system.along.push_back(system.normal.back() + interval_of((*kernels_)[2](alpha)));
+    }
+  }
+  return system;
+}
+
+/// Nothing is proven.
+void GrippedContact::solve(const System<Interval>& system) {
+  const long unknowns = size_ - 1;
+  const auto in_double = converted<double>(system);
+  const auto in_float = converted<Float>(system);
+  DenseMatrix<double> matrix(unknowns, unknowns);
+  for (long k = 0; k < unknowns; ++k) {
+    std::vector<double> unit(at(unknowns), 0.0);
+    unit[at(k)] = 1;
+    const std::vector<double> rows = in_double.rows(unit, in_double.sines(unit));
+    for (long m = 0; m < unknowns; ++m) matrix(m, k) = rows[at(m + 1)];
+  }
+  const auto apply = [&](const Vector& x) {
+    const std::vector<Float> alpha(x.data(), x.data() + unknowns);
+    const std::vector<Float> rows = in_float.rows(alpha, in_float.sines(alpha));
+    Vector result(unknowns);
+    for (long m = 0; m < unknowns; ++m) result(m) = rows[at(m + 1)];
+    return result;
+  };
+  Vector right(unknowns);
+  right(0) = 1;
+  const std::optional<Vector> solution = refined_solution(matrix, right, apply);
+  for (long k = 0; k < unknowns; ++k)
+    alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
+}
+
+void GrippedContact::prove(const System<Interval>& system) {
+  const long N = size_;
+  const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
+  Interval residual(working_bits()), unknowns(working_bits());
+  for (long m = 1; m < N; ++m) {
+    residual = residual + m * m * magnitude_of(m == 1 ? 1 - rows[at(m)] : rows[at(m)]);
+    unknowns = unknowns + sqrt(Interval(m, working_bits())) * magnitude_of(sines[at(m)]);
+  }
+  // What the values of the kernels miss: by themselves, by their rounded arguments, and as A is an interval.
+  const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
+  Interval entry_error = 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
+  for (const SmoothKernel& kernel : *kernels_) entry_error = entry_error + interval_of(kernel.error());
+  const Interval node_sum =
+      sum_of_magnitudes(system.slopes(sines, 1)) + sum_of_magnitudes(system.slopes(sines, 2));
+  const EntryBounds decay = gripped_bounds(A_, N);
+  const Interval beyond = 2 * sum_of_magnitudes(alpha_), whole = square_tail(decay.rate, N),
+                 half = square_tail(decay.rate / 2, N);
+  const Interval in_row =
+      2 * entry_error * node_sum / N +
+      decay.amplitude * (8 * unknowns * decay.power(N) / square(1 - decay.power(N)) + beyond * whole);
+  const Interval missed = N * N * N * in_row + decay.amplitude * (unknowns * whole + beyond * square(half));
+  energy_error_ = magnitude_of((residual + missed) / least_form(A_, beta_));
+  const EntryBounds slow = gripped_bounds(A_, 1);
+  slope_error_ =
+      magnitude_of(residual + missed +
+                   slow.amplitude * square_tail(slow.rate / 2, 1) * energy_error_ / sqrt(1 - slow.power(1)));
+  first_ = sines[1].widened(energy_error_);
+  creep_error_ = missed + (3 * A_ + 1) * energy_error_;
+  creep_ = (-rows[0]).widened(creep_error_);
+  find_displacement(system, sines, decay, entry_error);
+}
+
+void GrippedContact::find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
+                                       const EntryBounds& decay, const Interval& entry_error) {
+  const long N = size_;
+  const std::vector<Interval> weights = power_series(epsilon_, 0, N);
+  std::vector<Interval> p(at(N), system.zero), q = p, even = p, odd = p;
+  for (long i = 0; i < N; ++i) {
+    for (long m = 0; m < N; ++m) {
+      const long turn = m * (2 * i + 1);
+      const Interval wave = system.cosine(turn - N) * system.cosine(2 * i + 1 - N);
+      Interval& traction = (m % 2 == 0 ? q : p)[at(i)];
+      traction = traction + sines[at(m)] * wave;
+      Interval& weight = (m % 2 == 0 ? even : odd)[at(i)];
+      weight = weight + with_sign_of(m, weights[at(m)] * system.cosine(turn));
+    }
+  }
+  const auto [u, v] = system.smooth(p, q);
+  Interval sum = system.zero;
+  for (long i = 0; i < N / 2; ++i) sum = sum + even[at(i)] * u[at(i)] + odd[at(i)] * v[at(i)];
+  const Interval cosh_end = 1 / system.root, smallest = decay.power(N - 1) / (1 - decay.power(1));
+  const Interval tractions = sum_of_magnitudes(alpha_) + sum_of_magnitudes(sines);
+  const Interval missed =
+      entry_error * sum_of_magnitudes(weights) * tractions +
+      2 * decay.amplitude * smallest * tractions * (2 * cosh_end + sum_of_magnitudes(weights));
+  const Interval smooth = (system.share * sum / 2).widened(missed + cosh_end * (6 * A_ + 2) * energy_error_);
+  const Interval singular = first_ / 2 * (capacity(epsilon_) - log(A_));
+  edge_displacement_ =
+      square(A_) * (2 * (singular + smooth - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
+}
+
+/// |g - w p| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
+Interval GrippedContact::traction(const SurfacePoint& place, bool shear) const {
+  const mpfr_prec_t bits = working_bits();
+  if (mpfr_sgn(place.before_end.upper()) <= 0) return Interval(bits);
+  const Interval error = slope_error_ / (1 - square(beta_));
+  if (mpfr_sgn(place.before_end.lower()) <= 0) {
+    const Interval end = magnitude_of(place.before_end);
+    return either_side(2 * A_ * sqrt(end * (2 - end)) * (sum_of_magnitudes(alpha_) + error));
+  }
+  const Interval ratio = place.before_end / (2 - place.before_end), theta = 2 * atan(sqrt(ratio)),
+                 turn = -(epsilon_ * log(ratio)), sine = sqrt(place.before_end * (2 - place.before_end));
+  Interval even(bits), odd(bits);
+  for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
+    Interval& sum = k % 2 == 0 ? even : odd;
+    sum = sum + with_sign_of(k, alpha_[at(k)] * cos(k * theta));
+  }
+  const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
+  const Interval traction = 2 * A_ * (sine * value.widened(error));
+  return shear && place.is_trailing ? -traction : traction;
+}
+
+std::shared_ptr<GrippedContact::Kernels> smooth_kernels(const GrippedKernels& kernels,
+                                                        const GrippedPlan& plan) {
+  GrippedContact::Kernels smooth;
+  smooth.emplace_back(kernels.normal, plan.kernel_digits, I1_shape);
+  smooth.emplace_back(kernels.coupling, plan.kernel_digits, I3_shape);
+  smooth.emplace_back(kernels.stretch, plan.kernel_digits, I3_integral_shape);
+  return std::make_shared<GrippedContact::Kernels>(std::move(smooth));
+}
+
+}  // namespace
+
+GrippedKernels gripped_kernels() { return {I1_interval, I3_interval, stretch_interval}; }
+
+/// The least eigenvalue is at least the determinant over the trace, (1 - beta)(r + beta) with r = (sinh 2x - 2x)/S, which
+/// rises, times S/(2 cosh 2x), which rises and then falls to 1/2.
+Interval least_stiffness(const Interval& x, const Interval& beta) {
+  const Interval twice = 2 * x, S = sinh(twice) + twice;
+  const Interval over_trace = S / (2 * cosh(twice));
+  const Interval least = mpfr_cmp_d(over_trace.lower(), 0.5) < 0 ? over_trace : Interval(0.5, x.precision());
+  return (1 - beta) * ((sinh(twice) - twice) / S + beta) * least;
+}
+
+Proof proven_gripped(const Exact& half_length, const Exact& beta, int digits, const GrippedKernels& kernels) {
+  const GrippedPlan plan = plan_of(half_length.approximate(), beta.approximate(), digits);
+  const WorkingDigits working(plan.working_digits);
+  const Interval known(half_length, working_bits());
+  return {std::make_shared<const GrippedContact>(known, beta, plan.size, smooth_kernels(kernels, plan)),
+          plan.working_digits};
+}
+
+std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
+                                             const std::function<bool(double half_length)>& is_allowed,
+                                             const Exact& beta, int digits, const GrippedKernels& kernels,
+                                             int most_terms) {
+  constexpr int most_steps = 30;
+  // A length that is off changes the contact as kernel values that are off do.
+  const int known = plan_of(guess, beta.approximate(), digits).kernel_digits;
+  const GrippedPlan plan = plan_of(1.5 * guess, beta.approximate(), known);
+  if (plan.size > most_terms) return std::nullopt;
+  const WorkingDigits working(plan.working_digits);
+  const auto smooth = smooth_kernels(kernels, plan);
+  const auto contact = [&](const Interval& half_length) {
+    return std::make_shared<const GrippedContact>(half_length, beta, plan.size, smooth);
+  };
+  const Float wanted = log(to_float(load)), enough = pow(Float(10), -known);
+  const auto excess = [&](const Float& log_length) -> Float {
+    return log(middle_of(contact(interval_of(Float(exp(log_length))))->load())) - wanted;
+  };
+  // By secants, of ln W as a function of ln A.
+  Float here = log(Float(guess)), above = excess(here), last = here - above / 2, before = excess(last);
+  std::swap(here, last);
+  std::swap(above, before);
+  for (int step = 0; step < most_steps && abs(above) > enough / 8; ++step) {
+    if (!is_allowed(std::exp(static_cast<double>(here)))) return std::nullopt;
+    const Float next = here - above * (here - last) / (above - before);
+    last = std::exchange(here, next);
+    before = std::exchange(above, excess(here));
+  }
+  const Float length = exp(here);
+  const Interval low = interval_of(Float(length * (1 - enough))),
+                 high = interval_of(Float(length * (1 + enough))), asked(load, working_bits());
+  const bool is_between = mpfr_less_p(contact(low)->load().upper(), asked.lower()) != 0 &&
+                          mpfr_greater_p(contact(high)->load().lower(), asked.upper()) != 0;
+  if (!is_between) return std::nullopt;
+  return Proof{contact(hull(low, high)), plan.working_digits};
+}
+
+int proven_gripped_terms(double half_length, double beta, int digits) {
+  return static_cast<int>(plan_of(half_length, beta, digits).size);
+}
+
+}  // namespace nipref::ref

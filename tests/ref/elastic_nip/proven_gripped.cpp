@@ -1,0 +1,193 @@
+// The proof of the contact with full friction: that its bounds hold, that it notices what is wrong, and what it rests on.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+#include "support/reference_values.hpp"
+
+using namespace nipref;
+using data::Friction;
+using ref::Exact;
+using ref::Interval;
+
+namespace {
+
+double upper_of(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
+double radius_of_gripped(const Interval& x) { return upper_of(ref::distance_from(ref::middle_of(x), x)); }
+bool overlap(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
+
+/// All that a proof gives of a contact.
+std::vector<Interval> results_of_gripped(const ref::Proof& proof) {
+  const ref::WorkingDigits working(proof.working_digits);
+  const ref::ProvenResults& contact = *proof.contact;
+  const auto place = [](double before_end) {
+    return ref::SurfacePoint{Interval(before_end, ref::working_bits()), true};
+  };
+  std::vector<Interval> results{contact.load(), contact.edge_displacement(),
+                                *contact.strain(place(1), Interval(ref::working_bits()))};
+  for (const double before_end : {0.75, 0x1p-10}) {
+    results.push_back(contact.pressure(place(before_end)));
+    results.push_back(contact.shear(place(before_end)));
+  }
+  return results;
+}
+
+std::vector<Interval> gripped(double half_length, const Exact& beta, int digits,
+                              const ref::GrippedKernels& kernels = ref::gripped_kernels()) {
+  return results_of_gripped(ref::proven_gripped(Exact(half_length), beta, digits, kernels));
+}
+
+/// The kernel, but for the value that is asked for after `count` others.
+ref::NormalKernel once_wrong(const ref::NormalKernel& kernel, int count, const Interval& error) {
+  return [=, left = count](const Exact& alpha, double nats) mutable {
+    const Interval value = kernel(alpha, nats);
+    return left-- == 0 ? value + error : value;
+  };
+}
+
+}  // namespace
+
+TEST_CASE(
+    "ref gripped contact: random ones are proven, digits and panels meet, double is within its errors") {
+  std::mt19937_64 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution(low, high)(random);
+  };
+  for (int i = 0; i < 4; ++i) {
+    CAPTURE(i);
+    const double length = std::exp(between(std::log(1e-3), std::log(3.5)));
+    const data::ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : between(-0.9, 0.5)}};
+    CAPTURE(nip.material.poisson);
+    const auto few = ref::converged_for_length(nip, Friction::full, length, 16),
+               many = ref::converged_for_length(nip, Friction::full, length, 30),
+               panels = ref::converged_for_length(nip, Friction::full, length, 20, 0);
+    const auto computed = fast::converged_for_length(nip, Friction::full, length, 1e-10);
+    const auto check = [&](const auto& result) {
+      const ref::Estimate rough = result(few), fine = result(many), estimate = result(panels);
+      CHECK(rough.proven);
+      CHECK(fine.proven);
+      CHECK(difference(rough, fine) <= error(rough) + error(fine));
+      CHECK(difference(estimate, fine) <= error(estimate) + error(fine));
+      CHECK(std::fabs(fine.error_of(result(computed).value)) <= result(computed).error);
+      return std::pair(error(rough), std::fabs(fine.to_double()));
+    };
+    const auto good = [](const std::pair<double, double>& number) {
+      CHECK(number.first <= 1e-16 * number.second);
+    };
+    CHECK_FALSE(panels.load().proven);
+    good(check([](const auto& of) { return of.load(); }));
+    good(check([](const auto& of) { return of.indentation(); }));
+    check([](const auto& of) { return of.leading_displacement(); });
+    check([](const auto& of) { return of.creep_ratio(); });
+    good(check([](const auto& of) { return of.pressure(0); }));
+    for (const double share : {-0.4, 0.3, 0.4999}) {
+      check([&](const auto& of) { return of.pressure(share * length); });
+      check([&](const auto& of) { return of.shear(share * length); });
+      check([&](const auto& of) { return of.normal_displacement(share * length); });
+      check([&](const auto& of) { return of.tangential_displacement(share * length); });
+      check([&](const auto& of) { return of.surface_strain(share * length); });
+    }
+    // The length of that load is proven as well.
+    const double load = few.load().to_double();
+    const auto of_load = ref::converged_for_load(nip, Friction::full, load, 16);
+    CHECK(of_load.contact_length().proven);
+    CHECK(of_load.contact_length().to_double() == doctest::Approx(length).epsilon(1e-14));
+    CHECK(error(of_load.contact_length()) <= 1e-16 * length);
+    CHECK(error(of_load.indentation()) <= 1e-16 * of_load.indentation().to_double());
+    CHECK(std::fabs(of_load.load().error_of(load)) <= error(of_load.load()));
+  }
+}
+
+TEST_CASE(
+    "ref gripped contact: an error of 1e-25 in a kernel value or Poisson's ratio is noticed or widens") {
+  const ref::WorkingDigits working(60);
+  const Interval error(1e-25, 64);
+  const ref::GrippedKernels right = ref::gripped_kernels();
+  for (const double half_length : {0.5, 1.5}) {
+    CAPTURE(half_length);
+    const auto truth = gripped(half_length, Exact(mpq_class(1, 3)), 30);
+    for (ref::NormalKernel ref::GrippedKernels::*const kernel :
+         {&ref::GrippedKernels::normal, &ref::GrippedKernels::coupling, &ref::GrippedKernels::stretch}) {
+      const auto with = [&](const Interval& wrong) {
+        ref::GrippedKernels kernels = right;
+        kernels.*kernel = once_wrong(right.*kernel, 16, wrong);
+        return gripped(half_length, Exact(mpq_class(1, 3)), 30, kernels);
+      };
+      CHECK_THROWS_AS((void)with(error), std::logic_error);
+      CHECK_THROWS_AS((void)with(-error), std::logic_error);
+      const auto wide = with(ref::either_side(error));
+      for (std::size_t k = 0; k < truth.size(); ++k) {
+        CHECK(overlap(wide[k], truth[k]));
+        CHECK(radius_of_gripped(wide[k]) > 1e4 * radius_of_gripped(truth[k]));
+      }
+    }
+    const auto other =
+        gripped(half_length, Exact(mpq_class(1, 3) + mpq_class("1/10000000000000000000000000")), 30);
+    for (std::size_t k = 0; k < truth.size(); ++k) CHECK_FALSE(overlap(other[k], truth[k]));
+  }
+}
+
+TEST_CASE("ref gripped contact: of a few digits only, its bounds still cover, and are not vacuous") {
+  for (const double half_length : {1e-3, 0.7, 3.0}) {
+    for (const double beta : {0.0, 0.25, 0.7}) {
+      CAPTURE(half_length);
+      CAPTURE(beta);
+      const auto rough = gripped(half_length, Exact(beta), 3), truth = gripped(half_length, Exact(beta), 25);
+      for (std::size_t k = 0; k < truth.size(); ++k) {
+        CAPTURE(k);
+        CHECK(overlap(rough[k], truth[k]));
+        CHECK(mpfi_is_inside(truth[k].get(), rough[k].get()) > 0);
+        CHECK(radius_of_gripped(rough[k]) <= 1e-3 * upper_of(ref::magnitude_of(truth[0])) / half_length);
+      }
+    }
+  }
+}
+
+TEST_CASE("ref gripped contact: an interval of lengths has the contacts of each") {
+  const Exact beta(0.25);
+  const auto is_allowed = [](double) { return true; };
+  const auto all =
+      ref::proven_gripped_for_load(Exact(1.5), 0.6, is_allowed, beta, 20, ref::gripped_kernels(), 500);
+  REQUIRE(all);
+  const ref::WorkingDigits working(all->working_digits);
+  const Interval& known = all->contact->half_length();
+  CHECK(radius_of_gripped(known) <= 1e-20);
+  CHECK(radius_of_gripped(known) > 0);
+  CHECK(overlap(all->contact->load(), Interval(1.5, ref::working_bits())));
+  const auto wide = results_of_gripped(*all);
+  for (const mpfr_srcptr end : {known.lower(), known.upper()}) {
+    mpq_class place;
+    mpfr_get_q(place.get_mpq_t(), end);
+    const auto one = results_of_gripped(
+        ref::proven_gripped(Exact(place), beta, all->working_digits - 12, ref::gripped_kernels()));
+    for (std::size_t k = 0; k < one.size(); ++k) CHECK(mpfi_is_inside(one[k].get(), wide[k].get()) > 0);
+  }
+}
+
+TEST_CASE("ref gripped contact: the stiffness of long waves and all shorter ones is what the proof takes") {
+  for (const double beta : {0.0, 0.01, 0.3, 0.749}) {
+    for (double z = 0.02; z < 10; z *= 1.5) {
+      const double least = upper_of(ref::least_stiffness(Interval(z, 128), Interval(beta, 128)));
+      double found = 1;
+      for (double x = z; x < 40; x *= 1.03) {
+        // Of [[a, i c], [-i c, d]].
+        const double S = std::sinh(2 * x) + 2 * x, a = 2 * std::pow(std::sinh(x), 2) / S,
+                     d = 2 * std::pow(std::cosh(x), 2) / S, c = beta - 2 * x / S;
+        found = std::fmin(found, (a + d) / 2 - std::hypot((a - d) / 2, c));
+      }
+      CAPTURE(beta);
+      CAPTURE(z);
+      CHECK(least <= found * (1 + 1e-9) + 1e-14);
+      CHECK(least >= found / 2.5 - 1e-14);
+    }
+  }
+}
