@@ -8,6 +8,7 @@
 #include <nipref/data/problem/field_places.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/half_space.hpp>
+#include <nipref/data/problem/line_loads.hpp>
 #include <nipref/data/problem/profile.hpp>
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/data/scene/origin.hpp>
@@ -40,18 +41,6 @@ struct LineLoads {
   int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
   int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
                           ///< thesis sums them, 1 to 500; method.residue_terms
-};
-
-/// The same in a viscoelastic nip, which has no symmetry: all line loads started at once at a distance before the nip.
-/// (thesis 7.1-7.17)
-struct ViscoelasticLineLoads {
-  int leading_elements;  ///< on the entry side, 1 to 500 or, with a search, 200; method.leading_elements
-  /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
-  /// 2.5), which needs a given load.
-  std::optional<int> trailing_elements;
-  int residue_terms = 0;    ///< as above; real relaxation rates > 0 only
-  double approach_lengths;  ///< C_L, how far before the nip the loads started, > 0, half-thicknesses;
-                            ///< method.approach_lengths
 };
 
 /// An elastic sheet between two cylinders.

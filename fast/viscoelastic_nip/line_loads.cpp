@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/material/functions.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
-#include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 namespace nipref::fast {
@@ -17,22 +21,43 @@ using data::BadInput;
 
 constexpr int most_elements = 500;
 
-/// What does not depend on the length.
+/// What does not depend on the length: the elements, and displacements by a moving unit load, plain sums or exact, with
+/// lengths in half-thicknesses and times in b/speed: t since it started, T when it passes the point, t0 when it passes the
+/// pinned point.
 struct RollingLoads {
-  const data::ViscoelasticNip& nip;
+  data::ViscoelasticNip nip;
   int leading, trailing;
   double approach;
-  std::shared_ptr<const ViscoelasticSheet> sheet;
+  double compliance;  ///< theta1 + theta2 at once, 1/stress
+  double time;        ///< b/speed in what the exact load is given, whose times have a unit
+  std::variant<MovingLoad, PlainMovingLoad> load;
   std::shared_ptr<Work> work = std::make_shared<Work>();
 
-  RollingLoads(const data::ViscoelasticNip& rolling, const ViscoelasticLineLoadMethod& method)
+  RollingLoads(const data::ViscoelasticNip& rolling, const data::ViscoelasticLineLoads& method)
       : nip(rolling),
         leading(method.leading_elements),
         trailing(method.trailing_elements.value_or(leading)),
-        approach(method.approach),
-        sheet(
-            std::make_shared<const ViscoelasticSheet>(rolling, method.residue_terms, method.smallest_term)) {}
+        approach(method.approach_lengths),
+        compliance(material_functions(rolling.material).normal_compliance().instantaneous),
+        time(method.residue_terms == 0 ? rolling.half_thickness() / rolling.speed : 1),
+        load(moving_load(rolling, method)) {}
+
   [[nodiscard]] int loads() const { return leading + trailing; }
+  [[nodiscard]] double normal_displacement(double t, double T) const {
+    return std::visit([&](const auto& of) { return of.normal_displacement(t * time, T * time); }, load);
+  }
+  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const {
+    return std::visit(
+        [&](const auto& of) { return of.tangential_displacement(t * time, T * time, t0 * time); }, load);
+  }
+
+ private:
+  static std::variant<MovingLoad, PlainMovingLoad> moving_load(const data::ViscoelasticNip& nip,
+                                                               const data::ViscoelasticLineLoads& method) {
+    if (method.residue_terms == 0) return MovingLoad(nip.material, nip.speed, nip.half_thickness());
+    return PlainMovingLoad(nip.material, nip.speed, nip.half_thickness(), method.residue_terms,
+                           method.smallest_term);
+  }
 };
 
 /// (7.11), in half-thicknesses.
@@ -61,61 +86,60 @@ Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) 
   return matrix;
 }
 
-Eigen::MatrixXd influence(const ViscoelasticSheet& sheet, const Grid& grid) {
-  if (sheet.plain() != nullptr) return plain_influence(*sheet.plain(), grid);
+Eigen::MatrixXd influence(const RollingLoads& problem, const Grid& grid) {
+  if (const auto* plain = std::get_if<PlainMovingLoad>(&problem.load)) return plain_influence(*plain, grid);
   return Eigen::MatrixXd::NullaryExpr(grid.loads + 1, grid.loads, [&](Eigen::Index i, Eigen::Index j) {
-    return sheet.normal_displacement(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
+    return problem.normal_displacement(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
   });
 }
 
 /// The surface under loads that started when their leading end was `approach` ahead.
 class RollingSurface final : public LineLoadSheet {
  public:
-  RollingSurface(const RollingLoads& problem, double leading_length)
-      : half_thickness_(problem.nip.half_thickness()),
-        approach_(problem.approach),
-        leading_length_(leading_length),
-        sheet_(problem.sheet) {}
+  RollingSurface(std::shared_ptr<const RollingLoads> problem, double leading_length)
+      : problem_(std::move(problem)), leading_length_(leading_length) {}
 
   [[nodiscard]] double normal_displacement(std::span<const FaceLoad> loads, double y,
                                            Work& /*work*/) const override {
-    return sum(loads, y, [&](double t, double T, double) { return sheet_->normal_displacement(t, T); });
+    return sum(loads, y, [&](double t, double T, double) { return problem_->normal_displacement(t, T); });
   }
   /// Against the point of the middle plane on the line through the centres.
   [[nodiscard]] double tangential_displacement(std::span<const FaceLoad> loads, double y,
                                                Work& /*work*/) const override {
     return sum(loads, y,
-               [&](double t, double T, double t0) { return sheet_->tangential_displacement(t, T, t0); });
+               [&](double t, double T, double t0) { return problem_->tangential_displacement(t, T, t0); });
   }
 
  private:
   /// The sum of each load's displacement(t, T, t0) for the point that is at Y at the time t, with lengths in
   /// half-thicknesses and times in half-thickness/speed.
   [[nodiscard]] double sum(std::span<const FaceLoad> loads, double y, const auto& displacement) const {
-    const double t = approach_ + (leading_length_ - y) / half_thickness_;
+    const double half_thickness = problem_->nip.half_thickness();
+    const double t = problem_->approach + (leading_length_ - y) / half_thickness;
     if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
     double sum = 0;
     for (const FaceLoad& load : loads) {
       // What the load is ahead of the centres, the pinned point has been passed by.
-      const double T = t + (y - load.y) / half_thickness_, t0 = t - load.y / half_thickness_;
+      const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
       sum += load.normal * displacement(t, T, t0);
     }
     return sum;
   }
 
-  double half_thickness_, approach_, leading_length_;
-  std::shared_ptr<const ViscoelasticSheet> sheet_;
+  std::shared_ptr<const RollingLoads> problem_;
+  double leading_length_;
 };
 
-LineLoadNip solve(const RollingLoads& problem, double leading_length) {
+LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_length) {
+  const RollingLoads& problem = *of;
   const double half_thickness = problem.nip.half_thickness();
   const Grid cells{leading_length / (2 * problem.leading * half_thickness), problem.approach,
                    problem.loads()};
   Eigen::MatrixXd matrix(cells.loads + 1, cells.loads + 1);
   matrix.col(0).setOnes();
   // Loads in units that give displacements over b.
-  const double compliance = problem.sheet->compliance();
-  matrix.rightCols(cells.loads) = -influence(*problem.sheet, cells) / compliance;
+  const double compliance = problem.compliance;
+  matrix.rightCols(cells.loads) = -influence(problem, cells) / compliance;
   Eigen::VectorXd gap(cells.loads + 1);
   for (int i = 0; i <= cells.loads; ++i) {
     const double y = 2 * (problem.leading - i) * cells.element;
@@ -134,13 +158,14 @@ LineLoadNip solve(const RollingLoads& problem, double leading_length) {
           .indentation = solved(0) * half_thickness,
           .loads = std::move(loads),
           .is_symmetric = false,
-          .sheet = std::make_shared<const RollingSurface>(problem, leading_length),
+          .sheet = std::make_shared<const RollingSurface>(of, leading_length),
           .spent = problem.work};
 }
 
-LineLoadNip solve_for_load(const RollingLoads& problem, double load) {
-  const double half_space = std::sqrt(load * problem.nip.roller_radius * problem.sheet->compliance());
-  LengthSearch lengths(load, half_space, {.tolerance = 1e-10, .longest = problem.nip.roller_radius});
+LineLoadNip solve_for_load(const std::shared_ptr<const RollingLoads>& problem, double load) {
+  const double radius = problem->nip.roller_radius;
+  LengthSearch lengths(load, std::sqrt(load * radius * problem->compliance),
+                       {.tolerance = 1e-10, .longest = radius});
   LineLoadNip result = solution_at_end(lengths, [&](double length) { return solve(problem, length); });
   if (lengths.met()) return result;
   throw BadInput("load", load, "must be one that line loads on a length below the roller's radius can carry");
@@ -153,37 +178,38 @@ void check_elements(const char* name, int elements, int least) {
   }
 }
 
+void check(const data::ViscoelasticLineLoads& method) {
+  check_elements("leading_elements", method.leading_elements, 1);
+  check_elements("trailing_elements", method.trailing_elements.value_or(0), 0);
+  if (!(std::isfinite(method.approach_lengths) && method.approach_lengths > 0))
+    throw BadInput("approach_lengths", method.approach_lengths, "must be finite and > 0");
+  if (!(method.residue_terms >= 0 && method.residue_terms <= most_residue_terms)) {
+    throw BadInput("residue_terms", method.residue_terms,
+                   "must be from 0 to " + std::to_string(most_residue_terms));
+  }
+  if (!(method.smallest_term >= 0 && method.smallest_term <= 1))
+    throw BadInput("smallest_term", method.smallest_term, "must be from 0 to 1");
+}
+
 }  // namespace
 
-void ViscoelasticLineLoadMethod::check() const {
-  check_elements("leading_elements", leading_elements, 1);
-  check_elements("trailing_elements", trailing_elements.value_or(0), 0);
-  if (!(std::isfinite(approach) && approach > 0))
-    throw BadInput("approach_lengths", approach, "must be finite and > 0");
-  if (!(residue_terms >= 0 && residue_terms <= most_residue_terms)) {
-    throw BadInput("residue_terms", residue_terms, "must be from 0 to " + std::to_string(most_residue_terms));
-  }
-  if (!(smallest_term >= 0 && smallest_term <= 1))
-    throw BadInput("smallest_term", smallest_term, "must be from 0 to 1");
-}
-
-LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                   double leading_length) {
   nip.check();
-  method.check();
+  check(method);
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
     throw BadInput("leading_length", leading_length, "must be > 0 and at most the roller's radius");
-  return solve(RollingLoads(nip, method), leading_length);
+  return solve(std::make_shared<const RollingLoads>(nip, method), leading_length);
 }
 
-LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                 double load) {
   nip.check();
-  method.check();
+  check(method);
   check_contact_load(load);
   RollingLoads problem(nip, method);
   while (true) {
-    LineLoadNip result = solve_for_load(problem, load);
+    LineLoadNip result = solve_for_load(std::make_shared<const RollingLoads>(problem), load);
     if (method.trailing_elements || problem.trailing == 0 || result.presses_everywhere()) return result;
     --problem.trailing;
   }

@@ -21,7 +21,8 @@ constexpr double farthest = 500;  ///< of the start, half-thicknesses
 
 constexpr ExtraDigits extra_digits{24, 100};
 
-RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method, int digits) {
+RollingLoads checked(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
+                     int digits) {
   nip.check();
   if (digits < 16 || digits > 30)
     throw BadInput("digits", std::to_string(digits), "must be from 16 to 30 with line loads that roll");
@@ -33,10 +34,13 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoa
                      "must be from " + std::to_string(least) + " to " + std::to_string(most_elements) +
                          " in the reference");
   }
-  if (!(method.approach > 0 && method.approach <= farthest))
-    throw BadInput("approach_lengths", method.approach, "must be > 0 and at most 500 in the reference");
+  if (!(method.approach_lengths > 0 && method.approach_lengths <= farthest))
+    throw BadInput("approach_lengths", method.approach_lengths,
+                   "must be > 0 and at most 500 in the reference");
   if (method.residue_terms < 0 || method.residue_terms > 500)
     throw BadInput("residue_terms", std::to_string(method.residue_terms), "must be from 0 to 500");
+  if (method.smallest_term != 0)
+    throw BadInput("smallest_term", method.smallest_term, "must be 0 in the reference");
   (void)material_compliances(nip.material);  // which refuses what is no material
   const ExactMaterial material = exact_material(nip.material);
   if (method.residue_terms > 0 &&
@@ -44,8 +48,8 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoa
     throw BadInput("residue_terms", std::to_string(method.residue_terms),
                    "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
   constexpr mpfr_prec_t bits = 512;  // of rates that are roots, so that what they miss is below all else
-  return {nip,      with_given_rates(material, bits), method.leading_elements,
-          trailing, mpq_class(method.approach),       method.residue_terms,
+  return {nip,      with_given_rates(material, bits),   method.leading_elements,
+          trailing, mpq_class(method.approach_lengths), method.residue_terms,
           digits};
 }
 
@@ -59,7 +63,7 @@ LengthSearch search_of(const RollingLoads& problem, double load) {
 
 }  // namespace
 
-LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                   double contact_length, int digits) {
   RollingLoads problem = checked(nip, method, digits);
   if (!(contact_length > 0 && contact_length <= nip.roller_radius))
@@ -73,7 +77,7 @@ LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const Viscoe
                  "must be one whose system is farther from singular than the reference can tell");
 }
 
-LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method,
+LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                 double load, int digits) {
   constexpr int digits_of_search = 16 - extra_digits.first;  // the influences', that is, are 16 at first
   RollingLoads problem = checked(nip, method, digits);

@@ -28,7 +28,7 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
   const auto defined = viscoelastic_nip_of_the_tables(replay.table, row, true);
   const auto printed = viscoelastic_nip_of_the_tables(replay.table, row, false);
   const double stated = replay.table.parameter("W").value;
-  fast::ViscoelasticLineLoadMethod method = viscoelastic_method(how);
+  data::ViscoelasticLineLoads method = viscoelastic_method(how);
   method.trailing_elements = replay.nips[row].trailing_elements;
   CorrectedRow result;
   result.corrected = continuous(defined, stated);

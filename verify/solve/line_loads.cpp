@@ -92,10 +92,6 @@ fast::LineLoadMethod method_of(const data::LineLoads& wanted, double accuracy) {
   return {wanted.leading_elements, wanted.residue_terms, fast::Accuracy(accuracy)};
 }
 
-fast::ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& wanted) {
-  return {wanted.leading_elements, wanted.trailing_elements, wanted.approach_lengths, wanted.residue_terms};
-}
-
 }  // namespace
 
 SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& wanted,
@@ -108,10 +104,9 @@ SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const da
 }
 
 SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
-                                const data::ViscoelasticLineLoads& wanted, double /*accuracy*/) {
-  const auto method = method_of(wanted);
-  const double leading = wanted.leading_elements;
-  const double leading_part = leading / (leading + wanted.trailing_elements.value_or(leading));
+                                const data::ViscoelasticLineLoads& method, double /*accuracy*/) {
+  const double leading = method.leading_elements;
+  const double leading_part = leading / (leading + method.trailing_elements.value_or(leading));
   return compared_with_truth(
       problem, [&](double load) { return fast::line_loads_for_load(problem.nip, method, load); },
       [&](double length) { return fast::line_loads_for_length(problem.nip, method, length * leading_part); });
@@ -151,7 +146,7 @@ std::vector<SearchStep> steps_to(const data::ElasticNipProblem& problem, double 
 
 std::vector<SearchStep> steps_to(const data::ViscoelasticNipProblem& problem, double load,
                                  double /*accuracy*/) {
-  auto method = method_of(std::get<data::ViscoelasticLineLoads>(problem.method));
+  auto method = std::get<data::ViscoelasticLineLoads>(problem.method);
   if (!method.trailing_elements)
     method.trailing_elements = fast::line_loads_for_load(problem.nip, method, load).trailing_elements();
   const double leading_part =

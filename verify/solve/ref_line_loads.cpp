@@ -45,10 +45,8 @@ SolvedByRef solve_ref_line_loads(const data::ElasticNipProblem& problem, const d
 }
 
 SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
-                                 const data::ViscoelasticLineLoads& loads, int digits) {
+                                 const data::ViscoelasticLineLoads& method, int digits) {
   const data::ViscoelasticNip& nip = problem.nip;
-  const ref::ViscoelasticLineLoadMethod method{loads.leading_elements, loads.trailing_elements,
-                                               loads.approach_lengths, loads.residue_terms};
   return contact_of(
       problem, digits, [&](double load) { return ref::line_loads_for_load(nip, method, load, digits); },
       [&](double length) { return ref::line_loads_for_length(nip, method, length, digits); });

@@ -14,19 +14,19 @@
 
 using namespace nipref;
 using namespace nipref::test;
+using data::ViscoelasticLineLoads;
 using data::ViscoelasticMaterial;
 using data::ViscoelasticNip;
 using fast::LineLoadNip;
-using fast::ViscoelasticLineLoadMethod;
 
 namespace {
 
 /// Started so long before the nip that the start is forgotten.
-ViscoelasticLineLoadMethod method(int leading, std::optional<int> trailing, int terms = 500) {
+ViscoelasticLineLoads method(int leading, std::optional<int> trailing, int terms = 500) {
   return {leading, trailing, 30, terms};
 }
 
-LineLoadNip for_length(double relaxation_length, const ViscoelasticLineLoadMethod& how, double length) {
+LineLoadNip for_length(double relaxation_length, const ViscoelasticLineLoads& how, double length) {
   return fast::line_loads_for_length(nip(relaxation_length), how, length);
 }
 
@@ -117,26 +117,43 @@ TEST_CASE("the contact is linear: a stiffer sheet carries as much more at the sa
 }
 
 TEST_CASE("what the loads leave: the roller's shape at every matching point, and the moment (7.15)") {
-  const ViscoelasticNip rolling = nip(0.1);
-  const ViscoelasticLineLoadMethod how = method(4, 3, 0);
+  ViscoelasticNip rolling = nip(0.1);
+  rolling.speed = 3;
+  const ViscoelasticLineLoads how = method(4, 3, 0);
   const LineLoadNip found = fast::line_loads_for_length(rolling, how, 0.06);
   const double half = rolling.half_thickness(), element = found.element_width() / 2;
   CHECK(found.loads.size() == 7);
   check_close(found.trailing_length(), 0.06 * 3 / 4, 1e-14);
   const fast::MovingLoad sheet(rolling.material, rolling.speed, half);
-  const double start = how.approach * half;
+  const double start = how.approach_lengths * half;
   double moment = 0;
   for (int i = 0; i <= 7; ++i) {
     double u = 0;
     for (int j = 0; j < 7; ++j)
       u += found.loads[static_cast<std::size_t>(j)].normal *
-           sheet.normal_displacement(start + 2 * i * element, start + (2 * j + 1) * element);
+           sheet.normal_displacement((start + 2 * i * element) / rolling.speed,
+                                     (start + (2 * j + 1) * element) / rolling.speed);
     const double y = 0.06 - 2 * i * element;
     check_close(u, found.indentation - y * y / (2 * radius), 1e-10);
     if (i < 7) moment += found.loads[static_cast<std::size_t>(i)].normal * (y - element);
   }
   check_close(found.rolling_resistance(), moment / (found.load() * radius), 1e-12);
   CHECK(found.rolling_resistance() > 0);
+}
+
+TEST_CASE("the surface has the roller's shape where it was matched, and the creep between its ends") {
+  for (const int terms : {0, 300}) {
+    CAPTURE(terms);
+    const LineLoadNip found = for_length(0.1, method(4, 3, terms), 0.06);
+    for (int i = 0; i <= 7; ++i) {
+      const double y = found.leading_length - i * found.element_width();
+      check_close(found.normal_displacement(y), found.indentation - y * y / (2 * radius), 1e-10);
+    }
+    CHECK(found.tangential_displacement(0) == 0);
+    const double stretch = found.tangential_displacement(found.leading_length) -
+                           found.tangential_displacement(-found.trailing_length());
+    check_close(stretch / found.contact_length(), found.creep_ratio(), 1e-10);
+  }
 }
 
 TEST_CASE("the load found is the load asked for") {
@@ -166,7 +183,7 @@ TEST_CASE("the search for m2: the first from m1 down that leaves no tension") {
 
 TEST_CASE("line loads refuse what is outside their domain") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refuses = [](const ViscoelasticLineLoadMethod& how, double length) {
+  const auto refuses = [](const ViscoelasticLineLoads& how, double length) {
     CHECK_THROWS_AS(for_length(0.1, how, length), data::BadInput);
   };
   refuses({0, 1, 5, 500}, 0.1);
@@ -179,6 +196,10 @@ TEST_CASE("line loads refuse what is outside their domain") {
   refuses(method(2, 2), 0);
   refuses(method(2, 2), nan);
   refuses(method(2, 2), 7);
+  const LineLoadNip found = for_length(0.1, method(4, 3, 0), 0.06);
+  CHECK_THROWS_AS((void)found.normal_displacement(found.loads[0].y), data::BadInput);
+  CHECK_THROWS_AS((void)found.normal_displacement(0.06 + 31 * thickness / 2), data::BadInput);
+  CHECK_THROWS_AS((void)found.pressure(HUGE_VAL), data::BadInput);
   CHECK_THROWS_AS(fast::line_loads_for_load(nip(0.1), method(2, 2), -1), data::BadInput);
   CHECK_THROWS_AS(fast::line_loads_for_load(nip(0.1), method(2, {}), 0), data::BadInput);
   CHECK_THROWS_AS(fast::PlainMovingLoad(solid(1), 1, 1, 0), data::BadInput);

@@ -43,7 +43,7 @@ TEST_CASE("ref rolling line loads are those in double, with exact kernels and wi
                                        : data::misprinted_thesis_solid(1e5, 3.75e4, 0.3));
     const double length = 0.4;
     const auto mine = ref::line_loads_for_length(nip, {3, 2, 4.0, terms}, length, 16);
-    const fast::ViscoelasticLineLoadMethod method{3, 2, 4.0, terms};
+    const data::ViscoelasticLineLoads method{3, 2, 4.0, terms};
     const auto theirs = fast::line_loads_for_length(nip, method, length * 3 / 5);
     check_like_fast(mine, theirs, 1e-11);
     CHECK(mine.creep_ratio().to_double() == doctest::Approx(theirs.creep_ratio()).epsilon(1e-10));

@@ -60,7 +60,7 @@ std::span<const ViscoelasticTable> viscoelastic_tables();
 const ViscoelasticTable* find_viscoelastic_table(std::string_view id);
 
 /// The line loads of such a table with m2 = m1; each row has its own m2.
-fast::ViscoelasticLineLoadMethod viscoelastic_method(const ViscoelasticTable& how);
+data::ViscoelasticLineLoads viscoelastic_method(const ViscoelasticTable& how);
 
 /// Replays such a table by 500 residue terms. The input of a row is its printed L1. The material constants are those
 /// that reproduce the tables: the constants of the elastic tables with the thesis's wrong exponent in theta2
@@ -91,7 +91,7 @@ struct ViscoelasticRowInput {
 /// choice of the thesis (2.5).
 ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
                                             const data::ViscoelasticNip& nip,
-                                            fast::ViscoelasticLineLoadMethod method);
+                                            data::ViscoelasticLineLoads method);
 
 /// The name, among a row's values, of the creep ratio of a machine on which e^(-180.2) underflows, and with it the
 /// whole bracket of a sign term's memory (AII.20). The smallest number of the IBM 360 is 16^-65.
@@ -99,7 +99,7 @@ inline constexpr std::string_view underflown_creep = "creep with underflow";
 
 /// The row that line loads give at the middle of the input's interval and at its ends.
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
-                                    const fast::ViscoelasticLineLoadMethod& method,
+                                    const data::ViscoelasticLineLoads& method,
                                     const data::Interval& leading_length);
 
 }  // namespace nipref::verify

@@ -118,7 +118,7 @@ class ViscoelasticRowReplay {
   /// Whether one leading element more or less matches.
   [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
     std::string met;
-    fast::ViscoelasticLineLoadMethod other = method_;
+    data::ViscoelasticLineLoads other = method_;
     for (const int change : {-1, 0, 1}) {
       other.leading_elements = method_.leading_elements + change;
       for (int trailing = 1; trailing <= other.leading_elements; ++trailing) {
@@ -136,7 +136,7 @@ class ViscoelasticRowReplay {
   const data::Table& table_;
   std::size_t row_;
   data::ViscoelasticNip nip_;
-  fast::ViscoelasticLineLoadMethod method_;
+  data::ViscoelasticLineLoads method_;
   ViscoelasticRowInput input_;
   ReplayedRow replayed_, beyond_;  ///< from the length, and from one that was cut to it
   ReplayedRow other_;              ///< from what the narrowest printed length has beyond it
@@ -151,7 +151,7 @@ const ViscoelasticTable* find_viscoelastic_table(std::string_view id) {
   return found == rolling_tables.end() ? nullptr : found;
 }
 
-fast::ViscoelasticLineLoadMethod viscoelastic_method(const ViscoelasticTable& how) {
+data::ViscoelasticLineLoads viscoelastic_method(const ViscoelasticTable& how) {
   return {how.leading_elements, how.leading_elements, how.approach, residue_terms, how.smallest_term};
 }
 

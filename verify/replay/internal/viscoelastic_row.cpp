@@ -62,11 +62,11 @@ double underflown(const data::MaterialFunction& function, std::span<const fast::
 }
 
 /// The lost part at the leading end minus that at the trailing end.
-double underflown_memory(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+double underflown_memory(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                          const fast::LineLoadNip& loads) {
   const data::MaterialFunctions functions = fast::material_functions(nip.material);
   const double step = loads.element_width() / nip.speed;
-  const double start = method.approach * nip.half_thickness() / nip.speed;
+  const double start = method.approach_lengths * nip.half_thickness() / nip.speed;
   const auto at = [&](double t) {
     return underflown(functions.theta1, loads.loads, t, start + step / 2, step) -
            underflown(functions.theta2, loads.loads, t, start + step / 2, step);
@@ -74,7 +74,7 @@ double underflown_memory(const data::ViscoelasticNip& nip, const fast::Viscoelas
   return at(start) - at(start + loads.contact_length() / nip.speed);
 }
 
-RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                              double length) {
   const fast::LineLoadNip loads = fast::line_loads_for_length(nip, method, length);
   RowValues values = row_values(nip.sheet_thickness, loads);
@@ -84,8 +84,8 @@ RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::Visco
 }
 
 /// The L1 for which the trailing end has the displacement d2, by the secant method from `guess`.
-double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
-                   double d2, double guess) {
+double length_with(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method, double d2,
+                   double guess) {
   const auto excess = [&](double length) {
     return fast::line_loads_for_length(nip, method, length).trailing_displacement() - d2;
   };
@@ -103,8 +103,7 @@ double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLin
 
 /// The input of a row without a legible length: d2 if it is legible, otherwise the table's load.
 ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
-                                    const data::ViscoelasticNip& nip,
-                                    fast::ViscoelasticLineLoadMethod method) {
+                                    const data::ViscoelasticNip& nip, data::ViscoelasticLineLoads method) {
   method.trailing_elements.reset();
   const fast::LineLoadNip found = fast::line_loads_for_load(nip, method, table.parameter("W").value);
   method.trailing_elements = found.trailing_elements();
@@ -150,7 +149,7 @@ void narrow(ViscoelasticRowInput& input, const std::vector<PrintedLength>& lengt
 
 ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
                                             const data::ViscoelasticNip& nip,
-                                            fast::ViscoelasticLineLoadMethod method) {
+                                            data::ViscoelasticLineLoads method) {
   const auto lengths = printed_lengths(table, row, nip.sheet_thickness);
   if (lengths.empty()) return without_length(table, row, nip, method);
   std::optional<ViscoelasticRowInput> best;
@@ -179,7 +178,7 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
 }
 
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
-                                    const fast::ViscoelasticLineLoadMethod& method,
+                                    const data::ViscoelasticLineLoads& method,
                                     const data::Interval& leading_length) {
   return {solved_rolling_row(nip, method, leading_length.middle()),
           {solved_rolling_row(nip, method, leading_length.lower),

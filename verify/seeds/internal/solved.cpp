@@ -171,7 +171,7 @@ Propagated printed_cell(const Request& request) {
 Propagated started_resistance(const Request& request) {
   const data::ViscoelasticNip nip{6, request.number("thickness", "2"), solid_of(request), 1};
   const double half_thicknesses = request.number("distance", "1") / nip.half_thickness();
-  const fast::ViscoelasticLineLoadMethod method{10, {}, half_thicknesses, 0};
+  const data::ViscoelasticLineLoads method{10, {}, half_thicknesses, 0};
   return printed_form(
       fast::line_loads_for_load(nip, method, request.number("load", "0")).rolling_resistance());
 }
