@@ -2,6 +2,7 @@
 // (brock2013): by the papers' contour rule, and the exact contacts without friction.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <vector>
@@ -102,6 +103,19 @@ fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
 
 Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
 
+using ExactFunction = std::function<ref::Estimate(const NamedExact& x, int digits)>;
+
+const Exact& number_of(const NamedExact& x, const char* name) { return x[name]; }
+const Exact& number_of(const NamedExact&, const Exact& number) { return number; }
+
+/// A function of the bodies' surface, of the arguments of those names or of numbers themselves, and of the digits.
+template <class Bodies>
+ExactFunction exactly(auto function, auto... numbers) {
+  return [=](const NamedExact& x, int digits) -> ref::Estimate {
+    return function(Bodies::exact(x), number_of(x, numbers)..., digits);
+  };
+}
+
 void draw_nothing(Random&, const NamedNumbers&) {}
 double value_itself(const NamedPoint&) { return 0; }
 
@@ -110,7 +124,7 @@ double value_itself(const NamedPoint&) { return 0; }
 struct ContactRow {
   const char* name;
   double largest_share;
-  ref::Estimate (*by_ref)(const NamedExact& x, int digits);
+  ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
   void (*more)(Random& random, const NamedNumbers& x) = draw_nothing;
   std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
@@ -140,16 +154,8 @@ std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
 }
 
 template <class Bodies>
-ref::Estimate exact_exponent(const NamedExact& x, int digits) {
-  return ref::sliding_exponent(Bodies::exact(x), x["friction"], x[Bodies::angle], digits);
-}
-template <class Bodies>
 double exponent(const NamedPoint& x) {
   return -slide<Bodies>(x).along(direction_of(x, Bodies::angle)).leading_share;
-}
-template <class Bodies>
-ref::Estimate exact_force(const NamedExact& x, int digits) {
-  return ref::sliding_force(Bodies::exact(x), x["friction"], digits);
 }
 template <class Bodies>
 double force(const NamedPoint& x) {
@@ -210,12 +216,14 @@ void keep_finite_span(const NamedNumbers& x) {
 const std::vector<ContactRow>& rows_on_isotropic() {
   using Bodies = OnIsotropic;
   static const std::vector<ContactRow> rows{
-      {"die.exponent", nearest_critical, exact_exponent<Bodies>, exponent<Bodies>, draw_sliding_line},
+      {"die.exponent", nearest_critical, exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg"),
+       exponent<Bodies>, draw_sliding_line},
       {"die.peak_place",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
+       [exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg")](const NamedExact& x,
+                                                                                  int digits) {
          const ref::Float half = ref::Float(1) / 2;
-         ref::Estimate place = exact_exponent<Bodies>(x, digits);
+         ref::Estimate place = exponent(x, digits);
          place.value = -place.value - half;
          return place;
        },
@@ -225,9 +233,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        [](const NamedPoint&) { return 0.5; }},
       {"die.span_ratio",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::sliding_span_ratio(Bodies::exact(x), x["friction"], Exact(90.0), digits);
-       },
+       exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
        [](const NamedPoint& x) {
          return slide<Bodies>(x).span_ratio({0, 1}).value;
        },
@@ -238,21 +244,18 @@ const std::vector<ContactRow>& rows_on_isotropic() {
         [](const NamedPoint& x) {
           return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
         }}},
-      {"die.force", nearest_integrated, exact_force<Bodies>, force<Bodies>, draw_sliding},
+      {"die.force", nearest_integrated, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>,
+       draw_sliding},
       {"rolling.index",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::rolling_index(Bodies::exact(x), x["psi_deg"], digits);
-       },
+       exactly<Bodies>(ref::rolling_index, "psi_deg"),
        [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; },
        draw_psi,
        {},
        [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
       {"rolling.span_ratio",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::rolling_span_ratio(Bodies::exact(x), Exact(90.0), digits);
-       },
+       exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
        [](const NamedPoint& x) {
          return roll(x).span_ratio({0, 1}).value;
        },
@@ -263,9 +266,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
         }}},
       {"rolling.finite_span_ratio",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::rolling_finite_span_ratio(Bodies::exact(x), x["psi_deg"], x["span_over_radius"], digits);
-       },
+       exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
        finite_span_ratio,
        [](Random& random, const NamedNumbers& x) {
          x["span_over_radius"] = random.log_uniform(1e-9, 1);
@@ -275,17 +276,14 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        {},
        value_itself,
        keep_finite_span},
-      {"rolling.strip", nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::rolling_strip(Bodies::exact(x), x["psi_deg"], digits);
-       },
+      {"rolling.strip", nearest_critical, exactly<Bodies>(ref::rolling_strip, "psi_deg"),
        [](const NamedPoint& x) {
          return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
        },
        draw_psi},
       {"rolling.force",
        nearest_integrated,
-       [](const NamedExact& x, int digits) { return ref::rolling_force(Bodies::exact(x), digits); },
+       exactly<Bodies>(ref::rolling_force),
        [](const NamedPoint& x) { return roll(x, 1).force().value; },
        draw_nothing,
        {},
@@ -295,9 +293,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        }},
       {"rolling.creep",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::rolling_creep(Bodies::exact(x), x["psi_deg"], x["span_over_radius"], digits);
-       },
+       exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
        [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
        [](Random& random, const NamedNumbers& x) {
          x["span_over_radius"] = random.log_uniform(1e-9, 1);
@@ -309,15 +305,9 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        }},
        value_itself,
        keep_span},
-      {"ellipse.axis_ratio", nearest_integrated,
-       [](const NamedExact& x, int digits) {
-         return ref::elliptic_axis_ratio(Bodies::exact(x), x["curvature_ratio"], digits);
-       },
+      {"ellipse.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, "curvature_ratio"),
        [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }, draw_ratio_of_curvatures},
-      {"ellipse.stiffness", nearest_integrated,
-       [](const NamedExact& x, int digits) {
-         return ref::elliptic_stiffness(Bodies::exact(x), x["curvature_ratio"], digits);
-       },
+      {"ellipse.stiffness", nearest_integrated, exactly<Bodies>(ref::elliptic_stiffness, "curvature_ratio"),
        [](const NamedPoint& x) {
          return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
        },
@@ -376,26 +366,26 @@ const std::vector<ContactRow>& rows_of_seed_sphere() {
   static const std::vector<ContactRow> rows{
       {"ti.span_ratio",
        nearest_critical,
-       [](const NamedExact& x, int digits) {
-         return ref::sliding_span_ratio(Bodies::exact(x), x["friction"], x["phi_deg"], digits);
-       },
+       exactly<Bodies>(ref::sliding_span_ratio, "friction", "phi_deg"),
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(direction_of(x, "phi_deg")).value; },
        draw_line_of_contact,
        {seed_span_ratio<InPlaneForm::printed>, seed_span_ratio<InPlaneForm::tabulated>}},
-      {"ti.axis_ratio", nearest_integrated,
-       [](const NamedExact& x, int digits) {
-         return ref::elliptic_axis_ratio(Bodies::exact(x), Exact(1.0), digits);
-       },
+      {"ti.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, Exact(1.0)),
        [](const NamedPoint& x) {
          return fast::EllipticContact(Bodies::surface(x), {1, 1}).axis_ratio().value;
        }},
       {"ti.exponent",
        nearest_critical,
-       exact_exponent<Bodies>,
+       exactly<Bodies>(ref::sliding_exponent, "friction", "phi_deg"),
        exponent<Bodies>,
        draw_line_of_contact,
        {seed_exponent}},
-      {"ti.force", nearest_for_force, exact_force<Bodies>, force<Bodies>, draw_sliding, {seed_force}}};
+      {"ti.force",
+       nearest_for_force,
+       exactly<Bodies>(ref::sliding_force, "friction"),
+       force<Bodies>,
+       draw_sliding,
+       {seed_force}}};
   return rows;
 }
 
