@@ -285,27 +285,37 @@ void Tractions::add_layers(const Place& place, const Kernel& kernel, double tole
   add_rows(0, nodes, kernel, place.trailing, {false, true}, rows);
 }
 
-Eigen::MatrixXd Tractions::rows_by(Add add, std::span<const double> places, bool trailing,
-                                   const Kernel& kernel, double tolerance) const {
+Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
+                                double tolerance) const {
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
   Eigen::Index row = 0;
   for (const double e : places) {
-    (this->*add)({e, trailing, panels_.size()}, kernel, tolerance,
-                 result.middleRows(row, kernel.functionals));
+    add_place({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
     row += kernel.functionals;
   }
   return result;
 }
 
-Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
-                                double tolerance) const {
-  return rows_by(&Tractions::add_place, places, trailing, kernel, tolerance);
-}
-
-Eigen::MatrixXd Tractions::rows_of_layers(std::span<const double> places, bool trailing, const Kernel& kernel,
-                                          double tolerance) const {
-  return rows_by(&Tractions::add_layers, places, trailing, kernel, tolerance);
+/// The nodes for the nearest place do for all.
+Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
+                                                 double tolerance) const {
+  const Place nearest{*std::ranges::max_element(places), true, panels_.size()};
+  Nodes nodes;
+  append_panel(panels_.front(), nearest, true, kernel, true, tolerance, nodes);
+  const auto count = static_cast<Eigen::Index>(nodes.e.size()), all = static_cast<Eigen::Index>(places.size());
+  const Eigen::MatrixXd layers = 0.5 * (array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e)));
+  Eigen::ArrayXXd alpha(count, all);
+  for (Eigen::Index i = 0; i < all; ++i)
+    alpha.col(i) = array(nodes.e) - (2 * half_length_ - places[static_cast<std::size_t>(i)]);
+  Eigen::MatrixXd on_p, on_q, result(all * kernel.functionals, layers.cols());
+  kernel.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+  for (int f = 0; f < kernel.functionals; ++f) {
+    const Eigen::RowVectorXd both = on_p.row(f) + on_q.row(f);
+    const Eigen::MatrixXd of_functional = both.reshaped(count, all).transpose() * layers;
+    result(Eigen::seqN(f, all, kernel.functionals), Eigen::all) = of_functional;
+  }
+  return result;
 }
 
 Eigen::MatrixXd Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {

@@ -76,9 +76,9 @@ class Tractions {
   /// `trailing`: the places are on the other half, -y.
   [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                      double tolerance) const;
-  /// The columns of the layers alone.
-  [[nodiscard]] Eigen::MatrixXd rows_of_layers(std::span<const double> places, bool trailing,
-                                               const Kernel& kernel, double tolerance) const;
+  /// The columns of the layers alone, at places on the trailing half, 0 <= e <= A.
+  [[nodiscard]] Eigen::MatrixXd rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
+                                                      double tolerance) const;
   /// The same at the matching points: those of the panels, as many as terms, and one more at the end.
   [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] Eigen::MatrixXd matching_rows(const SplitKernel& kernel, double tolerance) const;
@@ -160,9 +160,6 @@ class Tractions {
   /// Adds the layers, which are on the leading half.
   void add_layers(const Place& place, const Kernel& kernel, double tolerance,
                   Eigen::Ref<Eigen::MatrixXd> rows) const;
-  using Add = void (Tractions::*)(const Place&, const Kernel&, double, Eigen::Ref<Eigen::MatrixXd>) const;
-  [[nodiscard]] Eigen::MatrixXd rows_by(Add add, std::span<const double> places, bool trailing,
-                                        const Kernel& kernel, double tolerance) const;
   void add_integrals_of_layers(Eigen::MatrixXd& result) const;
   void add_place(const Place& place, const Kernel& kernel, double tolerance,
                  Eigen::Ref<Eigen::MatrixXd> rows) const;

@@ -148,23 +148,20 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
 
 /// Next to the leading end u = N(D) f. The equation is scaled down so that the elimination takes it for this unknown only:
 /// else its rounding would mix even and odd parts, one of which may be much smaller than the other.
-void RollingEquations::add_middle_displacement(const Tractions& tractions, const Tractions::Kernel& elastic,
-                                               double tolerance, Equations& equations) const {
-  const double leading_end[] = {0.0}, half_length = tractions.half_length();
+void RollingEquations::add_middle_displacement(double half_length, const Eigen::MatrixXd& ahead,
+                                               Equations& equations) const {
   const Eigen::Index row = equations.right.size() - 1;
-  equations.on_tractions.row(row) = -tractions.rows(leading_end, false, elastic, tolerance);
+  Eigen::RowVectorXd sum = ahead.bottomRows(1);
   for (std::size_t k = 0; k < sheet_.normal.terms.size(); ++k) {
     const auto& [amplitude, rate] = sheet_.normal.terms[k];
-    const Eigen::MatrixXd memory = tractions.rows(leading_end, false, kernels_.ahead(k), tolerance);
-    equations.on_tractions.row(row) -= amplitude.real() * memory.row(0) - amplitude.imag() * memory.row(1);
+    const auto memory = ahead.middleRows(2 * static_cast<Eigen::Index>(k), 2);
+    sum += (rate.imag() > 0 ? 2 : 1) * (amplitude.real() * memory.row(0) - amplitude.imag() * memory.row(1));
   }
-  equations.on_unknowns(row, equations.on_unknowns.cols() - 1) = 1;
-  equations.on_unknowns(row, offset) = -2 * half_length;
-  equations.right(row) = half_length * half_length;
   constexpr double scale = 0x1p-600;
-  equations.on_tractions.row(row) *= scale;
-  equations.on_unknowns.row(row) *= scale;
-  equations.right(row) *= scale;
+  equations.on_tractions.row(row) = -scale * sum;
+  equations.on_unknowns(row, equations.on_unknowns.cols() - 1) = scale;
+  equations.on_unknowns(row, offset) = -2 * half_length * scale;
+  equations.right(row) = half_length * half_length * scale;
 }
 
 /// The coefficient of a layer is that of its exponential.
@@ -177,27 +174,28 @@ void RollingEquations::add_layers(const std::vector<Mode>& modes, Equations& equ
 }
 
 /// The rows that determine the coefficients of the exponentials.
-void RollingEquations::add_closure(const std::vector<Mode>& modes, const Tractions& tractions,
-                                   double tolerance, Equations& equations) const {
-  const double leading_end[] = {0.0};
+void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_length,
+                                   const Eigen::MatrixXd& ahead, Equations& equations) const {
+  const std::vector<Memory>& terms = sheet_.normal.terms;
   const Eigen::Index first = equations.right.size() - equations.on_unknowns.cols();
   const auto is_layer = [](const Mode& mode) { return mode.layer >= 0; };
-  const auto add = [&](const Mode& mode, Complex factor, const Eigen::MatrixXd& memory) {
-    const Eigen::Index row = first + mode.unknown;
-    equations.on_tractions.row(row) -= factor.real() * memory.row(0) - factor.imag() * memory.row(1);
-    if (mode.columns == 2)
-      equations.on_tractions.row(row + 1) -= factor.imag() * memory.row(0) + factor.real() * memory.row(1);
-  };
-  const auto rows = [&](const Tractions::Kernel& kernel) {
-    return tractions.rows(leading_end, false, kernel, tolerance);
-  };
-  for (std::size_t k = 0; k < sheet_.normal.terms.size(); ++k) {
-    Eigen::MatrixXd memory, slope;
-    if (!std::ranges::all_of(modes, is_layer)) memory = rows(kernels_.ahead(k));
-    if (std::ranges::any_of(modes, is_layer)) slope = rows(kernels_.slope_ahead(k));
-    for (const Mode& mode : modes) {
-      const Complex factor = sheet_.normal.closure[mode.number][k];
-      add(mode, is_layer(mode) ? factor / mode.memory.rate : factor, is_layer(mode) ? slope : memory);
+  for (const Mode& mode : modes) {
+    const std::vector<Complex>& closure = sheet_.normal.closure[mode.number];
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const Complex rate = terms[k].rate;
+      if (rate.imag() < 0) continue;
+      // A pair's memories are conjugate.
+      const auto partner = std::ranges::find(terms, std::conj(rate), &Memory::rate) - terms.begin();
+      const Complex of_partner = rate.imag() > 0 ? closure[static_cast<std::size_t>(partner)] : 0;
+      const Complex over = is_layer(mode) ? mode.memory.rate : 1;
+      const Complex of_real = (closure[k] + of_partner) / over,
+                    of_imaginary = Complex(0, 1) * (closure[k] - of_partner) / over;
+      const auto memory = ahead.middleRows(2 * static_cast<Eigen::Index>(k + (is_layer(mode) ? terms.size() : 0)), 2);
+      const Eigen::Index row = first + mode.unknown;
+      equations.on_tractions.row(row) -= of_real.real() * memory.row(0) + of_imaginary.real() * memory.row(1);
+      if (mode.columns == 2)
+        equations.on_tractions.row(row + 1) -=
+            of_real.imag() * memory.row(0) + of_imaginary.imag() * memory.row(1);
     }
   }
   for (const Mode& mode : modes) {
@@ -206,7 +204,7 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, const Tractio
       equations.on_unknowns(row, mode.unknown + c) = 1;
       if (!is_layer(mode)) continue;
       const Complex of_offset = 2.0 * (mode.memory.amplitude / mode.memory.rate) / mode.memory.rate;
-      const Complex constant = of_offset * (tractions.half_length() + 1.0 / mode.memory.rate);
+      const Complex constant = of_offset * (half_length + 1.0 / mode.memory.rate);
       equations.on_unknowns(row, offset) = -(c == 0 ? of_offset.real() : of_offset.imag());
       equations.right(row) = c == 0 ? constant.real() : constant.imag();
     }
@@ -238,7 +236,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
                       Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};
   // Layers act on the other half, too.
   const Eigen::MatrixXd behind =
-      of_layers > 0 ? tractions.rows_of_layers(points, true, elastic.whole, tolerance) : Eigen::MatrixXd();
+      of_layers > 0 ? tractions.rows_of_layers_behind(points, elastic.whole, tolerance) : Eigen::MatrixXd();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i), row = 2 * at;
     for (std::size_t p = 0; p < fitted.size(); ++p) {
@@ -248,15 +246,21 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
             ahead.row(at).segment(tractions.column(p, component), terms);
     }
     if (of_layers > 0) {
-      const auto here = ahead.row(at).tail(of_layers), there = behind.row(at).tail(of_layers);
+      const auto here = ahead.row(at).tail(of_layers);
+      const auto there = behind.row(at);
       equations.on_tractions.row(row).tail(of_layers) = 0.5 * (here + there);
       equations.on_tractions.row(row + 1).tail(of_layers) = 0.5 * (here - there);
     }
     add_matching(modes, half_length, points[i], row, equations);
   }
   add_layers(modes, equations);
-  add_closure(modes, tractions, tolerance, equations);
-  if (has_layers(modes)) add_middle_displacement(tractions, elastic.whole, tolerance, equations);
+  if (!modes.empty()) {
+    const double leading_end[] = {0.0};
+    const Eigen::MatrixXd ahead_of_end =
+        tractions.rows(leading_end, false, kernels_.ahead(has_layers(modes)), tolerance);
+    add_closure(modes, half_length, ahead_of_end, equations);
+    if (has_layers(modes)) add_middle_displacement(half_length, ahead_of_end, equations);
+  }
   equations.memories = static_cast<int>(unknowns - 2);
   return {tractions, equations};
 }
@@ -358,9 +362,10 @@ Functional RollingEquations::with_pressure_there(const Solution& solution, const
   return strain;
 }
 
-Functional RollingEquations::creep(const Solution& solution, CountedKernels& kernels) const {
+Functional RollingEquations::creep(const Solution& solution, CountedKernels& /*kernels*/) const {
   return 0.5 / solution.half_length() *
-         (along(solution, {false, 0}, kernels).displacement - along(solution, {true, 0}, kernels).displacement);
+         (acting(solution, kernels_.tangential(), {false, 0}).front() -
+          acting(solution, kernels_.tangential(), {true, 0}).front());
 }
 
 }  // namespace nipref::fast

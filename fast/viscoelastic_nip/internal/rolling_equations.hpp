@@ -105,9 +105,9 @@ class RollingEquations : public NipEquations {
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;
-  void add_middle_displacement(const Tractions& tractions, const Tractions::Kernel& elastic, double tolerance,
-                               Equations& equations) const;
-  void add_closure(const std::vector<Mode>& modes, const Tractions& tractions, double tolerance,
+  /// `ahead`: the rows of RollingKernels::ahead at the leading end.
+  void add_middle_displacement(double half_length, const Eigen::MatrixXd& ahead, Equations& equations) const;
+  void add_closure(const std::vector<Mode>& modes, double half_length, const Eigen::MatrixXd& ahead,
                    Equations& equations) const;
 
   RollingSheet sheet_;

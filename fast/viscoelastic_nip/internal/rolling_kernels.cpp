@@ -135,37 +135,41 @@ Tractions::Kernel RollingKernels::along() const {
                         std::bind_front(&RollingKernels::strain_at, this));
 }
 
+Tractions::Kernel RollingKernels::tangential() const {
+  return for_both_parts(rates(), std::bind_front(&RollingKernels::tangential_at, this));
+}
+
 Tractions::Kernel RollingKernels::strain() const {
   return for_both_parts(rates(), std::bind_front(&RollingKernels::strain_at, this));
 }
 
-/// `memory` of a point and a rate, real and imaginary part as two functionals.
-template <class MemoryOf>
-Tractions::Kernel RollingKernels::of_term(std::size_t term, const MemoryOf& memory) const {
-  return {2, true, rates(),
-          [this, term, memory](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-            on_p = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(alpha.size()));
-            for (std::size_t i = 0; i < alpha.size(); ++i) {
-              const internal::SurfacePoint at = point(alpha[i]);
-              const auto of_rate = [&](const auto& fade) { return memory(at, fade); };
-              const Complex value = std::visit(of_rate, fades_[term]);
-              on_p(0, static_cast<Eigen::Index>(i)) = value.real() / pi;
-              on_p(1, static_cast<Eigen::Index>(i)) = value.imag() / pi;
-            }
+Tractions::Kernel RollingKernels::ahead(bool whole) const {
+  const Eigen::Index of_terms = 2 * static_cast<Eigen::Index>(fades_.size());
+  const auto functionals = static_cast<int>(whole ? 2 * of_terms + 1 : of_terms);
+  const auto set = [this, whole, of_terms](double alpha, auto column) {
+    const internal::SurfacePoint at = point(alpha);
+    const auto set_terms = [&](Eigen::Index first, const auto& memory) {
+      for (std::size_t k = 0; k < fades_.size(); ++k) {
+        if (sheet_.normal.terms[k].rate.imag() < 0) continue;
+        const Complex value = std::visit(memory, fades_[k]) / pi;
+        column.template segment<2>(first + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
+      }
+    };
+    set_terms(0, [&](const auto& fade) -> Complex {
+      return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
+    });
+    if (!whole) return;
+    set_terms(of_terms, [&](const auto& fade) -> Complex {
+      return internal::steady_memory_of_slope(internal::Kernel::I1, at, fade, Accuracy());
+    });
+    column(2 * of_terms) = internal::kernel_at(internal::Kernel::I1, at, Accuracy()) / pi;
+  };
+  return {functionals, true, rates(),
+          [functionals, set](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            on_p = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
+            for (std::size_t i = 0; i < alpha.size(); ++i) set(alpha[i], on_p.col(static_cast<Eigen::Index>(i)));
             on_q = on_p;
           }};
-}
-
-Tractions::Kernel RollingKernels::ahead(std::size_t term) const {
-  return of_term(term, [](const internal::SurfacePoint& at, const auto& fade) -> Complex {
-    return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
-  });
-}
-
-Tractions::Kernel RollingKernels::slope_ahead(std::size_t term) const {
-  return of_term(term, [](const internal::SurfacePoint& at, const auto& fade) -> Complex {
-    return internal::steady_memory_of_slope(internal::Kernel::I1, at, fade, Accuracy());
-  });
 }
 
 }  // namespace nipref::fast

@@ -26,14 +26,14 @@ class RollingKernels {
 
   /// Each with the size of the parts that may cancel in it as the next functional: the normal displacement that N gives; the
   /// displacement along the sheet beside what it is far ahead, and its derivative less theta2 at once times the pressure at
-  /// the place; and the derivative alone.
+  /// the place; and each of these two alone.
   [[nodiscard]] Tractions::Kernel normal() const;
   [[nodiscard]] Tractions::Kernel along() const;
+  [[nodiscard]] Tractions::Kernel tangential() const;
   [[nodiscard]] Tractions::Kernel strain() const;
-  /// int_0^inf e^(-rate x) I1(alpha + x) dx/pi for a term of N, real and imaginary part as two functionals.
-  [[nodiscard]] Tractions::Kernel ahead(std::size_t term) const;
-  /// The same with the derivative I1'.
-  [[nodiscard]] Tractions::Kernel slope_ahead(std::size_t term) const;
+  /// At alpha >= 0: int_0^inf e^(-rate x) I1(alpha + x) dx/pi for each term of N, real and imaginary part as two functionals,
+  /// 0 for the second of a conjugate pair. The whole has the same with the derivative I1' after them, and I1/pi at the end.
+  [[nodiscard]] Tractions::Kernel ahead(bool whole) const;
 
  private:
   /// Adds amplitude times `memory` for all terms; of a conjugate pair one is evaluated. Behind the load a term leaves a trace,
@@ -50,8 +50,6 @@ class RollingKernels {
   [[nodiscard]] Sized tangential_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] std::vector<std::complex<double>> rates() const;
-  template <class MemoryOf>
-  [[nodiscard]] Tractions::Kernel of_term(std::size_t term, const MemoryOf& memory) const;
 
   const RollingSheet& sheet_;
   std::vector<std::variant<internal::Fade, internal::OscillatingFade>> fades_;  ///< of each term
