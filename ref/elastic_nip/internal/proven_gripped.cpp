@@ -50,17 +50,6 @@ EntryBounds gripped_bounds(const Interval& half_length, long size) {
   return bounds;
 }
 
-Interval least_form(const Interval& half_length, const Interval& beta) {
-  constexpr long steps = 16;
-  Interval best(half_length.precision());
-  for (long k = 1; k < steps; ++k) {
-    const Interval z = Interval(2 * k, half_length.precision()) / steps;
-    const Interval value = least_stiffness(z / half_length, beta) * (1 - square(z) / 4);
-    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
-  }
-  return best;
-}
-
 Interval sum_of_magnitudes(const std::vector<Interval>& x) {
   Interval sum(working_bits());
   for (const Interval& value : x) sum = sum + magnitude_of(value);
@@ -81,7 +70,7 @@ GrippedPlan plan_of(double half_length, double beta, int digits) {
   const auto digits_of = [](const Interval& x) { return std::log10(mpfr_get_d(x.upper(), MPFR_RNDU)); };
   const EntryBounds slow = gripped_bounds(A, 1);
   const double growth = digits_of(square(A + 1) * (slow.amplitude * square_tail(slow.rate / 2, 1) + 1) /
-                                  least_form(A, Interval(beta, coarse)));
+                                  gripped_coercivity(A, Interval(beta, coarse)));
   const auto left_out = [&](long size) {
     const EntryBounds bounds = gripped_bounds(A, size);
     return digits_of(size * size * size * (bounds.amplitude * square_tail(bounds.rate, size)));
@@ -219,11 +208,10 @@ void GrippedContact::prove(const System<Interval>& system) {
   const EntryBounds decay = gripped_bounds(A_, N);
   const Interval beyond = 2 * sum_of_magnitudes(alpha_), whole = square_tail(decay.rate, N),
                  half = square_tail(decay.rate / 2, N);
-  const Interval in_row =
-      2 * entry_error * node_sum / N +
-      decay.amplitude * (8 * unknowns * decay.power(N) / square(1 - decay.power(N)) + beyond * whole);
+  const Interval in_row = 2 * entry_error * node_sum / N + unknowns * folded_entries(decay, N, N) +
+                          decay.amplitude * beyond * whole;
   const Interval missed = N * N * N * in_row + decay.amplitude * (unknowns * whole + beyond * square(half));
-  energy_error_ = magnitude_of((residual + missed) / least_form(A_, beta_));
+  energy_error_ = magnitude_of((residual + missed) / gripped_coercivity(A_, beta_));
   const EntryBounds slow = gripped_bounds(A_, 1);
   slope_error_ =
       magnitude_of(residual + missed +
@@ -304,6 +292,17 @@ Interval least_stiffness(const Interval& x, const Interval& beta) {
   const Interval over_trace = S / (2 * cosh(twice));
   const Interval least = mpfr_cmp_d(over_trace.lower(), 0.5) < 0 ? over_trace : Interval(0.5, x.precision());
   return (1 - beta) * ((sinh(twice) - twice) / S + beta) * least;
+}
+
+Interval gripped_coercivity(const Interval& half_length, const Interval& beta) {
+  constexpr long steps = 16;
+  Interval best(half_length.precision());
+  for (long k = 1; k < steps; ++k) {
+    const Interval z = Interval(2 * k, half_length.precision()) / steps;
+    const Interval value = least_stiffness(z / half_length, beta) * (1 - square(z) / 4);
+    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
+  }
+  return best;
 }
 
 Proof proven_gripped(const Exact& half_length, const Exact& beta, int digits, const GrippedKernels& kernels) {

@@ -32,5 +32,7 @@ int proven_gripped_terms(double half_length, double beta, int digits);
 /// A bound from below of the least eigenvalue of x times the symbol of both displacements under both tractions, for the
 /// wave number x and all larger ones.
 Interval least_stiffness(const Interval& x, const Interval& beta);
+/// lambda of the page, for all half lengths of the interval.
+Interval gripped_coercivity(const Interval& half_length, const Interval& beta);
 
 }  // namespace nipref::ref

@@ -188,10 +188,10 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   const Interval entry_error = interval_of(kernel_error_) + argument_units * ((half_length + 1) * unit);
   const Interval apart = distance_from(half_length_, half_length);
   const Interval first_power = decay.power(rest);
-  const Interval folded = 8 * (sqrt_of(n) * first_power / square(1 - decay.power(2 * n)));
+  const Interval folded = sqrt_of(n) * folded_entries(decay, 2 * n, rest);
   const Interval beyond = first_power / sqrt(1 - decay.power(4));
   const Interval norm = sqrt(sum) + 2 * (entry_error * node_sum) + sqrt_of(4 * n) * right.next +
-                        unknowns * (apart / half_length + decay.amplitude * (folded + beyond));
+                        unknowns * (apart / half_length + folded + decay.amplitude * beyond);
   const Interval energy_radius = magnitude_of(norm / coercivity(half_length));
   const Interval radius =
       n * energy_radius + 8 * n * right.next +
@@ -199,8 +199,8 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
                          energy_radius * tail(decay.rate / 2, rest) / sqrt(1 - decay.power(2)));
   const Interval quadrature_error =
       Interval::pi(bits) * decay.amplitude * unknowns * decay.power(2 * n) / (1 - decay.power(4 * n));
-  const Interval constant_error = decay.amplitude * folded * unknowns +
-                                  (entry_error + 4 * apart) * node_sum / n + 4 * half_length * radius;
+  const Interval constant_error =
+      folded * unknowns + (entry_error + 4 * apart) * node_sum / n + 4 * half_length * radius;
   const Interval constant =
       is_odd_ ? Interval(bits) : (-smooth[0] / (n * n)).widened(magnitude_of(constant_error));
   return {{half_length, std::move(c), magnitude_of(radius), energy_radius, magnitude_of(quadrature_error)},

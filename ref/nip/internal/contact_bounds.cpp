@@ -36,6 +36,10 @@ EntryBounds entry_bounds(const Interval& half_length, int size) {
   return {2 * (bound * cosh_tau * (2 / left + 4 / square(left))), log(slope + cosh_tau)};
 }
 
+Interval folded_entries(const EntryBounds& decay, long points, long first) {
+  return 8 * (decay.amplitude * decay.power(first)) / square(1 - decay.power(points));
+}
+
 Interval tail(const Interval& rate, long first) {
   const Interval gap = -expm1(-(2 * rate));
   return exp(-(first * rate)) * (first / gap + 2 / square(gap));

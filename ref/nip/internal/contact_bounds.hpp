@@ -18,6 +18,9 @@ struct EntryBounds {
 };
 EntryBounds entry_bounds(const Interval& half_length, int size);
 
+/// A bound of all entries that N points fold onto one, where the least index folded is `first`.
+Interval folded_entries(const EntryBounds& decay, long points, long first);
+
 /// Bounds of sum m e^{-m rate} over m = first, first + 2, .., and of sum m^2 e^{-m rate} over all m >= first; rate > 0.
 Interval tail(const Interval& rate, long first);
 Interval square_tail(const Interval& rate, long first);

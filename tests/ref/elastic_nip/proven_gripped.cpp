@@ -173,6 +173,21 @@ TEST_CASE("ref gripped contact: an interval of lengths has the contacts of each"
   }
 }
 
+TEST_CASE("ref gripped contact: lambda is the stiffness at z/A less what longer waves hold, at the best z") {
+  for (const double A : {0.05, 0.7, 4.0}) {
+    for (const double beta : {0.0, 0.2, 0.7}) {
+      double lambda = 0;
+      for (double z = 0.125; z < 2; z += 0.125) {
+        const double twice = 2 * z / A, S = std::sinh(twice) + twice, r = (std::sinh(twice) - twice) / S;
+        lambda = std::fmax(
+            lambda, (1 - beta) * (r + beta) * std::fmin(0.5, S / (2 * std::cosh(twice))) * (1 - z * z / 4));
+      }
+      const Interval found = ref::gripped_coercivity(Interval(A, 128), Interval(beta, 128));
+      CHECK(upper_of(found) == doctest::Approx(lambda).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("ref gripped contact: the stiffness of long waves and all shorter ones is what the proof takes") {
   for (const double beta : {0.0, 0.01, 0.3, 0.749}) {
     for (double z = 0.02; z < 10; z *= 1.5) {

@@ -174,6 +174,34 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
   }
 }
 
+TEST_CASE("what entries are folded onto one is at most what the proof takes for it, and not much less") {
+  constexpr int points = 8;  // N; those folded onto m are 2 N k - m and 2 N k + m
+  for (const double tau : {0.05, 0.1, 0.5}) {
+    for (const int parity : {1, 0}) {
+      double largest = 0;
+      for (int m = 2 - parity; m < points; m += 2) {
+        for (int n = 2 - parity; n < points; n += 2) {
+          double one = 0, by_m = 0, by_n = 0;
+          for (int k = 1; k < 400; ++k) {
+            for (const int sign : {-1, 1}) {
+              const int to_m = 2 * points * k + sign * m, to_n = 2 * points * k + sign * n;
+              one += std::exp(-tau * to_m) + std::exp(-tau * to_n);
+              by_m += std::exp(-tau * to_m / 2);
+              by_n += std::exp(-tau * to_n / 2);
+            }
+          }
+          largest = std::fmax(largest, one + by_m * by_n);
+        }
+      }
+      const EntryBounds decay{Interval(1L, 64), Interval(tau, 64)};
+      const double taken = upper_bound(folded_entries(decay, points, points + parity));
+      CAPTURE(tau);
+      CHECK(largest <= taken);
+      CHECK(largest >= taken / 10);
+    }
+  }
+}
+
 TEST_CASE("what tails of sums are taken for is at least what their terms sum to, and not much more") {
   for (const double rate : {0.05, 0.4, 2.0}) {
     for (const long first : {1L, 8L, 61L}) {
