@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""data/golden/ACCURACY.md on standard output: how accurate fast and the peers of its bench are, and how wide the enclosures of ref.
+"""data/golden/ACCURACY.md on standard output: how accurate fast and the peers of its bench are, and what ref takes.
    nipref audit QUANTITY... --json >audit.json; nipref bench QUANTITY... --json >bench.json
    accuracy.py NIPREF audit.json bench.json >data/golden/ACCURACY.md
 Widths are the bounds of golden values, which `golden check` keeps."""
@@ -70,6 +70,7 @@ what is stored; and the time of a processor for a value, of all that `nipref gol
 
 ## Beside other libraries
 
-As `nipref bench` finds them, at 1000 arguments of each range; in the same units, of which N digits have one of 10^-N of the scale.
+As `nipref bench` finds them, at 1000 arguments of each range, in the same units; N digits have one of 10^-N of the scale. Times are medians of
+wall clock, longer where the machine has other work.
 
 {table(["quantity", "range", "method", "largest", "mean", "99.9 %", "largest relative", "time, ns"], peers)}""")

@@ -90,6 +90,8 @@ Json grade_json(const Grade& grade) {
               {"along", found.quantity->arguments[found.spread.along].name},
               {"decades", json_list(found.spread.decades, decade_json)},
               {"_scale", found.quantity->scale},
+              // Who promises no ulps reads none: one is at most 2^-52 of the scale.
+              {"_part", found.promise == 0 ? Json(found.max_error_ulp * 0x1p-52) : Json()},
               {"_worst_decades", json_list(worst, decade_json)},
               {"_left_out_decades",
                worst.size() < decades ? Json{{"worst", worst.size()}, {"of", decades}} : Json()}});

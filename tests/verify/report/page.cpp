@@ -274,6 +274,8 @@ TEST_CASE("a page that grows says what is still to come, and lines about a part 
   report.to_come = {"golden values", "figures"};
   const std::string page = report_page(answer_of(report), empty_drawing);
   CHECK(fault_of(page) == "");
+  CHECK(in_page(small_page(), " missed</b>"));
+  CHECK_FALSE(in_page(page, " missed</b>"));  // it would be 0
   CHECK(in_page(page,
                 "Still to come: <span class=\"list\"><span>golden values</span><span>figures</span></span>"));
   const std::string text = plain(report_text(answer_of(report), "somewhere"));
