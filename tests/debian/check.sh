@@ -35,6 +35,8 @@ python3 -c 'import nipref; print(nipref.eval("I1", alpha=0.73), nipref.solve("th
 for project in consumer consumer/kernel_check; do
   cmake -S $project -B build/$project >log
   cmake --build build/$project >>log 2>&1 || { cat log; exit 1; }
+  [ $project = consumer ] || nipref grade build/$project/libmylib.so --symbol sign_kernel --quantity I2 --points 500 \
+    --baseline build/$project/baseline.toml --update-baseline
   ctest --test-dir build/$project --output-on-failure
 done
 END
