@@ -127,6 +127,8 @@ constexpr auto results = std::to_array<SceneResult>({
      SceneKind::half_space},
     {ResultId::trailing_end, "trailing_end", "length", "the end x- on the other side, negative",
      Scale::itself, Shape::profile, SceneKind::half_space},
+    {ResultId::peak_on_line, "peak_on_line", "stress", "largest pressure on the line of this direction",
+     Scale::itself, Shape::profile, SceneKind::half_space},
     {ResultId::creep, "creep", "1",
      "V0 in this direction: the surface moves by du/dx = -V0 + x^2/(2 R^2); rolling sphere", Scale::itself,
      Shape::profile, SceneKind::half_space},

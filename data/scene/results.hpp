@@ -112,6 +112,7 @@ enum class ResultId {
   span,
   leading_end,
   trailing_end,
+  peak_on_line,
   creep,
   compressed_radius,
   compliance,

@@ -142,6 +142,11 @@ Estimate SlidingContact::peak_pressure() const {
   return {steepness_ * span_.value, steepness_ * (span_.error + rounding() * span_.value)};
 }
 
+Estimate SlidingContact::peak_pressure(Direction psi) const {
+  const SlidingLine line = along(psi);
+  return {line.peak_pressure, line.uncertainty * line.peak_pressure};
+}
+
 double SlidingContact::span_ratio(const Shape& line) const {
   if (rule_ == SpanRule::stationary_force) return steepness_ / line.steepness();
   return std::sqrt(body_.curvature(motion_) / line.curvature);

@@ -53,6 +53,8 @@ class SlidingContact {
   /// The same across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
   [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
+  /// The peak pressure on the line in the direction psi, unit of stress.
+  [[nodiscard]] Estimate peak_pressure(Direction psi) const;
   // On the line in the direction psi.
   [[nodiscard]] Estimate span(Direction psi) const { return span_ratio(psi) * span_; }  ///< L(psi)
   [[nodiscard]] Estimate leading_end(Direction psi) const { return along(psi).leading_end(); }

@@ -1,4 +1,6 @@
 #pragma once
+#include <complex>
+
 #include <nipref/data/material/spring_model.hpp>
 
 namespace nipref::fast {
@@ -31,8 +33,9 @@ double creep(const Modulus& modulus, double t);
 double storage(const Modulus& modulus, double omega);
 double loss(const Modulus& modulus, double omega);
 
-/// The modulus at a real p of Laplace's transformation: the stress over a strain that grows like e^{p t}. (thesis 6.12)
-double at_growth(const Modulus& modulus, double p);
+/// The modulus at p + i omega of Laplace's transformation: the stress over a strain that grows like e^{p t} and swings
+/// like e^{i omega t}. The error is at most 32 units in the last place of its modulus. (thesis 6.12)
+std::complex<double> modulus_at(const Modulus& modulus, double p, double omega);
 
 /// 1/(2G) and 3/(6K + 2G) as functions of time beside their impulse: the strain t after a unit impulse of stress,
 /// 1/(stress time). Both moduli are of one model. (thesis 6.16, 6.17, AIII.10, AIII.11)

@@ -1,16 +1,20 @@
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/magnitude.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/internal/inverse_transform.hpp>
+#include <nipref/fast/material/internal/partial_fractions.hpp>
 #include <nipref/fast/material/rational_solid.hpp>
 
 namespace nipref::fast {
 namespace {
 
 using internal::Octuple;
+using internal::OctupleComplex;
 using internal::Polynomial;
 using internal::product;
 using internal::Rational;
@@ -49,14 +53,17 @@ struct Series {
 Series series_of(const data::PronyList& list, const std::string& name) {
   check_not_below_0(name + "_instantaneous", list.instantaneous);
   Series series{internal::trimmed({list.instantaneous}), {}};
+  // Terms of one rate are one, as a root that many factors share is found to few digits.
+  std::map<double, Octuple> by_rate;
   for (std::size_t i = 0; i < list.rates.size(); ++i) {
     const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
     check_part(name + "_amplitude" + number, list.amplitudes[i]);
     check_not_below_0(name + "_rate" + number, list.rates[i]);
-    if (list.amplitudes[i] == 0) continue;
-    const Polynomial factor{list.rates[i], 1};
-    series.numerator =
-        internal::sum(product(series.numerator, factor), times(list.amplitudes[i], series.denominator));
+    if (list.amplitudes[i] != 0) by_rate[list.rates[i]] += list.amplitudes[i];
+  }
+  for (const auto& [rate, amplitude] : by_rate) {
+    const Polynomial factor{rate, 1};
+    series.numerator = internal::sum(product(series.numerator, factor), times(amplitude, series.denominator));
     series.denominator = product(series.denominator, factor);
     series.factors.push_back(factor);
   }
@@ -151,31 +158,33 @@ Fading in_time(const Rational& transform, double t) {
   return rounded(internal::inverse_transform(transform, t), "t", t);
 }
 
-/// p(i omega), real and imaginary, and the same of magnitudes.
-struct AtFrequency {
-  Octuple re = 0, im = 0, size = 0;
+/// A polynomial at growth + i omega, and the sum of its terms' magnitudes.
+struct AtPoint {
+  OctupleComplex value;
+  Octuple size = 0;
 
-  AtFrequency(const Polynomial& p, double omega) {
-    Octuple power = 1;
-    for (std::size_t k = 0; k < p.size(); ++k, power *= omega) {
-      const Octuple term = p[k] * power;
-      (k % 2 == 0 ? re : im) += k % 4 < 2 ? term : Octuple(-term);
-      size += abs(term);
+  AtPoint(const Polynomial& p, double growth, double omega) {
+    const OctupleComplex z{growth, omega};
+    const Octuple radius = size_of(z);
+    for (auto c = p.rbegin(); c != p.rend(); ++c) {
+      value = value * z + OctupleComplex{*c, 0};
+      size = size * radius + abs(*c);
     }
   }
 };
 
-Fading at_frequency(const Operators& modulus, double omega, bool loses) {
-  check_not_negative("omega", omega);
-  const AtFrequency n(modulus.q, omega), d(modulus.p, omega);
-  const Octuple square = d.re * d.re + d.im * d.im;
-  if (square == 0) throw data::BadInput("omega", omega, "must not be where the modulus is infinite");
-  return rounded(
-      {(loses ? n.im * d.re - n.re * d.im : n.re * d.re + n.im * d.im) / square, n.size * d.size / square},
-      "omega", omega);
+data::MaterialFunction terms_of(const Rational& theta, const char* name) {
+  Polynomial denominator{1};
+  for (const Polynomial& factor : theta.denominator) denominator = product(denominator, factor);
+  return internal::partial_fractions({theta.numerator}, denominator, name, internal::of_exact);
 }
 
 }  // namespace
+
+data::MaterialFunctions material_functions(const RationalSolid& solid) {
+  const Solid all = built(solid);
+  return {terms_of(all.theta1, "theta1"), terms_of(all.theta2, "theta2")};
+}
 
 Fading relaxation(const RationalSolid& solid, Strain of, double t) {
   const Solid all = built(solid);
@@ -194,32 +203,24 @@ Fading creep(const RationalSolid& solid, Strain of, double t) {
 }
 
 Fading storage(const RationalSolid& solid, Strain of, double omega) {
-  return at_frequency(of_strain(built(solid), of), omega, false);
+  return modulus_at(solid, of, 0, omega, false);
 }
 
 Fading loss(const RationalSolid& solid, Strain of, double omega) {
-  return at_frequency(of_strain(built(solid), of), omega, true);
+  return modulus_at(solid, of, 0, omega, true);
 }
 
-Fading at_growth(const RationalSolid& solid, Strain of, double p) {
+Fading modulus_at(const RationalSolid& solid, Strain of, double p, double omega, bool imaginary) {
   check_not_negative("p", p);
+  check_not_negative("omega", omega);
   const Solid all = built(solid);
   const Operators& modulus = of_strain(all, of);
-  struct Sum {
-    Octuple value = 0, size = 0;
-  };
-  const auto at = [&](const Polynomial& polynomial) {
-    Sum sum;
-    Octuple power = 1;
-    for (std::size_t k = 0; k < polynomial.size(); ++k, power *= p) {
-      sum.value += polynomial[k] * power;
-      sum.size += abs(polynomial[k] * power);
-    }
-    return sum;
-  };
-  const Sum n = at(modulus.q), d = at(modulus.p);
-  if (d.value == 0) throw data::BadInput("p", p, "must not be where the modulus is infinite");
-  return rounded({n.value / d.value, n.size * d.size / (d.value * d.value)}, "p", p);
+  const AtPoint n(modulus.q, p, omega), d(modulus.p, p, omega);
+  if (d.value.re == 0 && d.value.im == 0)
+    throw data::BadInput("p", p, "must not be where the modulus is infinite");
+  const OctupleComplex value = n.value / d.value;
+  const Octuple below = size_of(d.value);
+  return rounded({imaginary ? value.im : value.re, n.size * d.size / (below * below)}, "p", p);
 }
 
 Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).theta1, t); }

@@ -7,7 +7,8 @@ namespace nipref::fast {
 /// A solid whose moduli are ratios of polynomials in d/dt, by the constants that describe it. Nothing is asked of it but
 /// that it has these functions: it may be a fluid (a rate of 0, Q without p^0), give way to nothing at once (Kelvin's and
 /// Voigt's: instantaneous 0, Q of one degree more than P), have rates that are equal, nearly so or complex, and gain
-/// energy. Up to two terms in a series, second order in operators.
+/// energy. Of any number of terms and any order; of rates of operators, or of a bulk modulus, that nearly coincide at most
+/// four.
 using RationalSolid =
     std::variant<data::PronySeries, data::DifferentialOperators, data::SingleRelaxationTimeSolid>;
 
@@ -19,13 +20,14 @@ enum class Strain { shear, dilatation };
 //
 // BadInput, naming a member as the catalogue does: coefficients that are neither 0 nor magnitudes (data::is_magnitude),
 // rates and coefficients of operators < 0, a P or Q or a theta that is 0 altogether, Q of a lower degree than P or of
-// more than one higher; t and omega not finite or < 0; and where the value is not within the range of doubles.
+// more than one higher; t, p and omega not finite or < 0; and where the value is not within the range of doubles.
 
 Fading relaxation(const RationalSolid& solid, Strain of, double t);
 Fading creep(const RationalSolid& solid, Strain of, double t);
 Fading storage(const RationalSolid& solid, Strain of, double omega);
 Fading loss(const RationalSolid& solid, Strain of, double omega);
-Fading at_growth(const RationalSolid& solid, Strain of, double p);
+/// Real or imaginary part of the modulus at p + i omega.
+Fading modulus_at(const RationalSolid& solid, Strain of, double p, double omega, bool imaginary);
 Fading theta1(const RationalSolid& solid, double t);
 Fading theta2(const RationalSolid& solid, double t);
 

@@ -24,8 +24,10 @@
 namespace nipref::fast {
 namespace {
 
+using data::Derivative;
 using data::SheetLoad;
 using enum internal::FieldFunction;
+using internal::FieldFunction;
 using internal::FieldFunctions;
 using internal::HalfPlaneParts;
 using internal::SeenFromLoads;
@@ -35,6 +37,8 @@ using std::numbers::inv_pi;
 
 constexpr double quarter_pi = std::numbers::pi / 4;
 constexpr double nearest_on_the_face = 1e-300;
+/// Of second derivatives, which grow like 1/alpha^2.
+constexpr double nearest_of_second = 1e-150;
 
 void check(double alpha, double depth) {
   internal::check_argument("alpha", alpha, internal::Domain::finite);
@@ -197,6 +201,24 @@ SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, She
   return stresses;
 }
 
+/// A place on a face.
+struct FacePlace {
+  double a, q, aq;  ///< |alpha|, 4 + alpha^2 and their product
+  bool near;
+
+  FacePlace(double alpha, Derivative order) : a(std::fabs(alpha)), q(4 + a * a), aq(a * q), near(is_near(a)) {
+    check(alpha, 1);
+    if (order == Derivative::second && a < nearest_of_second)
+      throw data::BadInput("alpha", alpha, "must be at least 1e-150 in magnitude: the load is at 0");
+  }
+  /// A function at alpha + i, without what does not decay or, near the load, without the half-planes.
+  [[nodiscard]] internal::ComplexValue part(internal::FieldFunction f) const {
+    return (near ? internal::near_rest(a, 1, f) : internal::decaying(a, 1))[f];
+  }
+  /// What the half-planes add where they are apart.
+  [[nodiscard]] double planes(double value) const { return near ? value : 0; }
+};
+
 }  // namespace
 
 internal::StressesAtDepth::StressesAtDepth(double depth)
@@ -264,19 +286,33 @@ SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   return with_signs(result, alpha, depth, load);
 }
 
-/// I1 is the imaginary part of I4 at alpha + i, and I7 is the derivative of I4.
-double un_slope(double alpha) {
-  constexpr auto slope_of_I4 = internal::FieldFunction::I7;
-  check(alpha, 1);
-  const double a = std::fabs(alpha);
-  const double slope = is_near(a)
-                           ? internal::near_rest(a, 1, slope_of_I4)[slope_of_I4].im - 4 / a / (4 + a * a)
-                           : internal::decaying(a, 1)[slope_of_I4].im;
-  return std::copysign(1, alpha) * slope * inv_pi;
+// On a face w = alpha + i: the derivative of pi un is Im I7, those of pi vn and pi vs are -Re I7 and -Re I5.
+
+double un_slope(double alpha, Derivative order) {
+  const FacePlace at(alpha, order);
+  if (order == Derivative::second)
+    return (at.part(FieldFunction::I7_slope).im + at.planes(4 * (4 + 3 * at.a * at.a) / at.aq / at.aq)) *
+           inv_pi;
+  return sign(alpha) * (at.part(FieldFunction::I7).im - at.planes(4 / at.aq)) * inv_pi;
 }
 
-double vn_slope(double alpha) { return sheet_stresses(alpha, 1, SheetLoad::normal).along / 2; }
-double vs_slope(double alpha) { return sheet_stresses(alpha, 1, SheetLoad::shear).along / 2; }
+double vn_slope(double alpha, Derivative order) {
+  const FacePlace at(alpha, order);
+  if (order == Derivative::second)
+    return sign(alpha) * (at.planes(4 * at.a / at.q / at.q) - at.part(FieldFunction::I7_slope).re) * inv_pi;
+  return -(at.part(FieldFunction::I7).re + at.planes(2 / at.q)) * inv_pi;
+}
+
+double vs_slope(double alpha, Derivative order) {
+  const FacePlace at(alpha, order);
+  const double square = at.a * at.a;
+  if (order == Derivative::second)
+    return (at.planes(2 * (8 + square * (2 + square)) / at.aq / at.aq) -
+            at.part(FieldFunction::I5_slope).re) *
+           inv_pi;
+  const double constant = at.near ? 2 * (2 + square) / at.aq : quarter_pi;
+  return -sign(alpha) * (at.part(FieldFunction::I5).re + constant) * inv_pi;
+}
 
 double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
   check(alpha, depth);

@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/data/problem/derivative.hpp>
 #include <nipref/data/problem/sheet_load.hpp>
 
 // Inside an elastic sheet of half-thickness b = 1 under a line load of unit intensity on each face: plane strain. x
@@ -13,8 +14,8 @@
 //   error    at most 8 units in the last place of the scale, which is the sum of the magnitudes of each half-plane's
 //            field and of the slowest residue terms; where the value is 0 by symmetry, the scale is 0, too. See verify's
 //            catalogue.
-//   bad input  nan, infinities, arguments outside these domains, and |alpha| < 1e-300 at depth +-1, where the load acts:
-//            data::BadInput
+//   bad input  nan, infinities, arguments outside these domains, and |alpha| < 1e-300 at depth +-1, where the load acts,
+//            1e-150 for second derivatives: data::BadInput
 
 namespace nipref::fast {
 
@@ -28,11 +29,11 @@ struct SheetStresses {
 /// Thesis (3.19), (3.20), (4.3), (4.14).
 SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
 
-/// Slopes of a face over theta1 + theta2, dimensionless, 1e-300 <= |alpha|: d un/d alpha, d vn/d alpha = -d us/d alpha,
-/// and d vs/d alpha (thesis 2.8). The last two are half of sigma_y there.
-double un_slope(double alpha);
-double vn_slope(double alpha);
-double vs_slope(double alpha);
+// Derivatives by alpha of a face's displacements un, vn, which is minus that of us, and vs, over theta1 + theta2,
+// dimensionless (thesis 2.8). The scale is the value, or the amplitude of the slowest residue term.
+double un_slope(double alpha, data::Derivative order);
+double vn_slope(double alpha, data::Derivative order);
+double vs_slope(double alpha, data::Derivative order);
 
 /// Displacement along +x over theta1 + theta2, dimensionless; 0 on the middle plane. At depth -1 it is un or us (thesis
 /// 4.8, 4.19a), which are positive towards the middle plane; at depth 1 it is minus un or us.

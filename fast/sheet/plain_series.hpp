@@ -15,6 +15,17 @@ namespace nipref::fast {
 
 inline constexpr int most_residue_terms = 500;
 
+enum class PlainKernel { I1, I3, I4, I5, I6_alpha_part, I6_eta_part, I7 };  ///< I6 is the sum of its parts
+
+/// A term of a kernel over pi, x >= 0 being the argument: e^(-K x) (A sin m x + B cos m x) with the n-th root m + i K.
+struct ResidueCoefficients {
+  double A, B;
+};
+
+/// n: 1 <= n <= 1000000, otherwise BadInput. |error| <= 32 units in the last place of sqrt(A^2 + B^2). Thesis (AI.8),
+/// (AI.13), (AI.14).
+ResidueCoefficients residue_coefficients(PlainKernel kernel, int n);
+
 /// I1 alone, value by value.
 double plain_series_I1(double alpha, int terms);
 

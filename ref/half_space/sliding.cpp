@@ -301,6 +301,15 @@ Estimate SlidingContact::peak_pressure() const {
       [&](const Float& along) -> Float { return implementation_->steepness * along; });
 }
 
+Estimate SlidingContact::peak_pressure(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
+  const Float steepness = implementation_->steepness_of(line, degrees),
+              ratio = implementation_->ratio(degrees);
+  return implementation_->function_of_span(
+      [&](const Float& along) -> Float { return steepness * ratio * along; });
+}
+
 Estimate SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;

@@ -44,7 +44,8 @@ class SlidingContact {
   [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
   [[nodiscard]] Estimate force() const;
   [[nodiscard]] Estimate peak_pressure() const;  ///< on the line along the motion, unit of stress
-  [[nodiscard]] Estimate leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
+  [[nodiscard]] Estimate peak_pressure(const Exact& degrees) const;  ///< on that line
+  [[nodiscard]] Estimate leading_end(const Exact& degrees) const;    ///< x+ = -Omega L, unit of length
   /// The pressure at x on a line, 0 outside the contact. The error includes that of the line's ends.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
   /// The first moment of the pressure about the point of first touch over the force, along the motion and across it,

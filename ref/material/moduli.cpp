@@ -113,12 +113,6 @@ Enclosure loss(const ExactModulus& modulus, const Exact& omega, int digits) {
   return known(omega.value() * (n1 * d0 - n0 * d1) / (d0 * d0 + d1 * d1 * square), digits);
 }
 
-Enclosure at_growth(const ExactModulus& modulus, const Exact& p, int digits) {
-  check_nonnegative("p", p);
-  const auto [n0, n1, d0, d1] = rational(modulus);
-  return known((n0 + n1 * p.value()) / (d0 + d1 * p.value()), digits);
-}
-
 Enclosure theta1(const ExactModulus& shear, const Exact& t, int digits) {
   check_nonnegative("t", t);
   const auto [n0, n1, d0, d1] = rational(shear);

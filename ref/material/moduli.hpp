@@ -14,14 +14,13 @@ struct ExactModulus {
   void check(const char* prefix) const;
 };
 
-// The functions are defined as fast::relaxation and its neighbours; t, omega and p >= 0, digits 16 to 1000. The bound is
+// The functions are defined as fast::relaxation and its neighbours; t and omega >= 0, digits 16 to 1000. The bound is
 // proven by interval arithmetic on the partial fractions.
 
 Enclosure relaxation(const ExactModulus& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactModulus& modulus, const Exact& t, int digits);
 Enclosure storage(const ExactModulus& modulus, const Exact& omega, int digits);
 Enclosure loss(const ExactModulus& modulus, const Exact& omega, int digits);
-Enclosure at_growth(const ExactModulus& modulus, const Exact& p, int digits);
 Enclosure theta1(const ExactModulus& shear, const Exact& t, int digits);
 Enclosure theta2(const ExactModulus& shear, const ExactModulus& bulk, const Exact& t, int digits);
 

@@ -123,26 +123,18 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
   });
 }
 
-/// p(i omega)
-std::pair<mpq_class, mpq_class> at_frequency(const Polynomial& p, const mpq_class& omega) {
-  mpq_class real = 0, imaginary = 0, power = 1;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const mpq_class term = k % 4 < 2 ? mpq_class(p[k] * power) : mpq_class(-p[k] * power);
-    (k % 2 == 0 ? real : imaginary) += term;
-    power *= omega;
-  }
-  return {real, imaginary};
-}
+struct ExactComplex {
+  mpq_class real, imaginary;
+};
 
-Enclosure at_frequency(const ExactRatio& modulus, const Exact& omega, bool loses, int digits) {
-  check_not_below_0("omega", omega);
-  const auto [n_real, n_imaginary] = at_frequency(modulus.numerator, omega.value());
-  const auto [d_real, d_imaginary] = at_frequency(modulus.denominator, omega.value());
-  const mpq_class square = d_real * d_real + d_imaginary * d_imaginary;
-  if (square == 0) throw data::BadInput("omega", omega.text(), "must not be where the modulus is infinite");
-  const mpq_class value = loses ? mpq_class(n_imaginary * d_real - n_real * d_imaginary)
-                                : mpq_class(n_real * d_real + n_imaginary * d_imaginary);
-  return exactly_known(value / square, digits);
+ExactComplex value_at(const Polynomial& polynomial, const mpq_class& p, const mpq_class& omega) {
+  ExactComplex sum{0, 0};
+  for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) {
+    const mpq_class real = sum.real * p - sum.imaginary * omega + *c;
+    sum.imaginary = sum.real * omega + sum.imaginary * p;
+    sum.real = real;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -155,6 +147,19 @@ ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vecto
                                    const std::vector<Exact>& p_dilatation,
                                    const std::vector<Exact>& q_dilatation) {
   return of_moduli(operators_of(p, q, ""), operators_of(p_dilatation, q_dilatation, "_dilatation"));
+}
+
+ExactRationalSolid exact_springs(const ExactModulus& shear, const ExactModulus& bulk) {
+  const auto ratio = [](const ExactModulus& m) -> ExactRatio {
+    using data::SpringModel;
+    const mpq_class &spring = m.spring.value(), &viscosity = m.viscosity.value();
+    if (m.model == SpringModel::elastic) return {{spring}, {1}};
+    if (m.model == SpringModel::kelvin_voigt) return {{spring, viscosity}, {1}};
+    const mpq_class second = m.model == SpringModel::maxwell ? mpq_class(0) : m.second_spring.value();
+    return {{mpq_class(spring * second), mpq_class(spring * viscosity)},
+            {mpq_class(spring + second), viscosity}};
+  };
+  return of_moduli(ratio(shear), ratio(bulk));
 }
 
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
@@ -182,25 +187,26 @@ Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits) {
 }
 
 Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits) {
-  return at_frequency(modulus, omega, false, digits);
+  return modulus_at(modulus, Exact(0.0), omega, ComplexPart::re, digits);
 }
 
 Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits) {
-  return at_frequency(modulus, omega, true, digits);
+  return modulus_at(modulus, Exact(0.0), omega, ComplexPart::im, digits);
 }
 
-Enclosure at_growth(const ExactRatio& modulus, const Exact& p, int digits) {
+Enclosure modulus_at(const ExactRatio& modulus, const Exact& p, const Exact& omega, ComplexPart part,
+                     int digits) {
   check_not_below_0("p", p);
+  check_not_below_0("omega", omega);
   Polynomial above = modulus.numerator, below = modulus.denominator;
   cancel(above, below);
-  const auto at = [&](const Polynomial& polynomial) {
-    mpq_class sum = 0;
-    for (auto term = polynomial.rbegin(); term != polynomial.rend(); ++term) sum = sum * p.value() + *term;
-    return sum;
-  };
-  const mpq_class denominator = at(below);
-  if (denominator == 0) throw data::BadInput("p", p.text(), "must not be where the modulus is infinite");
-  return exactly_known(at(above) / denominator, digits);
+  const ExactComplex n = value_at(above, p.value(), omega.value()),
+                     d = value_at(below, p.value(), omega.value());
+  const mpq_class square = d.real * d.real + d.imaginary * d.imaginary;
+  if (square == 0) throw data::BadInput("p", p.text(), "must not be where the modulus is infinite");
+  const mpq_class value = part == ComplexPart::im ? mpq_class(n.imaginary * d.real - n.real * d.imaginary)
+                                                  : mpq_class(n.real * d.real + n.imaginary * d.imaginary);
+  return exactly_known(value / square, digits);
 }
 
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {

@@ -3,10 +3,13 @@
 
 #include <vector>
 
+#include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
+
+enum class ComplexPart { re, im };
 
 /// numerator/denominator, two polynomials in p = d/dt; the first coefficient is that of p^0.
 struct ExactRatio {
@@ -32,6 +35,8 @@ ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& the
 ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vector<Exact>& q,
                                    const std::vector<Exact>& p_dilatation,
                                    const std::vector<Exact>& q_dilatation);
+/// Moduli of springs and dashpots.
+ExactRationalSolid exact_springs(const ExactModulus& shear, const ExactModulus& bulk);
 /// data::SingleRelaxationTimeSolid
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
                                      int theta2_rate_factor);
@@ -44,7 +49,9 @@ Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits);
 Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits);
-Enclosure at_growth(const ExactRatio& modulus, const Exact& p, int digits);
+/// Part of the modulus at p + i omega.
+Enclosure modulus_at(const ExactRatio& modulus, const Exact& p, const Exact& omega, ComplexPart part,
+                     int digits);
 /// theta1 or theta2.
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits);
 

@@ -74,15 +74,9 @@ struct FromConstants {
                                             Exact(solid.relaxation_time), solid.theta2_rate_factor));
   }
   ExactMaterial operator()(const data::StandardLinearSolid& s) const {
-    const auto sum = [](const mpq_class& first, const mpq_class& second, double viscosity) {
-      return std::vector{Exact(mpq_class(first + second)), Exact(viscosity)};
-    };
-    const auto product = [](const mpq_class& first, const mpq_class& second, double viscosity) {
-      return std::vector{Exact(mpq_class(first * second)), Exact(mpq_class(first * viscosity))};
-    };
-    return exact_material(exact_operators(
-        sum(s.shear_1, s.shear_2, s.shear_viscosity), product(s.shear_1, s.shear_2, s.shear_viscosity),
-        sum(s.bulk_1, s.bulk_2, s.bulk_viscosity), product(s.bulk_1, s.bulk_2, s.bulk_viscosity)));
+    constexpr auto model = data::SpringModel::standard_linear;
+    return exact_material(exact_springs({model, Exact(s.shear_1), Exact(s.shear_2), Exact(s.shear_viscosity)},
+                                        {model, Exact(s.bulk_1), Exact(s.bulk_2), Exact(s.bulk_viscosity)}));
   }
   ExactMaterial operator()(const data::DifferentialOperators& operators) const {
     const auto exact = [](const std::vector<double>& coefficients) {

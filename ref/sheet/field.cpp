@@ -10,6 +10,7 @@
 namespace nipref::ref {
 namespace {
 
+using data::Derivative;
 using data::SheetLoad;
 using enum FieldSymbol;
 
@@ -113,18 +114,20 @@ Enclosure by_parity(const FieldIntegrand& integrand, const Exact& alpha, const E
   });
 }
 
-/// A function of the face x = 1.
-Enclosure on_face(const FieldIntegrand& integrand, const Exact& alpha, int digits, double first_nats) {
+/// The derivative whose first order has the integrand f G(z) times cosh z or sinh z and the cosine, or sine, of alpha z.
+/// The second has a factor z more and the other wave.
+Enclosure on_face(const FieldTerm& first, bool sine, const Exact& alpha, Derivative order, int digits,
+                  double first_nats) {
   const Exact face(1.0);
   check_place(alpha, face);
+  FieldIntegrand integrand{sine, first.sinh, {first}};
+  if (order == Derivative::second) {
+    FieldTerm& term = integrand.terms.front();
+    integrand.sine = !sine;
+    term.power = 1;
+    if (!sine) term.factor = -term.factor;
+  }
   return by_parity(integrand, alpha, face, digits, first_nats);
-}
-
-/// Half of the stress along a face, which is the strain there over theta1 + theta2.
-FieldIntegrand strain(SheetLoad load) {
-  FieldIntegrand integrand = along(load, 1);
-  for (FieldTerm& term : integrand.terms) term.factor /= 2;
-  return integrand;
 }
 
 /// The part of v that depends on eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a
@@ -158,16 +161,17 @@ Enclosure sheet_shear(const Exact& alpha, const Exact& depth, SheetLoad load, in
   return by_parity(shear(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
 }
 
-Enclosure un_slope(const Exact& alpha, int digits) {
-  return on_face({true, true, {{-1, 0, sinh_over_S, true}}}, alpha, digits, decay_nats(alpha));
+Enclosure un_slope(const Exact& alpha, Derivative order, int digits) {
+  return on_face({-1, 0, sinh_over_S, true}, true, alpha, order, digits, decay_nats(alpha));
 }
 
-Enclosure vn_slope(const Exact& alpha, int digits) {
-  return on_face(strain(SheetLoad::normal), alpha, digits, decay_nats(alpha));
+Enclosure vn_slope(const Exact& alpha, Derivative order, int digits) {
+  return on_face({-1, 0, sinh_over_S, false}, false, alpha, order, digits, decay_nats(alpha));
 }
 
-Enclosure vs_slope(const Exact& alpha, int digits) {
-  return on_face(strain(SheetLoad::shear), alpha, digits, 0);
+Enclosure vs_slope(const Exact& alpha, Derivative order, int digits) {
+  const double first_nats = order == Derivative::first ? 0 : decay_nats(alpha);
+  return on_face({-1, 0, cosh_over_S, false}, true, alpha, order, digits, first_nats);
 }
 
 Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& poisson, int digits) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/data/problem/derivative.hpp>
 #include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
@@ -20,11 +21,11 @@ Enclosure sheet_across(const Exact& alpha, const Exact& depth, data::SheetLoad l
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< sigma_y
 Enclosure sheet_shear(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< tau_xy
 
-/// Slopes of a face over theta1 + theta2, alpha != 0: d un/d alpha, d vn/d alpha = -d us/d alpha, and d vs/d alpha. The
-/// last two are half of sigma_y there. (thesis 2.8, 4.8, 4.19)
-Enclosure un_slope(const Exact& alpha, int digits);
-Enclosure vn_slope(const Exact& alpha, int digits);
-Enclosure vs_slope(const Exact& alpha, int digits);
+/// Derivatives by alpha of a face's displacements un, vn, which is minus that of us, and vs, over theta1 + theta2,
+/// alpha != 0. (thesis 2.8, 4.8, 4.19)
+Enclosure un_slope(const Exact& alpha, data::Derivative order, int digits);
+Enclosure vn_slope(const Exact& alpha, data::Derivative order, int digits);
+Enclosure vs_slope(const Exact& alpha, data::Derivative order, int digits);
 
 /// Displacement along +x over theta1 + theta2, 0 on the middle plane. At depth -1 it is un or us, at depth 1 minus un
 /// or us. -1 < poisson <= 1/2.

@@ -1,7 +1,26 @@
+#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {
+
+ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits) {
+  check_root_number(n);
+  const auto coefficient = [&](auto part) {
+    return enclose(digits, 0, [&](double nats) {
+      return part(plain_term(n, working_precision(nats, n))->coefficient(kernel));
+    });
+  };
+  // Of a sine transform the term is Re C e^(i z x), of a cosine transform -Im C e^(i z x).
+  if (is_odd(kernel)) {
+    return {coefficient([](const ComplexInterval& c) { return -c.imag; }),
+            coefficient([](const ComplexInterval& c) { return c.real; })};
+  }
+  return {coefficient([](const ComplexInterval& c) { return -c.real; }),
+          coefficient([](const ComplexInterval& c) { return -c.imag; })};
+}
 
 Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms) {
   check_residue_terms(terms);

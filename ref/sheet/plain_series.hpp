@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
@@ -8,11 +9,19 @@ namespace nipref::ref {
 
 inline constexpr int most_residue_terms = 500;
 
-/// I6 without the part that depends on eta alone.
-enum class PlainKernel { I1, I3, I4, I5, I6_alpha_part };
+/// I6 is the sum of its parts.
+enum class PlainKernel { I1, I3, I4, I5, I6_alpha_part, I6_eta_part, I7 };
 
-/// An interval that contains the sum at every |alpha| of an interval without 0, computed with the precision of `alpha`.
-/// BadInput unless 1 <= terms <= 500. (thesis AI.8, AI.9)
+/// A term of a kernel over pi, x >= 0 being the argument: e^(-K x) (A sin m x + B cos m x) with the n-th root m + i K.
+struct ResidueCoefficients {
+  Enclosure A, B;
+};
+
+/// n >= 1, n <= 10^9, digits 16 to 1000, otherwise BadInput. Proven. (thesis AI.8, AI.13, AI.14)
+ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits);
+
+/// An interval that contains the sum at every |alpha| of an interval without 0, computed with the precision of `alpha`,
+/// of I1, I3 or I6_alpha_part. BadInput unless 1 <= terms <= 500. (thesis AI.8, AI.9)
 Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms);
 
 }  // namespace nipref::ref

@@ -91,10 +91,13 @@ ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision) {
   return {twice_z / 2, phase(twice_z, n).y / 2};
 }
 
-SheetRoot sheet_root(long n, int digits) {
-  if (n < 1 || n > largest_index) {
+void check_root_number(long n) {
+  if (n < 1 || n > largest_index)
     throw data::BadInput("n", std::to_string(n), "must be a whole number from 1 to 1000000000");
-  }
+}
+
+SheetRoot sheet_root(long n, int digits) {
+  check_root_number(n);
   const auto root = [&](double nats) { return sheet_root_interval(n, working_precision(nats, 1)); };
   return {enclose(digits, 0, [&](double nats) { return root(nats).real; }),
           enclose(digits, 0, [&](double nats) { return root(nats).imag; })};

@@ -74,9 +74,9 @@ std::vector<std::string> items_of(const std::string& text) {
   return items;
 }
 
-/// KEY=VALUE or KEY=[VALUE, ...] of a model, as pairs of the arguments that hold the values.
-void append_key(const MaterialModel& model, const std::string& item, const BadInput& not_so,
-                Assignments& all) {
+/// KEY=VALUE or KEY=[VALUE, ...] of a model, as pairs of the arguments that hold the values; 0 where a list lacks them.
+void append_key(const std::vector<Argument>& arguments, const MaterialModel& model, const std::string& item,
+                const BadInput& not_so, Assignments& all) {
   const std::size_t equals = item.find('=');
   const ModelKey* const key = model.key(item.substr(0, equals));
   if (equals == std::string::npos || key == nullptr) throw not_so;
@@ -89,8 +89,14 @@ void append_key(const MaterialModel& model, const std::string& item, const BadIn
   if (values.size() < least || values.size() > most)
     throw BadInput(key->name, "[" + value + "]",
                    fmt::format("must hold {}{} numbers", least < most ? "1 to " : "", most));
-  for (std::size_t i = 0; i < key->arguments.size(); ++i)
-    all.emplace_back(key->arguments[i], i < values.size() ? values[i] : "0");
+  for (std::size_t i = 0; i < key->arguments.size(); ++i) {
+    const std::string& name = key->arguments[i];
+    if (i < values.size()) {
+      all.emplace_back(name, values[i]);
+    } else if (default_number(arguments[argument_number(arguments, name)]) != 0) {
+      all.emplace_back(name, "0");
+    }
+  }
 }
 
 std::size_t number_of(const Argument& material, const auto& is_wanted) {
@@ -118,8 +124,9 @@ std::string written_models(const Argument& material, const std::string& name) {
   return fmt::format("{}", fmt::join(written, " or "));
 }
 
-/// `is_number`: the point has a number that says which model is chosen.
-void append_material(const Argument& material, bool is_number, const std::string& given, Assignments& all) {
+/// A solid has one model, of which a point has no number.
+void append_material(const Quantity& quantity, const Argument& material, const std::string& given,
+                     Assignments& all) {
   const std::string text = without_blanks(given), name = text.substr(0, text.find('('));
   const bool has_keys = name.size() < text.size(), is_closed = text.ends_with(')') && !text.ends_with("()");
   std::vector<std::string> items;
@@ -129,8 +136,9 @@ void append_material(const Argument& material, bool is_number, const std::string
   const BadInput not_so(material.name, given,
                         fmt::format("must be {}, each key at most once", written_models(material, name)));
   if (has_keys && !is_closed) throw not_so;
-  if (is_number) all.emplace_back(material.name, material.choices[model]);
-  for (const std::string& item : items) append_key(material.models[model], item, not_so, all);
+  if (!quantity.solid) all.emplace_back(material.name, material.choices[model]);
+  for (const std::string& item : items)
+    append_key(quantity.arguments, material.models[model], item, not_so, all);
 }
 
 [[noreturn]] void refuse_outside_material(const Argument& material, const std::string& name,
@@ -219,7 +227,7 @@ Assignments with_material_numbers(const Quantity& quantity, const Assignments& g
     if (material != nullptr && name == material->name) {
       const std::string text =
           value.starts_with('@') ? solid_of_scene(quantity, *material, value.substr(1)) : value;
-      append_material(*material, !quantity.solid, text, all);
+      append_material(quantity, *material, text, all);
     } else if (is_of_material(material, name)) {
       refuse_outside_material(*material, name, value);
     } else {
@@ -232,11 +240,14 @@ Assignments with_material_numbers(const Quantity& quantity, const Assignments& g
 Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text) {
   const Argument* const material = material_of(quantity);
   const auto text_of_key = [&](const ModelKey& key) {
-    const auto values = mapped(key.arguments, [&](const std::string& name) {
+    auto values = mapped(key.arguments, [&](const std::string& name) {
       return text[argument_number(quantity.arguments, name)];
     });
+    // What a list lacks at its end is 0.
+    while (!key.is_whole && values.size() > 1 && std::strtod(values.back().c_str(), nullptr) == 0)
+      values.pop_back();
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
-    return key.name + (values.size() > 1 ? "=[" + list + "]" : "=" + list);
+    return key.name + (key.arguments.size() > 1 ? "=[" + list + "]" : "=" + list);
   };
   const auto text_of_model = [&](const std::string& choice) {
     const auto number = std::ranges::find(material->choices, choice) - material->choices.begin();

@@ -32,6 +32,17 @@ class Named {
   [[nodiscard]] std::span<Number> from(std::string_view name) const {
     return numbers_.subspan(argument_number(arguments_, name));
   }
+  /// The numbers of that argument and of those that follow it under the same name but for the number at its end.
+  [[nodiscard]] std::span<Number> list(std::string_view first) const {
+    const auto stem = [](std::string_view name) {
+      const std::size_t last = name.find_last_not_of("0123456789");
+      return name[last] == '_' ? name.substr(0, last) : name;
+    };
+    const std::size_t begin = argument_number(arguments_, first);
+    std::size_t end = begin + 1;
+    while (end < arguments_.size() && stem(arguments_[end].name) == stem(first)) ++end;
+    return numbers_.subspan(begin, end - begin);
+  }
   [[nodiscard]] std::span<const Argument> arguments() const { return arguments_; }
 
  private:

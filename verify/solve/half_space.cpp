@@ -178,6 +178,12 @@ struct BodyOnHalfSpace {
     return 0.5 * contact().span(psi);
   }
   Number leading_end(double degrees) { return end(Path::line(degrees)); }
+  /// Only on lines with contours of the body's own they differ.
+  Number peak_on_line(double degrees) {
+    if constexpr (requires { contact().peak_pressure(Path::line(degrees)); })
+      return contact().peak_pressure(Path::line(degrees));
+    return contact().peak_pressure();
+  }
   Number trailing_end(double degrees) { return -1 * end(Path::reversed(Path::line(degrees))); }
   ContactEnds ends() {
     if (!problem.line) return {-90, 90};
@@ -212,6 +218,7 @@ std::unique_ptr<SolvedContact<typename Path::Number>> solved(const Surface& surf
   set(ResultId::span, &Body::span);
   set(ResultId::leading_end, &Body::leading_end);
   set(ResultId::trailing_end, &Body::trailing_end);
+  set(ResultId::peak_on_line, &Body::peak_on_line);
   set(ResultId::compliance, [](Body& one, double psi) { return one.surface.compliance(psi); });
   set(ResultId::coupling, [](Body& one, double psi) { return one.surface.coupling(psi); });
   for (const ResultId centre : {ResultId::centre_along, ResultId::centre_across})

@@ -99,7 +99,8 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult&
       is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach}))
     origin.refuse(key, result.name, "must be wanted of the exact method only: the other does not define it");
   if (problem.rule == ContourRule::similar_contour && result.id == ResultId::peak_pressure)
-    origin.refuse(key, result.name, "must be left out with similar-contour: each line has its own peak");
+    origin.refuse(key, result.name,
+                  "must be left out with similar-contour: each line has its own, peak_on_line");
   if (!std::holds_alternative<RigidRollingSphere>(problem.body) &&
       is_one_of({ResultId::creep, ResultId::compressed_radius}))
     origin.refuse(key, result.name, "must be wanted of a rolling sphere only");

@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/internal/inverse_transform.hpp>
 
 namespace nipref::fast::internal {
@@ -36,28 +40,60 @@ OctupleComplex near_difference(const Points& x) {
   return octuple_exp(mean) * sum;
 }
 
-/// Divided difference of e^x, points in any order: by the two farthest, unless all are near each other.
-OctupleComplex exponential_difference(const Points& x) {
-  if (x.size() == 1) return octuple_exp(x.front());
-  std::size_t first = 0, second = 1;
-  Octuple farthest = -1;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t j = i + 1; j < x.size(); ++j) {
-      const Octuple apart = size_of(x[i] - x[j]);
-      if (apart > farthest) {
-        farthest = apart;
-        first = i;
-        second = j;
+/// Divided differences of e^x over some of the points, by the two that are farthest from each other, unless all are near
+/// each other; each is computed once, as the ways to many points lead through the same few.
+class ExponentialDifferences {
+ public:
+  using Numbers = std::vector<std::size_t>;
+
+  explicit ExponentialDifferences(Points x) : x_(std::move(x)) {}
+
+  /// Over the points of these numbers.
+  const OctupleComplex& over(const Numbers& some) {
+    const auto found = found_.find(some);
+    return found != found_.end() ? found->second : found_.emplace(some, computed(some)).first->second;
+  }
+
+ private:
+  OctupleComplex computed(const Numbers& some) {
+    std::size_t first = 0, second = 0;
+    Octuple farthest = 0;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      for (std::size_t j = i + 1; j < some.size(); ++j) {
+        const OctupleComplex apart = x_[some[i]] - x_[some[j]];
+        const Octuple square = apart.re * apart.re + apart.im * apart.im;
+        if (square > farthest) {
+          farthest = square;
+          first = i;
+          second = j;
+        }
       }
     }
+    if (farthest <= 1) {
+      Points near;
+      for (const std::size_t i : some) near.push_back(x_[i]);
+      return near_difference(near);
+    }
+    const auto without = [&](std::size_t i) {
+      Numbers others = some;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      return over(others);
+    };
+    return (without(second) - without(first)) / (x_[some[first]] - x_[some[second]]);
   }
-  if (farthest <= 1) return near_difference(x);
-  const auto without = [&](std::size_t i) {
-    Points others = x;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    return exponential_difference(others);
-  };
-  return (without(second) - without(first)) / (x[first] - x[second]);
+
+  Points x_;
+  std::map<Numbers, OctupleComplex> found_;
+};
+
+/// BadInput where five roots of a factor are within 1e-9 of each other: they are found to a fifth of the digits.
+void check_apart(const Points& roots) {
+  for (const OctupleComplex& root : roots) {
+    const auto near = std::ranges::count_if(
+        roots, [&](const OctupleComplex& other) { return size_of(other - root) <= 1e-9 * size_of(root); });
+    if (near >= 5)
+      throw data::BadInput("material", "(its rates)", "must not have five rates within 1e-9 of each other");
+  }
 }
 
 /// What is left of a polynomial beside a multiple of another.
@@ -77,6 +113,7 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   Polynomial denominator{1};
   for (const Polynomial& factor : transform.denominator) {
     const Points more = roots_of(factor);
+    check_apart(more);
     roots.insert(roots.end(), more.begin(), more.end());
     denominator = product(denominator, factor);
   }
@@ -88,18 +125,20 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   for (OctupleComplex& root : faded) root = Octuple(t) * root;
   Octuple slowest = roots.empty() ? Octuple(0) : faded.front().re, value = 0, size = 0;
   for (const OctupleComplex& root : faded) slowest = std::max(slowest, root.re);
+  ExponentialDifferences differences(std::move(faded));
+  ExponentialDifferences::Numbers left(roots.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
   for (std::size_t k = 0; k < roots.size() && !rest.empty(); ++k) {
     for (std::size_t i = rest.size() - 1; i-- > 0;) rest[i] = rest[i] + roots[k] * rest[i + 1];
     Octuple scale = 1, over = 1;
-    for (std::size_t n = 1; n < faded.size(); ++n) {
+    for (std::size_t n = 1; n < left.size(); ++n) {
       scale *= t;
       over *= static_cast<double>(n);
     }
-    const OctupleComplex term = scale * (rest.front() * exponential_difference(faded));
-    value += term.re;
+    value += (scale * (rest.front() * differences.over(left))).re;
     size += scale / over * size_of(rest.front()) * exp(slowest);
     rest.erase(rest.begin());
-    faded.erase(faded.begin());
+    left.erase(left.begin());
   }
   return {value, size};
 }

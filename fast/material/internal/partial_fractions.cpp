@@ -13,10 +13,10 @@ bool is_near(const OctupleComplex& a, const OctupleComplex& b, double tolerance)
   return size_of(a - b) <= tolerance * std::max(size_of(a), size_of(b));
 }
 
-void cancel(Roots& zeros, Roots& poles) {
+void cancel(Roots& zeros, Roots& poles, double shared) {
   std::erase_if(poles, [&](const OctupleComplex& pole) {
     const auto zero =
-        std::ranges::find_if(zeros, [&](const OctupleComplex& z) { return is_near(z, pole, 0x1p-51); });
+        std::ranges::find_if(zeros, [&](const OctupleComplex& z) { return is_near(z, pole, shared); });
     if (zero == zeros.end()) return false;
     zeros.erase(zero);
     return true;
@@ -53,7 +53,8 @@ OctupleComplex residue(const Octuple& gain, const Roots& zeros, const Roots& pol
 }  // namespace
 
 data::MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
-                                         const Polynomial& denominator, std::string_view name) {
+                                         const Polynomial& denominator, std::string_view name,
+                                         double shared) {
   if (denominator.empty()) throw data::NoMaterial(name, "0", "must leave a modulus that is not 0");
   Octuple gain = 1 / denominator.back();
   Roots zeros;
@@ -75,7 +76,7 @@ data::MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
   if (zeros.size() != degree || poles.size() != most)
     throw data::NoMaterial(name, "(its roots)",
                            "must come in conjugate pairs: some are repeated or nearly so");
-  cancel(zeros, poles);
+  cancel(zeros, poles, shared);
   check_simple(poles, name);
   data::MaterialFunction function{degree < most ? 0 : static_cast<double>(gain), {}};
   for (std::size_t k = 0; k < poles.size(); ++k) {

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
@@ -44,29 +47,52 @@ ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   return exp(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
 }
 
-/// The divided difference e^x[x_0..x_m], by the recurrence for the two points that are farthest from each other.
-ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
-  if (x.size() == 1) return exp(x.front());
-  std::size_t first = 0, second = 1;
-  Interval farthest(-1L, 64);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t j = i + 1; j < x.size(); ++j) {
-      const Interval apart = abs(x[i] - x[j]);
-      if (mpfr_cmp(apart.upper(), farthest.upper()) > 0) {
-        farthest = apart;
-        first = i;
-        second = j;
+/// The divided differences of e^x over some of the points, by the recurrence for the two that are farthest from each
+/// other. Each is computed once, as the recurrence comes to the same points in many ways.
+class ExponentialDifferences {
+ public:
+  using Numbers = std::vector<std::size_t>;
+
+  ExponentialDifferences(Points x, mpfr_prec_t bits) : x_(std::move(x)), bits_(bits) {}
+
+  /// Over the points of these numbers.
+  const ComplexInterval& over(const Numbers& some) {
+    const auto found = found_.find(some);
+    return found != found_.end() ? found->second : found_.emplace(some, computed(some)).first->second;
+  }
+
+ private:
+  ComplexInterval computed(const Numbers& some) {
+    if (some.size() == 1) return exp(x_[some.front()]);
+    std::size_t first = 0, second = 1;
+    Interval farthest(-1L, 64);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      for (std::size_t j = i + 1; j < some.size(); ++j) {
+        const Interval apart = abs(x_[some[i]] - x_[some[j]]);
+        if (mpfr_cmp(apart.upper(), farthest.upper()) > 0) {
+          farthest = apart;
+          first = i;
+          second = j;
+        }
       }
     }
+    if (mpfr_cmp_ui(farthest.upper(), 1) <= 0) {
+      Points near;
+      for (const std::size_t i : some) near.push_back(x_[i]);
+      return near_difference(near, bits_);
+    }
+    const auto without = [&](std::size_t i) {
+      Numbers others = some;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      return over(others);
+    };
+    return (without(second) - without(first)) * inverse(x_[some[first]] - x_[some[second]]);
   }
-  if (mpfr_cmp_ui(farthest.upper(), 1) <= 0) return near_difference(x, bits);
-  const auto without = [&](std::size_t i) {
-    Points others = x;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    return exponential_difference(others, bits);
-  };
-  return (without(second) - without(first)) * inverse(x[first] - x[second]);
-}
+
+  Points x_;
+  mpfr_prec_t bits_;
+  std::map<Numbers, ComplexInterval> found_;
+};
 
 /// The divided differences of a polynomial over the first root, the first two roots, ..., by synthetic division.
 Points polynomial_differences(Points rest, const Points& roots) {
@@ -124,11 +150,14 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   }
   const Points differences = polynomial_differences(over_last(numerator, denominator.back(), bits), roots);
   ComplexInterval value{Interval(bits), Interval(bits)};
+  ExponentialDifferences exponential(std::move(faded), bits);
+  ExponentialDifferences::Numbers left(roots.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
   for (const ComplexInterval& difference : differences) {
-    ComplexInterval term = difference * exponential_difference(faded, bits);
-    for (std::size_t m = 1; m < faded.size(); ++m) term = {term.real * time, term.imag * time};
+    ComplexInterval term = difference * exponential.over(left);
+    for (std::size_t m = 1; m < left.size(); ++m) term = {term.real * time, term.imag * time};
     value = value + term;
-    faded.erase(faded.begin());
+    left.erase(left.begin());
   }
   const Interval size = bound_of(differences, roots.size(), time) * exp(mu * time);
   const Points error = polynomial_differences(backward_error(denominator, roots, bits), roots);

@@ -19,31 +19,18 @@ struct PlainTermKey {
 PlainTerm make_term(const PlainTermKey& key) {
   const ComplexInterval z = sheet_root_interval(key.n, key.precision);
   const ComplexInterval sech = reciprocal({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)});
-  const ComplexInterval square = sech * sech, cube = square * sech;
-  return {z, z * square * square, square, {-cube.real, -cube.imag}, sech, reciprocal(z)};
+  const ComplexInterval square = sech * sech, over_z = reciprocal(z);
+  const auto minus = [](const ComplexInterval& x) -> ComplexInterval { return {-x.real, -x.imag}; };
+  return {z,
+          {z * square * square, square, minus(square * sech), sech, over_z, minus(over_z * sech),
+           minus(z * square * sech)}};
 }
 
 std::size_t size_of_term(const PlainTerm& term) {
-  return static_cast<std::size_t>(24 * term.z.real.precision()) / CHAR_BIT;
+  return static_cast<std::size_t>(32 * term.z.real.precision()) / CHAR_BIT;
 }
 
 }  // namespace
-
-const ComplexInterval& PlainTerm::coefficient(PlainKernel kernel) const {
-  switch (kernel) {
-    case PlainKernel::I1:
-      return I1;
-    case PlainKernel::I3:
-      return I3;
-    case PlainKernel::I4:
-      return I4;
-    case PlainKernel::I5:
-      return I5;
-    case PlainKernel::I6_alpha_part:
-      break;
-  }
-  return I6;
-}
 
 std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision) {
   static Cache<PlainTermKey, PlainTerm> kept(make_term, size_of_term);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 
 #include <nipref/ref/number/internal/complex_interval.hpp>
@@ -6,11 +7,14 @@
 
 namespace nipref::ref {
 
-/// The n-th root z, and the kernels' coefficients at it, which are twice those of residue_series().
+/// The n-th root z, and the kernels' coefficients at it in the order of PlainKernel, twice their residues.
 struct PlainTerm {
-  ComplexInterval z, I1, I3, I4, I5, I6;
+  ComplexInterval z;
+  std::array<ComplexInterval, 7> coefficients;
 
-  [[nodiscard]] const ComplexInterval& coefficient(PlainKernel kernel) const;
+  [[nodiscard]] const ComplexInterval& coefficient(PlainKernel kernel) const {
+    return coefficients[static_cast<std::size_t>(kernel)];
+  }
 };
 
 /// The n-th term, cached.
@@ -19,7 +23,7 @@ std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision);
 ComplexInterval reciprocal(const ComplexInterval& x);
 
 inline bool is_odd(PlainKernel kernel) {
-  return kernel != PlainKernel::I1 && kernel != PlainKernel::I6_alpha_part;
+  return kernel == PlainKernel::I3 || kernel == PlainKernel::I4 || kernel == PlainKernel::I5;
 }
 
 /// BadInput unless 1 <= terms <= most_residue_terms.

@@ -60,6 +60,9 @@ std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision);
 /// multiplied by x |z_n|.
 mpfr_prec_t term_precision(long n, double x, double nats);
 
+/// BadInput unless 1 <= n <= 10^9.
+void check_root_number(long n);
+
 /// z_n to about `precision` bits: proven as sheet_root() says.
 ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision);
 

@@ -103,7 +103,7 @@ std::vector<ResultId> results_of(data::ContourRule rule, Body body) {
                                ResultId::span,          ResultId::compliance,     ResultId::coupling,
                                ResultId::critical_speed};
   wanted.insert(wanted.end(), {ResultId::centre_along, ResultId::centre_across, ResultId::leading_end,
-                               ResultId::trailing_end});
+                               ResultId::trailing_end, ResultId::peak_on_line});
   if (body == Body::rolling_sphere)
     wanted.insert(wanted.end(), {ResultId::creep, ResultId::compressed_radius});
   if (rule == data::ContourRule::similar_contour) std::erase(wanted, ResultId::peak_pressure);

@@ -25,6 +25,23 @@ const toml::table& definitions_table() {
   return table;
 }
 
+/// The words of a text, with NAME_2..9REST as NAME_2REST to NAME_9REST.
+std::vector<std::string> names_of(const std::string& text) {
+  std::vector<std::string> names;
+  for (const std::string& word : words_of(text)) {
+    const std::size_t dots = word.find("..");
+    if (dots == word.npos) {
+      names.push_back(word);
+      continue;
+    }
+    const std::size_t first = word.rfind('_', dots) + 1, end = std::min(word.find(':', dots), word.size());
+    const int last = std::stoi(word.substr(dots + 2, end - dots - 2));
+    for (int number = std::stoi(word.substr(first, dots - first)); number <= last; ++number)
+      names.push_back(word.substr(0, first) + std::to_string(number) + word.substr(end));
+  }
+  return names;
+}
+
 /// A model from its name and its keys.
 MaterialModel model_of(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
@@ -32,7 +49,7 @@ MaterialModel model_of(const std::string& text) {
   for (const std::string& name : std::span(words).subspan(1)) {
     const auto key = definitions_table()["keys"][name];
     model.keys.push_back(
-        {name, words_of(key["arguments"].value_or(std::string(name))), key["whole"].value_or(false)});
+        {name, names_of(key["arguments"].value_or(std::string(name))), key["whole"].value_or(false)});
   }
   return model;
 }
@@ -60,7 +77,7 @@ Argument argument_of(const std::string& text) {
 
 /// Adds the arguments. A material that has only one model needs no number in a point to say which model it is.
 void add_arguments(Quantity& quantity, const std::string& text) {
-  for (const std::string& word : words_of(text)) {
+  for (const std::string& word : names_of(text)) {
     if (word.starts_with('@')) {
       add_arguments(quantity, definitions_table()["groups"][word.substr(1)].value<std::string>().value());
       continue;

@@ -81,7 +81,7 @@ auto of_point(const Quantity& entry, Function function) {
 }
 
 /// The largest number of arguments of a quantity; the catalogue's test checks every entry.
-inline constexpr std::size_t most_arguments = 32;
+inline constexpr std::size_t most_arguments = 160;
 
 /// Sets the scalar evaluator and the loop over it. As `evaluate` has its own type here, the loop calls it directly, and the
 /// bench does not time a call of std::function.

@@ -2,12 +2,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <string>
+#include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/moduli.hpp>
 #include <nipref/fast/material/rational_solid.hpp>
 #include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
+#include <nipref/ref/material/relaxation_terms.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
@@ -55,14 +61,12 @@ ref::ExactRationalSolid rational_solid(const NamedExact& x) {
   return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], theta2_rate_factor(model_of(x)));
 }
 
-/// Draws springs and relaxation times that are alike or far apart. variable: "t", or "omega" or "p", drawn as 1/t.
-void draw_material(Random& random, const NamedNumbers& x, const char* variable) {
+/// Draws springs and relaxation times that are alike or far apart, of the order of the time that it returns.
+double draw_material(Random& random, const NamedNumbers& x) {
   const double time = random.log_uniform(1e-8, 1e8);
   const auto times = [&](double factor) {
     return random.chance(0.3) ? 1.0 : random.log_uniform(1 / factor, factor);
   };
-  const double t = random.chance(0.05) ? 0 : time * random.log_uniform(1e-12, random.chance(0.1) ? 1e7 : 1e3);
-  x[variable] = variable != std::string_view("t") && t != 0 ? 1 / t : t;
   const double shear = x["shear"] = random.log_uniform(1e-6, 1e12);
   x["shear_2"] = shear * times(1e10);
   x["bulk"] = shear * times(1e10);
@@ -74,6 +78,14 @@ void draw_material(Random& random, const NamedNumbers& x, const char* variable) 
   draw_prony(x, 1 / shear, time, random);
   draw_operators(x, shear, time, random);
   default_unread(x);
+  return time;
+}
+
+/// variable: "t", or "omega" or "p", drawn as 1/t.
+void draw_material(Random& random, const NamedNumbers& x, const char* variable) {
+  const double time = draw_material(random, x);
+  const double t = random.chance(0.05) ? 0 : time * random.log_uniform(1e-12, random.chance(0.1) ? 1e7 : 1e3);
+  x[variable] = variable != std::string_view("t") && t != 0 ? 1 / t : t;
 }
 
 /// The order of magnitude of the material's fastest rate.
@@ -81,7 +93,7 @@ double fastest_rate(const NamedPoint& x) {
   const std::size_t model = model_of(x);
   if (model >= thesis_model) return 2 / x["relaxation_time"];
   if (model == prony_model)
-    return std::max({x["theta1_rate"], x["theta1_rate_2"], x["theta2_rate"], x["theta2_rate_2"]});
+    return std::max(std::ranges::max(x.list("theta1_rate")), std::ranges::max(x.list("theta2_rate")));
   if (is_of_springs(model))
     return (x["shear"] + x["shear_2"]) / x["shear_viscosity"] +
            (x["bulk"] + x["bulk_2"]) / x["bulk_viscosity"];
@@ -95,7 +107,7 @@ double fastest_rate(const NamedPoint& x) {
 }
 
 /// An entry by the functions for springs and dashpots, and by those for a rational solid, which are accurate to a unit in
-/// the last place. variable: t, omega or p.
+/// the last place. variable: t or omega.
 template <class Springs, class Rational>
 Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational) {
   const auto found = [=](const NamedPoint& x) -> fast::Fading {
@@ -161,6 +173,111 @@ Quantity theta_entry(const char* name, Springs springs,
   });
 }
 
+ref::ExactRationalSolid exact_solid_of(const NamedExact& x) {
+  return is_of_springs(model_of(x)) ? ref::exact_springs(modulus_in(x, "shear"), modulus_in(x, "bulk"))
+                                    : rational_solid(x);
+}
+ref::ComplexPart part_of(const NamedExact& x) {
+  return x["part"].sign() == 0 ? ref::ComplexPart::re : ref::ComplexPart::im;
+}
+
+/// G or K at p + i omega.
+Quantity growth_entry(const char* name, bool is_shear) {
+  const auto part = [is_shear](const NamedPoint& x, bool imaginary) -> fast::Fading {
+    if (!is_of_springs(model_of(x)))
+      return fast::modulus_at(rational_solid(x), is_shear ? fast::Strain::shear : fast::Strain::dilatation,
+                              x["p"], x["omega"], imaginary);
+    const std::complex<double> value =
+        fast::modulus_at(modulus_in(x, is_shear ? "shear" : "bulk"), x["p"], x["omega"]);
+    return {imaginary ? value.imag() : value.real(), std::abs(value)};
+  };
+  const auto size = [part](const NamedPoint& x) {
+    return std::hypot(part(x, false).value, part(x, true).value);
+  };
+  Quantity entry = entry_of(
+      name,
+      [=](const NamedExact& x, int digits) {
+        const ref::ExactRationalSolid solid = exact_solid_of(x);
+        return ref::modulus_at(is_shear ? solid.shear : solid.dilatation, x["p"], x["omega"], part_of(x),
+                               digits);
+      },
+      [part](const NamedPoint& x) { return part(x, x["part"] != 0).value; }, size);
+  entry.fast_error = of_point(entry, [part, promise = entry.promise](const NamedPoint& x) {
+    const auto [value, scale] = part(x, x["part"] != 0);
+    return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), scale));
+  });
+  return sampled(entry, [](Random& random, const NamedNumbers& x) {
+    draw_material(random, x, "p");
+    x["omega"] = random.chance(0.3) ? 0 : std::max(x["p"], 1e-8) * random.log_uniform(1e-6, 1e6);
+    if (x["omega"] != 0 && random.chance(0.2)) x["p"] = 0;
+    x["part"] = static_cast<double>(random.index(2));
+  });
+}
+
+/// theta1 or theta2 of the point, terms in their order.
+data::MaterialFunction terms_of(const NamedPoint& x) {
+  const data::MaterialFunctions both =
+      is_of_springs(model_of(x)) ? fast::material_functions(modulus_in(x, "shear"), modulus_in(x, "bulk"))
+                                 : fast::material_functions(rational_solid(x));
+  data::MaterialFunction theta = x["of"] == 0 ? both.theta1 : both.theta2;
+  std::ranges::sort(theta.terms, {}, [](const data::RelaxationTerm& term) {
+    return std::pair(term.rate.real(), term.rate.imag());
+  });
+  return theta;
+}
+
+int whole_term(double number) {
+  if (number != std::floor(number) || number > 1e6)
+    throw data::BadInput("term", number, "must be a whole number, that of a term");
+  return static_cast<int>(number);
+}
+
+std::complex<double> number_of_term(const NamedPoint& x, bool amplitude) {
+  const data::MaterialFunction theta = terms_of(x);
+  const int number = whole_term(x["term"]), last = static_cast<int>(theta.terms.size());
+  if (amplitude && number == 0) return theta.instantaneous;
+  if (number < 1 || number > last)
+    throw data::BadInput("term", number, "must be at most " + std::to_string(last) + ", the number of terms");
+  const data::RelaxationTerm& term = theta.terms[static_cast<std::size_t>(number - 1)];
+  return amplitude ? term.amplitude : term.rate;
+}
+
+Quantity term_entry(const char* name, bool amplitude) {
+  // A material whose rates are too near to each other for fast is replaced by the default.
+  const auto keep_off = [amplitude](const NamedNumbers& x) {
+    const double first = amplitude ? 0 : 1;
+    try {
+      const auto last = static_cast<double>(terms_of(x).terms.size());
+      x["term"] = std::clamp(std::floor(x["term"]), first, std::max(first, last));
+      if (last >= first) return;
+    } catch (const data::BadInput&) {
+    }
+    for (const Argument& argument : x.arguments()) x[argument.name] = default_number(argument);
+  };
+  return sampled(
+      entry_of(
+          name,
+          [=](const NamedExact& x, int digits) {
+            const ref::ExactRationalSolid solid = exact_solid_of(x);
+            return (amplitude ? ref::relaxation_amplitude : ref::relaxation_rate)(
+                x["of"].sign() == 0 ? solid.theta1 : solid.theta2, whole_term(x["term"].approximate()),
+                part_of(x), digits);
+          },
+          [=](const NamedPoint& x) {
+            const std::complex<double> value = number_of_term(x, amplitude);
+            return x["part"] == 0 ? value.real() : value.imag();
+          },
+          [=](const NamedPoint& x) { return std::abs(number_of_term(x, amplitude)); }),
+      [=](Random& random, const NamedNumbers& x) {
+        draw_material(random, x);
+        x["of"] = static_cast<double>(random.index(2));
+        x["part"] = random.chance(0.7) ? 0 : 1;
+        x["term"] = static_cast<double>(random.index(random.chance(0.5) ? 3 : 20));
+        keep_off(x);
+      },
+      keep_off);
+}
+
 }  // namespace
 
 std::vector<Quantity> material_entries() {
@@ -168,7 +285,6 @@ std::vector<Quantity> material_entries() {
   const auto relaxes = [](const auto&... x) { return relaxation(x...); };
   const auto creeps = [](const auto&... x) { return creep(x...); };
   const auto stores = [](const auto&... x) { return storage(x...); };
-  const auto grows = [](const auto&... x) { return at_growth(x...); };
   const auto loses = [](const auto&... x) { return loss(x...); };
   return {theta_entry(
               "material.theta1",
@@ -186,12 +302,14 @@ std::vector<Quantity> material_entries() {
           modulus_entry("material.K", "t", "bulk", relaxes),
           modulus_entry("material.creep_shear", "t", "shear", creeps),
           modulus_entry("material.creep_bulk", "t", "bulk", creeps),
+          term_entry("material.gamma", true),
+          term_entry("material.lambda", false),
           modulus_entry("material.storage_shear", "omega", "shear", stores),
           modulus_entry("material.storage_bulk", "omega", "bulk", stores),
           modulus_entry("material.loss_shear", "omega", "shear", loses),
           modulus_entry("material.loss_bulk", "omega", "bulk", loses),
-          modulus_entry("material.G_of_p", "p", "shear", grows),
-          modulus_entry("material.K_of_p", "p", "bulk", grows)};
+          growth_entry("material.G_of_p", true),
+          growth_entry("material.K_of_p", false)};
 }
 
 }  // namespace nipref::verify

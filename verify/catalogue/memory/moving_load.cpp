@@ -170,10 +170,9 @@ void keep_passive(const NamedNumbers& x) {
   const double part = at_once > 0 ? std::clamp(x["theta2_instantaneous"] / at_once, 1e-3, 0.9) : 0.25;
   const double creeping = std::clamp(x["theta2_amplitude"] / x["theta1_amplitude"], part, 2 * part);
   x["theta2_instantaneous"] = part * at_once;
-  x["theta2_amplitude"] = creeping * x["theta1_amplitude"];
-  x["theta2_rate"] = x["theta1_rate"];
-  x["theta2_amplitude_2"] = creeping * x["theta1_amplitude_2"];
-  x["theta2_rate_2"] = x["theta1_rate_2"];
+  std::ranges::transform(x.list("theta1_amplitude"), x.list("theta2_amplitude").begin(),
+                         [creeping](double amplitude) { return creeping * amplitude; });
+  std::ranges::copy(x.list("theta1_rate"), x.list("theta2_rate").begin());
 }
 
 /// Whether the material exists, and its memory makes so few oscillations while it decays that a second method does not take

@@ -12,6 +12,7 @@
 namespace nipref::verify {
 namespace {
 
+using data::Derivative;
 using data::SheetLoad;
 using ref::Exact;
 
@@ -61,11 +62,6 @@ double draw_ratio(Random& random) {
 void keep_off_the_load(double& alpha, double& depth) {
   depth = std::clamp(depth, -1.0, 1.0);
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
-}
-
-void keep_off_the_load(double& alpha) {
-  double depth = 1;
-  keep_off_the_load(alpha, depth);
 }
 
 /// Sets those of the arguments that the quantity has.
@@ -138,31 +134,39 @@ Quantity entry_v() {
 /// The modulus of the root of the slowest residue term, the factor by which a derivative has a larger amplitude.
 constexpr double slowest_root = 2.388;
 
-template <class Size>
-Quantity slope_entry(const char* name, ref::Enclosure (*by_ref)(const Exact&, int), double (*by_fast)(double),
-                     Size size) {
+Derivative derivative_of(double number) { return number == 0 ? Derivative::first : Derivative::second; }
+
+/// kernel: the amplitude of the slowest residue term of the displacement's kernel.
+Quantity slope_entry(const char* name, ref::Enclosure (*by_ref)(const Exact&, Derivative, int),
+                     double (*by_fast)(double, Derivative), double (*kernel)(double)) {
+  const auto keep_off = [](const NamedNumbers& x) {
+    const double nearest = derivative_of(x["order"]) == Derivative::first ? nearest_on_the_face : 1e-150;
+    if (std::fabs(x["alpha"]) < nearest) x["alpha"] = nearest;
+  };
   return sampled(
-      entry_of(name, {"alpha"}, by_ref, by_fast, size),
-      [](Random& random, NamedNumbers x) {
+      entry_of(
+          name, {"alpha", "order"},
+          [by_ref](const Exact& alpha, const Exact& order, int digits) {
+            return by_ref(alpha, derivative_of(order.approximate()), digits);
+          },
+          [by_fast](double alpha, double order) { return by_fast(alpha, derivative_of(order)); },
+          [kernel](double alpha, double order) {
+            return std::pow(slowest_root, order + 1) * kernel(alpha) / std::numbers::pi;
+          }),
+      [keep_off](Random& random, const NamedNumbers& x) {
         x["alpha"] = draw_anywhere(random).alpha;
-        keep_off_the_load(x["alpha"]);
+        x["order"] = static_cast<double>(random.index(2));
+        keep_off(x);
       },
-      [](NamedNumbers x) { keep_off_the_load(x["alpha"]); });
+      keep_off);
 }
 
 }  // namespace
 
 std::vector<Quantity> field_entries() {
-  return {slope_entry("un.slope", ref::un_slope, fast::un_slope,
-                      [](double alpha) { return slowest_root * envelope_I1(alpha) / std::numbers::pi; }),
-          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope,
-                      [](double alpha) {
-                        return FieldSize{alpha, 1, SheetLoad::normal}.along() / 2;
-                      }),
-          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope,
-                      [](double alpha) {
-                        return FieldSize{alpha, 1, SheetLoad::shear}.along() / 2;
-                      }),
+  return {slope_entry("un.slope", ref::un_slope, fast::un_slope, envelope_I1),
+          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope, envelope_I3),
+          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope, envelope_r),
           stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
           stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
           stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),

@@ -1,7 +1,10 @@
+#include <cmath>
 #include <complex>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
+#include <nipref/ref/sheet/plain_series.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
@@ -23,6 +26,35 @@ std::complex<double> fast_root(double n) {
   return fast::sheet_root(static_cast<int>(whole_number(ref::Exact(n, "n"))));
 }
 
+Quantity residue_entry() {
+  const auto coefficients = [](double n, double kernel) {
+    return fast::residue_coefficients(static_cast<fast::PlainKernel>(static_cast<int>(kernel)),
+                                      static_cast<int>(whole_number(ref::Exact(n, "n"))));
+  };
+  return sampled(
+      entry_of(
+          "residue", {"n", "kernel", "coefficient"},
+          [](const ref::Exact& n, const ref::Exact& kernel, const ref::Exact& coefficient, int digits) {
+            const auto which = static_cast<ref::PlainKernel>(static_cast<int>(kernel.approximate()));
+            const ref::ResidueCoefficients both =
+                ref::residue_coefficients(which, static_cast<int>(whole_number(n)), digits);
+            return coefficient.sign() == 0 ? both.A : both.B;
+          },
+          [coefficients](double n, double kernel, double coefficient) {
+            const fast::ResidueCoefficients both = coefficients(n, kernel);
+            return coefficient == 0 ? both.A : both.B;
+          },
+          [coefficients](double n, double kernel, double /*coefficient*/) {
+            const fast::ResidueCoefficients both = coefficients(n, kernel);
+            return std::hypot(both.A, both.B);
+          }),
+      [](Random& random, const NamedNumbers& x) {
+        x["n"] = std::floor(random.log_uniform(1, largest_index));
+        x["kernel"] = static_cast<double>(random.index(7));
+        x["coefficient"] = static_cast<double>(random.index(2));
+      });
+}
+
 }  // namespace
 
 std::vector<Quantity> root_entries() {
@@ -32,7 +64,8 @@ std::vector<Quantity> root_entries() {
               [](double n) { return fast_root(n).real(); }),
           entry_of(
               "root.im", {"n"}, [root](const ref::Exact& n, int digits) { return root(n, digits).im; },
-              [](double n) { return fast_root(n).imag(); })};
+              [](double n) { return fast_root(n).imag(); }),
+          residue_entry()};
 }
 
 }  // namespace nipref::verify

@@ -28,7 +28,7 @@ const std::vector<Rests>& rests() {
   return all;
 }
 
-enum class Component { sx, sy, txy, u, v, slope };  ///< slope: of a face, d un/d alpha
+enum class Component { sx, sy, txy, u, v };
 
 /// The thesis's integrand without its factor cos or sin of alpha z, with `sine` in place of 2 sinh z/S and `cosine` in
 /// place of 2 cosh z/S. K is a complex type for the residues at poles.
@@ -50,8 +50,6 @@ K integrand(Component part, bool normal, const Float& s, const Float& t1, const 
     case Component::u:
       return normal ? K(-sine * sh / z - t1 * (cosine * sh - s * sine * ch))
                     : K(-t2 * cosine * sh / z + t1 * (s * cosine * ch - sine * sh));
-    case Component::slope:
-      return K(-sine * sh);
     case Component::v:
       break;
   }
@@ -60,7 +58,7 @@ K integrand(Component part, bool normal, const Float& s, const Float& t1, const 
 }
 
 bool is_sine(Component part, bool normal) {
-  const bool odd_for_normal = part == Component::txy || part == Component::v || part == Component::slope;
+  const bool odd_for_normal = part == Component::txy || part == Component::v;
   return odd_for_normal == normal;
 }
 
@@ -81,8 +79,6 @@ Float half_planes(Component part, bool normal, const InnerPoint& at, const Float
     case Component::u:
       return normal ? Float(-log(R2 / r2) / 2 - t1 * (d * d / r2 - D * D / R2))
                     : Float(-t2 * (atan2(a, d) - atan2(a, D)) + t1 * a * (D / R2 - d / r2));
-    case Component::slope:
-      return -a * (1 / r2 - 1 / R2);
     case Component::v:
       break;
   }
@@ -164,18 +160,61 @@ Confirmation u(Arguments x) {
   return over_pi(sum_of(Component::u, is_normal(x), x["alpha"], x["depth"], mpq_class(x["poisson"])));
 }
 
-/// The slope of a face, or half of the stress along it.
-Confirmation on_face(Component part, bool normal, Arguments x) {
-  return over_pi(Split{}.add(part == Component::sy ? mpq_class(1, 2) : mpq_class(1),
-                             sum_of(part, normal, x["alpha"], 1, 0)));
+/// A first derivative of a face: -1/pi times the integral of 2 sinh z/S or 2 cosh z/S, times sinh z or cosh z, times the
+/// sine or the cosine of alpha z.
+struct FaceSlope {
+  bool of_sinh, rises, sine;
+};
+constexpr FaceSlope un_slope{true, true, true}, vn_slope{true, false, false}, vs_slope{false, false, true};
+
+Split near_face(const FaceSlope& slope, bool second, const Float& a) {
+  Split sum = integral(rests(), [&](const Rests& node) -> Float {
+    const Float angle = a * node.z;
+    const Float wave = second ? Float(node.z * (slope.sine ? cos(angle) : Float(-sin(angle))))
+                              : Float(slope.sine ? sin(angle) : cos(angle));
+    return -node.weight * (slope.of_sinh ? node.sine : node.cosine) *
+           (slope.rises ? sinh(node.z) : cosh(node.z)) * wave;
+  });
+  // The same with 2 e^-z in place of the symbol: of e^0 and, with the sign of sinh or cosh, of e^-2z.
+  const Float R2 = 4 + a * a, other = slope.rises ? -1 : 1;
+  if (slope.sine) {
+    sum.rest +=
+        second ? Float(1 / (a * a) - other * (4 - a * a) / (R2 * R2)) : Float(-1 / a - other * a / R2);
+  } else {
+    sum.rest += other * (second ? Float(4 * a / (R2 * R2)) : Float(-2 / R2));
+  }
+  sum.error += abs(sum.rest) * Float("1e-90");
+  return sum;
+}
+
+Split far_face(const FaceSlope& slope, bool second, const Float& a) {
+  Complex sum = 0;
+  for (std::size_t n = poles; n >= 1; --n) {
+    const Complex z = pole(n).z, turns(-z.imag(), z.real());
+    sum -= (slope.of_sinh ? pole(n).I7 : pole(n).I5) * (slope.rises ? sinh(z) : cosh(z)) *
+           exp(Complex(turns.real() * a, turns.imag() * a)) * (second ? turns : Complex(1));
+  }
+  Split value{0, 2 * pi<Float>() * (slope.sine ? sum.real() : -sum.imag()), 0};
+  if (!slope.of_sinh && !second) value.rest -= pi<Float>() / 4;
+  value.error =
+      2000 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * a) + abs(value.rest) * Float("1e-90");
+  return value;
+}
+
+Confirmation on_face(const FaceSlope& slope, Arguments x) {
+  const mpq_class alpha(x["alpha"]);
+  const Float a = to_number<Float>(abs(alpha));
+  const bool second = x["order"] != 0, odd = slope.sine != second;
+  return over_pi(Split{}.add(odd ? sgn(alpha) : 1,
+                             abs(alpha) < far ? near_face(slope, second, a) : far_face(slope, second, a)));
 }
 
 }  // namespace
 
 const Methods& field_methods() {
-  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(Component::slope, true, x); }},
-                               {"vn.slope", [](Arguments x) { return on_face(Component::sy, true, x); }},
-                               {"vs.slope", [](Arguments x) { return on_face(Component::sy, false, x); }},
+  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(un_slope, x); }},
+                               {"vn.slope", [](Arguments x) { return on_face(vn_slope, x); }},
+                               {"vs.slope", [](Arguments x) { return on_face(vs_slope, x); }},
                                {"sheet.sx", [](Arguments x) { return stress(Component::sx, x); }},
                                {"sheet.sy", [](Arguments x) { return stress(Component::sy, x); }},
                                {"sheet.txy", [](Arguments x) { return stress(Component::txy, x); }},

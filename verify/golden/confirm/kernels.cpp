@@ -66,31 +66,6 @@ std::complex<double> near_root(std::size_t n) {
   return z;
 }
 
-Pole make_pole(std::size_t n) {
-  constexpr int points = 128;
-  const std::complex<double> near = near_root(n);
-  const Complex centre(Float(near.real()), Float(near.imag()));
-  const Float radius = Float(1) / 4;
-  Pole pole{};
-  Complex moment = 0;
-  for (int k = 0; k < points; ++k) {
-    const Float angle = 2 * pi<Float>() * k / points;
-    const Complex arm(radius * cos(angle), radius * sin(angle)), z = centre + arm;
-    const Complex sine = sinh(z), cosine = cosh(z);
-    const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));  // of 2/S
-    moment += unit * arm;
-    pole.I1 += unit * sine * sine / z;
-    pole.I3 += unit;
-    pole.I4 += unit * sine / z;
-    pole.I5 += unit * cosine;
-    pole.I7 += unit * sine;
-    pole.I6_alpha += unit / z;
-    pole.I6_eta += unit * cosine / z;
-  }
-  pole.z = centre + moment / pole.I3;
-  return pole;
-}
-
 /// I1 as - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
 Split I1_near(const mpq_class& alpha) {
   const Float at = abs(to_number<Float>(alpha));
@@ -138,10 +113,35 @@ Split& Split::add(const mpq_class& factor, const Split& term) {
 
 Float Split::value() const { return to_number<Float>(quarters) * pi<Float>() / 4 + rest; }
 
+Pole pole_by_circle(std::size_t n) {
+  constexpr int points = 128;
+  const std::complex<double> near = near_root(n);
+  const Complex centre(Float(near.real()), Float(near.imag()));
+  const Float radius = Float(1) / 4;
+  Pole pole{};
+  Complex moment = 0;
+  for (int k = 0; k < points; ++k) {
+    const Float angle = 2 * pi<Float>() * k / points;
+    const Complex arm(radius * cos(angle), radius * sin(angle)), z = centre + arm;
+    const Complex sine = sinh(z), cosine = cosh(z);
+    const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));  // of 2/S
+    moment += unit * arm;
+    pole.I1 += unit * sine * sine / z;
+    pole.I3 += unit;
+    pole.I4 += unit * sine / z;
+    pole.I5 += unit * cosine;
+    pole.I7 += unit * sine;
+    pole.I6_alpha += unit / z;
+    pole.I6_eta += unit * cosine / z;
+  }
+  pole.z = centre + moment / pole.I3;
+  return pole;
+}
+
 const Pole& pole(std::size_t n) {
   static const std::vector<Pole> all = [] {
     std::vector<Pole> made;
-    for (std::size_t k = 1; k <= poles; ++k) made.push_back(make_pole(k));
+    for (std::size_t k = 1; k <= poles; ++k) made.push_back(pole_by_circle(k));
     return made;
   }();
   return all.at(n - 1);

@@ -54,6 +54,8 @@ struct Pole {
   Complex z;
   Complex I1, I3, I4, I5, I7, I6_alpha, I6_eta;
 };
+/// The pole of any number from 1 on.
+Pole pole_by_circle(std::size_t n);
 /// The poles are counted from 1 to 16; the terms of the others decay like e^(-16.5 pi x).
 const Pole& pole(std::size_t n);
 inline constexpr std::size_t poles = 16;

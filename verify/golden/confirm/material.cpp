@@ -1,6 +1,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
+#include <map>
 #include <string>
 
 #include <nipref/verify/golden/confirm/rational.hpp>
@@ -27,10 +28,12 @@ Response springs(Arguments x, Model model, const std::string& name) {
 /// function: theta1 or theta2.
 Response series(Arguments x, const std::string& function) {
   Response sum{{Wide(x[function + "_instantaneous"])}, {Wide(1)}};
-  for (const char* term : {"", "_2"}) {
-    if (const double amplitude = x[function + "_amplitude" + term]; amplitude != 0)
-      sum = sum + Response{{Wide(amplitude)}, {Wide(x[function + "_rate" + term]), Wide(1)}};
-  }
+  const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
+  // Terms of one rate are one, as a double root would be found slowly or not at all.
+  std::map<double, Wide> by_rate;
+  for (std::size_t k = 0; k < amplitudes.size(); ++k)
+    if (amplitudes[k] != 0) by_rate[rates[k]] += amplitudes[k];
+  for (const auto& [rate, amplitude] : by_rate) sum = sum + Response{{amplitude}, {Wide(rate), Wide(1)}};
   return sum;
 }
 
@@ -47,7 +50,8 @@ struct Responses {
     const Model model = static_cast<Model>(static_cast<int>(x["material"]));
     if (model <= elastic || model == operators) {
       const auto coefficients = [&](const std::string& name) {
-        return Coefficients{Wide(x[name + "_0"]), Wide(x[name + "_1"]), Wide(x[name + "_2"])};
+        const auto all = x.list(name + "_0");
+        return Coefficients(all.begin(), all.end());
       };
       const bool has_springs = model <= elastic;
       G = has_springs ? springs(x, model, "shear") : Response{coefficients("Q"), coefficients("P")};
@@ -152,9 +156,45 @@ void add_modulus(Methods& methods, const std::string& letter, const std::string&
   add("loss_" + name,
       [](const Response& modulus, Arguments x) { return at_frequency(modulus, x["omega"]).imag(); });
   add(letter + "_of_p", [](const Response& modulus, Arguments x) -> Wide {
-    const WideComplex p(x["p"]);
-    return (value_at(modulus.above, p) / value_at(modulus.below, p)).real();
+    const Wide growth = x["p"], omega = x["omega"];
+    const WideComplex p(growth, omega);
+    const WideComplex value = value_at(modulus.above, p) / value_at(modulus.below, p);
+    return x["part"] == 0 ? value.real() : value.imag();
   });
+}
+
+/// gamma or lambda of a term: roots by the method of Durand and Kerner, without those that the numerator has, too.
+Confirmation of_term(Arguments x, bool amplitude) {
+  const Responses all(x);
+  Response theta = x["of"] == 0 ? all.theta1 : all.theta2;
+  theta.above.normalize();
+  theta.below.normalize();
+  const Wide last = theta.below.data().back();
+  struct Term {
+    WideComplex amplitude, rate;
+  };
+  const Wide at_once =
+      theta.above.size() == theta.below.size() ? Wide(theta.above.data().back() / last) : Wide(0);
+  std::vector<Term> terms;
+  // The root 0 of a fluid is split off exactly.
+  const bool flows = theta.below.size() > 1 && theta.below[0] == 0;
+  std::vector<WideComplex> roots = roots_of<400>(flows ? theta.below >> 1 : theta.below);
+  if (flows) roots.emplace_back(0);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const WideComplex slope = last * apart(roots, i), above = value_at(theta.above, roots[i]);
+    const Wide size = abs(above), parts = value_at(theta.above, WideComplex(abs(roots[i]))).real();
+    if (size > Wide("1e-90") * abs(parts)) terms.push_back({above / slope, -roots[i]});
+  }
+  std::ranges::sort(terms, [](const Term& a, const Term& b) {
+    const Wide apart = a.rate.real() - b.rate.real();
+    return abs(apart) <= Wide("1e-90") * abs(a.rate) ? a.rate.imag() < b.rate.imag() : apart < 0;
+  });
+  const auto number = static_cast<std::size_t>(x["term"]);
+  const WideComplex value = number == 0 ? WideComplex(at_once)
+                            : amplitude ? terms.at(number - 1).amplitude
+                                        : terms.at(number - 1).rate;
+  return confirmation<Wide>("roots by Durand and Kerner", x["part"] == 0 ? value.real() : value.imag(),
+                            abs(value) * Wide("1e-60"));
 }
 
 }  // namespace
@@ -164,7 +204,9 @@ const Methods& material_methods() {
     Methods all{{"material.theta1",
                  by_series([](const Responses& of, Arguments x) { return in_time(of.theta1, x["t"]); })},
                 {"material.theta2",
-                 by_series([](const Responses& of, Arguments x) { return in_time(of.theta2, x["t"]); })}};
+                 by_series([](const Responses& of, Arguments x) { return in_time(of.theta2, x["t"]); })},
+                {"material.gamma", [](Arguments x) { return of_term(x, true); }},
+                {"material.lambda", [](Arguments x) { return of_term(x, false); }}};
     add_modulus(all, "G", "shear", &Responses::G);
     add_modulus(all, "K", "bulk", &Responses::K);
     return all;

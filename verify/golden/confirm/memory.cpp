@@ -31,9 +31,9 @@ SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
 /// function: theta1 or theta2.
 SolidFunction terms_of(Arguments x, const std::string& function) {
   SolidFunction sum{Long(x[function + "_instantaneous"]), {}};
-  for (const char* term : {"", "_2"}) {
-    if (const double amplitude = x[function + "_amplitude" + term]; amplitude != 0)
-      sum.terms.push_back({LongComplex(amplitude), LongComplex(x[function + "_rate" + term])});
+  const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    if (amplitudes[k] != 0) sum.terms.push_back({LongComplex(amplitudes[k]), LongComplex(rates[k])});
   }
   return sum;
 }
@@ -57,7 +57,8 @@ SolidTerms solid_terms(Arguments x) {
   if (model == MovingModel::prony) return {terms_of(x, "theta1"), terms_of(x, "theta2")};
   if (model == MovingModel::operators) {
     const auto of = [&](const std::string& name) {
-      Polynomial<Long> polynomial{Long(x[name + "_0"]), Long(x[name + "_1"]), Long(x[name + "_2"])};
+      const auto coefficients = x.list(name + "_0");
+      Polynomial<Long> polynomial(coefficients.begin(), coefficients.end());
       polynomial.normalize();
       return polynomial;
     };

@@ -22,6 +22,17 @@ Confirmation of_root(const Float& part) {
   return confirmation<Float>("fixed point of a logarithm", part, part * Float("1e-90"));
 }
 
+/// In the order of the kernels in quantities.toml, of which I3, I4 and I5 are sine transforms.
+Confirmation residue(Arguments x) {
+  const Pole at = pole_by_circle(static_cast<std::size_t>(x["n"]));
+  const Complex residues[]{at.I1, at.I3, at.I4, at.I5, at.I1 + at.I6_alpha, -at.I6_eta, at.I7};
+  const auto number = static_cast<std::size_t>(x["kernel"]);
+  const Complex c = 2 * residues[number];
+  const bool odd = number >= 1 && number <= 3, first = x["coefficient"] == 0;
+  const Float value = odd && !first ? c.real() : first && !odd ? Float(-c.real()) : Float(-c.imag());
+  return confirmation<Float>("integral over a circle around the root", value, abs(c) * Float("1e-75"));
+}
+
 Confirmation kernel(const Split& sum) {
   return confirmation<Float>("integral along the real axis or around the poles", sum.value(), sum.error);
 }
@@ -78,6 +89,7 @@ const Methods& sheet_methods() {
   static const Methods methods{
       {"root.re", [](Arguments x) { return of_root(root(x["n"]).real()); }},
       {"root.im", [](Arguments x) { return of_root(root(x["n"]).imag()); }},
+      {"residue", residue},
       {"I1", [](Arguments x) { return kernel(kernel_I1(x["alpha"])); }},
       {"I2",
        [](Arguments x) {

@@ -1,30 +1,34 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
+#include <nipref/data/magnitude.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 
 namespace nipref::verify {
 namespace {
 
-constexpr std::size_t per_polynomial = 3;
+bool is_nothing(double x) { return x == 0; }
+bool is_nothing(const ref::Exact& x) { return x.sign() == 0; }
 
-/// Series is data::PronyList or ref::ExactSeries.
+/// Series is data::PronyList or ref::ExactSeries. Amplitudes of 0 at the end of the list belong to no term.
 template <class Series, class Number>
 Series series_of(const Named<const Number>& x, const std::string& function) {
+  const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
+  std::size_t terms = amplitudes.size();
+  while (terms > 0 && is_nothing(amplitudes[terms - 1])) --terms;
   return {x[function + "_instantaneous"],
-          {x[function + "_amplitude"], x[function + "_amplitude_2"]},
-          {x[function + "_rate"], x[function + "_rate_2"]}};
-}
-
-std::string coefficient(const std::string& polynomial, std::size_t power) {
-  return polynomial + "_" + std::to_string(power);
+          {amplitudes.begin(), amplitudes.begin() + static_cast<std::ptrdiff_t>(terms)},
+          {rates.begin(), rates.begin() + static_cast<std::ptrdiff_t>(terms)}};
 }
 
 template <class Number>
 std::vector<Number> coefficients(const Named<const Number>& x, const std::string& polynomial) {
-  return {x[coefficient(polynomial, 0)], x[coefficient(polynomial, 1)], x[coefficient(polynomial, 2)]};
+  const auto all = x.list(polynomial + "_0");
+  return {all.begin(), all.end()};
 }
 
 /// A second rate: the same, nearly the same, or any within four decades.
@@ -34,7 +38,7 @@ double other_rate(double rate, Random& random) {
   return rate * random.log_uniform(1e-4, 1e4);
 }
 
-using Quadratic = std::array<double, per_polynomial>;
+using Quadratic = std::array<double, 3>;
 
 /// Draws p + a, or (p + a)(p + b) with real roots up to rounding, or a quadratic with complex roots.
 Quadratic draw_p(double rate, Random& random) {
@@ -60,6 +64,41 @@ Quadratic draw_q(const Quadratic& p, double size, Random& random) {
   if (one_root < 0.99 && random.chance(0.4))
     soft = one_root * (1 + (random.chance(0.3) ? 0 : random.log_uniform(1e-16, 1e-2)));
   return {q1 * q0_of_q1 * soft, q1, size};
+}
+
+/// A modulus Q/P of three branches or more side by side, each a spring in series with a dashpot, and a spring: it gains no
+/// energy. Empty where a coefficient would be no magnitude.
+struct Branches {
+  std::vector<double> p{1}, q;
+};
+Branches draw_branches(double rate, double size, Random& random) {
+  const auto times = [](const std::vector<double>& polynomial, double root) {
+    std::vector<double> product(polynomial.size() + 1);
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+      product[k] += root * polynomial[k];
+      product[k + 1] += polynomial[k];
+    }
+    return product;
+  };
+  std::vector<double> rates(3 + random.index(random.chance(0.2) ? 14 : 4));
+  for (double& one : rates) one = rate * random.log_uniform(1e-2, 1e2);
+  Branches both;
+  for (const double one : rates) both.p = times(both.p, one);
+  both.q = both.p;
+  for (double& c : both.q) c *= size;
+  for (std::size_t k = 0; k < rates.size(); ++k) {
+    std::vector<double> others{size * random.log_uniform(1e-2, 1e2)};
+    for (std::size_t l = 0; l < rates.size(); ++l) others = times(others, l == k ? 0 : rates[l]);
+    for (std::size_t i = 0; i < others.size(); ++i) both.q[i] += others[i];
+  }
+  const bool within =
+      std::ranges::all_of(both.p, data::is_magnitude) && std::ranges::all_of(both.q, data::is_magnitude);
+  return within ? both : Branches{};
+}
+
+void put_list(std::span<double> list, std::span<const double> values) {
+  std::ranges::fill(list, 0);
+  std::ranges::copy(values, list.begin());
 }
 
 }  // namespace
@@ -96,39 +135,43 @@ ref::ExactRationalSolid exact_operators_of(const NamedExact& x) {
 }
 
 void draw_prony(const NamedNumbers& x, double soft, double time, Random& random) {
-  const bool at_once = !random.chance(0.1), two = random.chance(0.7);
-  const double rate = random.chance(0.1) ? 0 : random.log_uniform(1e-3, 1e3) / time;
-  const double rate_2 = rate == 0 ? 1 / time : other_rate(rate, random);
-  const double instantaneous = at_once ? soft : 0;
-  const double amplitude = soft * random.log_uniform(1e-3, 1e3) * (rate == 0 ? 1 / time : rate);
-  const double amplitude_2 = two ? soft * random.log_uniform(1e-3, 1e3) * rate_2 : 0;
-  const auto put = [&](const std::string& name, double at_start, double first, double second) {
-    x[name + "_instantaneous"] = at_start;
-    x[name + "_amplitude"] = first;
-    x[name + "_rate"] = rate;
-    x[name + "_amplitude_2"] = second;
-    x[name + "_rate_2"] = rate_2;
-  };
-  put("theta1", instantaneous, amplitude, amplitude_2);
+  const bool at_once = !random.chance(0.1);
+  const std::size_t terms = random.chance(0.3) ? 1 : random.chance(0.6) ? 2 : 3 + random.index(14);
+  const double slow = random.chance(0.1) ? 0 : random.log_uniform(1e-3, 1e3) / time;
   // Each part of theta2 is less than that of theta1, so that the bulk modulus is positive.
-  const bool fades = random.chance(0.8);
-  std::array<double, 3> parts{instantaneous, amplitude, amplitude_2};
-  for (double& part : std::span(parts).first(fades ? 3 : 2))
-    part *= random.chance(0.2) ? 0.25 : random.uniform(0.01, 0.9);
-  put("theta2", parts[0], parts[1], fades ? parts[2] : 0);
+  const auto part = [&] { return random.chance(0.2) ? 0.25 : random.uniform(0.01, 0.9); };
+  std::vector<double> rates, first, second;
+  for (std::size_t k = 0; k < terms; ++k) {
+    const double apart = (slow > 0 ? slow : 1 / time) * random.log_uniform(1e-3, 1e3);
+    // fast refuses five rates that nearly coincide.
+    rates.push_back(k == 0 ? slow : slow > 0 && k < 3 ? other_rate(slow, random) : apart);
+    first.push_back(soft * random.log_uniform(1e-3, 1e3) * (rates[k] == 0 ? 1 / time : rates[k]));
+    second.push_back(k > 0 && random.chance(0.2) ? 0 : first[k] * part());
+  }
+  x["theta1_instantaneous"] = at_once ? soft : 0;
+  x["theta2_instantaneous"] = x["theta1_instantaneous"] * part();
+  put_list(x.list("theta1_amplitude"), first);
+  put_list(x.list("theta2_amplitude"), second);
+  put_list(x.list("theta1_rate"), rates);
+  put_list(x.list("theta2_rate"), rates);
 }
 
 void draw_operators(const NamedNumbers& x, double stiff, double time, Random& random) {
   const double rate = random.log_uniform(1e-2, 1e2) / time;
-  const Quadratic p = draw_p(rate, random);
-  const Quadratic p_dilatation = random.chance(0.3) ? p : draw_p(rate * random.uniform(0.1, 10), random);
-  const auto put = [&](const std::string& name, const Quadratic& polynomial) {
-    for (std::size_t k = 0; k < per_polynomial; ++k) x[coefficient(name, k)] = polynomial[k];
+  const bool many = random.chance(0.3);
+  const auto put = [&](const std::string& suffix, double near, const Quadratic* same) {
+    const double size = stiff * random.log_uniform(0.1, 10);
+    const Branches branches = many ? draw_branches(near, size, random) : Branches{};
+    const Quadratic p = same != nullptr ? *same : draw_p(near, random);
+    const bool use = !branches.q.empty();
+    put_list(x.list("P" + suffix + "_0"), use ? std::span<const double>(branches.p) : p);
+    put_list(x.list("Q" + suffix + "_0"),
+             use ? std::span<const double>(branches.q) : draw_q(p, size, random));
+    return p;
   };
-  put("P", p);
-  put("Q", draw_q(p, stiff * random.log_uniform(0.1, 10), random));
-  put("P_dilatation", p_dilatation);
-  put("Q_dilatation", draw_q(p_dilatation, stiff * random.log_uniform(0.1, 10), random));
+  const Quadratic p = put("", rate, nullptr);
+  const bool same = random.chance(0.3);
+  put("_dilatation", rate * random.uniform(0.1, 10), same ? &p : nullptr);
 }
 
 }  // namespace nipref::verify

@@ -29,6 +29,11 @@ double envelope_I1(double alpha) {
   return decaying(tangent * tangent / (2.0 * first_root), alpha);
 }
 
+double envelope_I3(double alpha) {
+  const Complex cosine = std::cosh(first_root);
+  return decaying(1.0 / (2.0 * cosine * cosine), alpha);
+}
+
 double envelope_I7(double eta) {
   const Complex cosine = std::cosh(first_root);
   return decaying(std::sinh(first_root) / (2.0 * cosine * cosine), eta);

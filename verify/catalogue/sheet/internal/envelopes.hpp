@@ -10,6 +10,7 @@ namespace nipref::verify {
 /// 2 pi |c| e^(-K x): the amplitude of the slowest residue term (thesis AI.5, AI.13, AI.14), K = Im z of the
 /// first root.
 double envelope_I1(double alpha);
+double envelope_I3(double alpha);
 double envelope_I7(double eta);
 /// The same for the two parts of I6, which is r(alpha) - s(eta) + pi/4 (|eta| - |alpha|).
 double envelope_r(double alpha);
