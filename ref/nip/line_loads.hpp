@@ -49,7 +49,7 @@ class LineLoadNip {
   [[nodiscard]] Enclosure creep_ratio() const;
   /// With full friction: the creep ratio that the thesis chooses for this length, and the lowest and the highest
   /// around it that meet its conditions as well, see data::Grip. BadInput "contact_length" where there is none, or
-  /// the bounds cannot tell. (thesis 5.5, Figure 15)
+  /// the bounds cannot tell. (thesis, section 5.5, Figure 15)
   [[nodiscard]] CreepRange creep_range() const;
   /// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Loads whose sign the
   /// bounds do not tell are passed over, and the border lies somewhere between the others.

@@ -15,7 +15,7 @@ namespace nipref::ref {
 /// <= 10^-digits min(1, |truth|), proven (internal/field_integral.hpp). Arguments outside their domain throw
 /// data::BadInput.
 ///
-/// Stresses in 1/half-thickness, tension positive. (thesis 3.19, 3.20, 4.3, 4.14)
+/// Stresses in 1/half-thickness, tension positive. (thesis 3.19, 3.20, 4.3; of shear 3.26, 3.27, 4.14)
 Enclosure sheet_across(const Exact& alpha, const Exact& depth, data::SheetLoad load,
                        int digits);                                                               ///< sigma_x
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< sigma_y

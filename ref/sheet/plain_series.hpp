@@ -21,7 +21,7 @@ struct ResidueCoefficients {
 ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits);
 
 /// An interval that contains the sum at every |alpha| of an interval without 0, computed with the precision of `alpha`,
-/// of I1, I3 or I6_alpha_part. BadInput unless 1 <= terms <= 500. (thesis AI.8, AI.9)
+/// of I1, I3 or I6_alpha_part. BadInput unless 1 <= terms <= 500. (thesis AI.9, AI.12)
 Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms);
 
 }  // namespace nipref::ref

@@ -37,7 +37,7 @@ struct FieldFineness {
 };
 
 /// The stresses inside the sheet -1 <= x <= 1 under the same tractions on both faces of a contact, in
-/// half-thicknesses and the tractions' unit. (thesis 3.19, 4.3, 4.14 as integrals over the contact)
+/// half-thicknesses and the tractions' unit. (thesis 3.19, 3.26, 4.3, 4.14 as integrals over the contact)
 ///
 /// The part of each face is the field of a half-plane (Flamant),
 ///
