@@ -111,8 +111,9 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
                                   const std::shared_ptr<Work>& work) {
   const bool grips = grip.kind != Grip::Creep::none;
   const int m = method.elements_per_side;
-  const Eigen::MatrixXd unknowns = linear_solution(matching_matrix(nip, method, contact_length, grips, *work),
-                                                   right_hand_sides(nip, m, contact_length, grips));
+  // First, as it refuses what is out of its domain.
+  const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, grips, *work);
+  const Eigen::MatrixXd unknowns = linear_solution(matrix, right_hand_sides(nip, m, contact_length, grips));
   ++work->systems;
   work->unknowns = std::max(work->unknowns, static_cast<int>(unknowns.rows()));
   Eigen::VectorXd at_creep = unknowns.col(0);

@@ -23,7 +23,7 @@ using internal::times;
 /// Of the parts that a value is made of; they are good to less.
 constexpr double least_scale = 0x1p-150;
 
-/// A modulus Q/P; P by factors too, where it has known ones.
+/// A modulus Q/P. `factors`: those of P that are known, otherwise P itself.
 struct Operators {
   Polynomial p, q;
   std::vector<Polynomial> factors{p};
@@ -216,11 +216,12 @@ Fading modulus_at(const RationalSolid& solid, Strain of, double p, double omega,
   const Solid all = built(solid);
   const Operators& modulus = of_strain(all, of);
   const AtPoint n(modulus.q, p, omega), d(modulus.p, p, omega);
+  const auto [name, at] = p == 0 ? std::pair("omega", omega) : std::pair("p", p);
   if (d.value.re == 0 && d.value.im == 0)
-    throw data::BadInput("p", p, "must not be where the modulus is infinite");
+    throw data::BadInput(name, at, "must not be where the modulus is infinite");
   const OctupleComplex value = n.value / d.value;
   const Octuple below = size_of(d.value);
-  return rounded({imaginary ? value.im : value.re, n.size * d.size / (below * below)}, "p", p);
+  return rounded({imaginary ? value.im : value.re, n.size * d.size / (below * below)}, name, at);
 }
 
 Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).theta1, t); }

@@ -119,7 +119,7 @@ struct ConvergedNip::Implementation {
       return Along{at_unsure_place(place, displacement), {}};
     });
   }
-  /// The displacement changes by the strain and by what this changes by, a unit of the distance.
+  /// The displacement is shifted by at most the largest strain within reach times that reach.
   [[nodiscard]] Along sliding_along(const ContactPlace& place, CountedKernels& kernels) const {
     SurfaceAlong here = equations->along(solved.last(), place, kernels);
     Along result{{std::move(here.displacement)}, {std::move(here.strain)}};

@@ -14,7 +14,7 @@ class LineLoadSheet {
  public:
   virtual ~LineLoadSheet() = default;
   /// At Y, unit of length, where there is no load: towards the middle plane, and along Y relative to a point that is the
-  /// same for all Y. What is evaluated is counted in `work`.
+  /// same for all Y. An elastic sheet counts the kernels that it evaluates in `work`.
   [[nodiscard]] virtual double normal_displacement(std::span<const FaceLoad> loads, double y,
                                                    Work& work) const = 0;
   [[nodiscard]] virtual double tangential_displacement(std::span<const FaceLoad> loads, double y,

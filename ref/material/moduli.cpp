@@ -4,6 +4,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/material/internal/known_number.hpp>
 #include <nipref/ref/material/moduli.hpp>
 
 namespace nipref::ref {
@@ -36,13 +37,6 @@ RationalModulus rational(const ExactModulus& m) {
     default:
       return {first * second, first * viscosity, first + second, viscosity};
   }
-}
-
-/// The exact number as an Enclosure.
-Enclosure known(const mpq_class& value, int digits) {
-  return enclose(digits, 0, [&](double nats) {
-    return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
-  });
 }
 
 /// Evaluates with more and more bits until the digits are met; times and rates of very different sizes need more.
@@ -78,7 +72,7 @@ Enclosure relaxation(const ExactModulus& modulus, const Exact& t, int digits) {
   check_nonnegative("t", t);
   const auto [n0, n1, d0, d1] = rational(modulus);
   // N/(p D) = n0/(d0 p) + the term of the root of D
-  if (d1 == 0) return known(n0 / d0, digits);
+  if (d1 == 0) return known_number(n0 / d0, digits);
   const mpq_class relaxed = n0 / d0, decaying = n1 / d1 - n0 / d0, rate = d0 / d1;
   if (relaxed == 0) check_remembered(rate, t);
   return evaluated(digits, [&](mpfr_prec_t bits) {
@@ -90,9 +84,9 @@ Enclosure creep(const ExactModulus& modulus, const Exact& t, int digits) {
   check_nonnegative("t", t);
   const auto [n0, n1, d0, d1] = rational(modulus);
   // D/(p N)
-  if (n1 == 0) return known(d0 / n0, digits);
-  if (n0 == 0) return known(d1 / n1 + d0 / n1 * t.value(), digits);
-  if (t.sign() == 0) return known(d1 / n1, digits);
+  if (n1 == 0) return known_number(d0 / n0, digits);
+  if (n0 == 0) return known_number(d1 / n1 + d0 / n1 * t.value(), digits);
+  if (t.sign() == 0) return known_number(d1 / n1, digits);
   const mpq_class relaxed = d0 / n0, decaying = d1 / n1 - d0 / n0, rate = n0 / n1;
   return evaluated(digits, [&](mpfr_prec_t bits) {
     return Interval(Exact(relaxed), bits) + Interval(Exact(decaying), bits) * fading(rate, t, bits);
@@ -103,14 +97,14 @@ Enclosure storage(const ExactModulus& modulus, const Exact& omega, int digits) {
   check_nonnegative("omega", omega);
   const auto [n0, n1, d0, d1] = rational(modulus);
   const mpq_class square = omega.value() * omega.value();
-  return known((n0 * d0 + n1 * d1 * square) / (d0 * d0 + d1 * d1 * square), digits);
+  return known_number((n0 * d0 + n1 * d1 * square) / (d0 * d0 + d1 * d1 * square), digits);
 }
 
 Enclosure loss(const ExactModulus& modulus, const Exact& omega, int digits) {
   check_nonnegative("omega", omega);
   const auto [n0, n1, d0, d1] = rational(modulus);
   const mpq_class square = omega.value() * omega.value();
-  return known(omega.value() * (n1 * d0 - n0 * d1) / (d0 * d0 + d1 * d1 * square), digits);
+  return known_number(omega.value() * (n1 * d0 - n0 * d1) / (d0 * d0 + d1 * d1 * square), digits);
 }
 
 Enclosure theta1(const ExactModulus& shear, const Exact& t, int digits) {

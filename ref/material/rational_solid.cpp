@@ -8,6 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/material/internal/known_number.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 
 namespace nipref::ref {
@@ -76,14 +77,6 @@ ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) 
           two};
 }
 
-/// The exact number as an Enclosure.
-Enclosure exactly_known(const mpq_class& value, int digits) {
-  if (value == 0) return exact_zero(digits);
-  return enclose(digits, 0, [&](double nats) {
-    return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
-  });
-}
-
 /// The bits by which the bounds of divided differences are wider where rates times t are large.
 double bits_of_rates(const Polynomial& p, const mpq_class& t) {
   const auto degree = static_cast<double>(p.size() - 1);
@@ -103,7 +96,7 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
   if (t.sign() == 0) {
     const bool starts_at_0 = numerator.size() + 1 < denominator.size();
     return starts_at_0 ? exact_zero(digits)
-                       : exactly_known(mpq_class(numerator.back() / denominator.back()), digits);
+                       : known_number(mpq_class(numerator.back() / denominator.back()), digits);
   }
   constexpr double longest = 7e8, most_growth = 2300;
   const double rate = slowest_rate(denominator);
@@ -203,10 +196,14 @@ Enclosure modulus_at(const ExactRatio& modulus, const Exact& p, const Exact& ome
   const ExactComplex n = value_at(above, p.value(), omega.value()),
                      d = value_at(below, p.value(), omega.value());
   const mpq_class square = d.real * d.real + d.imaginary * d.imaginary;
-  if (square == 0) throw data::BadInput("p", p.text(), "must not be where the modulus is infinite");
+  if (square == 0) {
+    const bool is_frequency = p.sign() == 0;
+    throw data::BadInput(is_frequency ? "omega" : "p", (is_frequency ? omega : p).text(),
+                         "must not be where the modulus is infinite");
+  }
   const mpq_class value = part == ComplexPart::im ? mpq_class(n.imaginary * d.real - n.real * d.imaginary)
                                                   : mpq_class(n.real * d.real + n.imaginary * d.imaginary);
-  return exactly_known(value / square, digits);
+  return known_number(value / square, digits);
 }
 
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/material/internal/known_number.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/material/relaxation_terms.hpp>
 
@@ -94,10 +95,7 @@ Enclosure relaxation_amplitude(const ExactRatio& theta, int number, ComplexPart 
   const Split split(theta);
   check_number(number, 0, split.terms());
   if (number > 0) return part_of(split, number, &OscillatingTerm::amplitude, part, digits);
-  if (part == ComplexPart::im || split.at_once == 0) return exact_zero(digits);
-  return enclose(digits, 0, [&](double nats) {
-    return Interval(Exact(split.at_once), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
-  });
+  return known_number(part == ComplexPart::im ? mpq_class(0) : split.at_once, digits);
 }
 
 Enclosure relaxation_rate(const ExactRatio& theta, int number, ComplexPart part, int digits) {

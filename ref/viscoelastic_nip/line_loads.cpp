@@ -54,11 +54,9 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const data::ViscoelasticL
 }
 
 LengthSearch search_of(const RollingLoads& problem, double load) {
-  const auto element = [&](const Float& length) {
-    return Float(length / (2 * problem.leading * to_float(Exact(problem.half_thickness()))));
-  };
-  return {load, to_float(Exact(problem.element(mpq_class(problem.nip.roller_radius)))),
-          element(sqrt(Float(load) * Float(problem.nip.roller_radius) * problem.instantaneous()))};
+  const Float leading_length = sqrt(Float(load) * Float(problem.nip.roller_radius) * problem.instantaneous());
+  return {load, to_float(Exact(problem.half_element(mpq_class(problem.nip.roller_radius)))),
+          leading_length / (2 * problem.leading * to_float(Exact(problem.half_thickness())))};
 }
 
 }  // namespace
@@ -70,7 +68,7 @@ LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const data::
     throw BadInput("contact_length", contact_length, "must be > 0 and at most the roller's radius");
   auto solution = solved_to(digits, extra_digits, [&](int influence_digits) {
     problem.digits = influence_digits;
-    return solve_loads(problem, {problem.element(mpq_class(contact_length)), 0});
+    return solve_loads(problem, {problem.half_element(mpq_class(contact_length)), 0});
   });
   if (solution) return *std::move(solution);
   throw BadInput("contact_length", contact_length,

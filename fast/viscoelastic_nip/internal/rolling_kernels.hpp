@@ -36,11 +36,13 @@ class RollingKernels {
   [[nodiscard]] Tractions::Kernel ahead(bool whole) const;
 
  private:
-  /// Adds amplitude times `memory` for all terms; of a conjugate pair one is evaluated. Behind the load a term leaves a trace,
-  /// a multiple of e^(rate alpha). Where it swings, the traces of the whole contact cancel, and their phases have the
-  /// roundings of alpha and of its product with the rate, 2 u |rate alpha| of the trace: as much as the sixteenth of
-  /// |rate alpha| times its size (see Solution). size_of_trace(part, |amplitude| e^(Re rate alpha), rate) is a bound: of the
-  /// memory of I1 the part itself, of I3, within pi/2 of its limits, 2 pi/|rate| for each unit of amplitude.
+  /// Adds amplitude times `memory` for all terms; of a conjugate pair one is evaluated.
+  ///
+  /// Behind the load a term leaves a trace, a multiple of e^(rate alpha). If the rate is complex, the traces of the whole
+  /// contact cancel. The phase of each is rounded with alpha and with the product rate alpha: the trace is off by
+  /// 2 u |rate alpha| of itself. A number of size s counts as off by 32 u s (see Solution), so that |rate alpha|/16 times the
+  /// trace is added to the size. size_of_trace(part, |amplitude| e^(Re rate alpha), rate) bounds the trace: of the memory of
+  /// I1 it is the part itself; of I3, which is within pi/2 of its limits, 2 pi/|rate| for each unit of amplitude.
   template <class Sum, class MemoryOf, class SizeOfTrace>
   void add_terms(Sum& sum, double alpha, const MemoryOf& memory, const SizeOfTrace& size_of_trace) const;
 

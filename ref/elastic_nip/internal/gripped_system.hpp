@@ -14,12 +14,10 @@ namespace nipref::ref::gripped {
 
 inline std::size_t at(long k) { return static_cast<std::size_t>(k); }
 
-/// The sign of i^m, or of i^m/i where m is odd.
-inline bool is_turned(long m) { return (m & 2) != 0; }
-
+/// x times i^m, over i where m is odd.
 template <class Number>
 Number with_sign_of(long m, const Number& x) {
-  return is_turned(m) ? Number(-x) : x;
+  return (m & 2) != 0 ? Number(-x) : x;
 }
 
 template <class Number>

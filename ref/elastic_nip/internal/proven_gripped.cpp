@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/ref/elastic_nip/internal/gripped_coercivity.hpp>
 #include <nipref/ref/elastic_nip/internal/gripped_system.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
@@ -40,6 +41,7 @@ Interval capacity(const Interval& epsilon) {
     sum = (k & 2) != 0 ? sum - term : sum + term;
     power = power * ratio;
   }
+  // (2 - 2^-k) zeta(k + 1) < 3.
   return sum.widened(3 * power / (1 - ratio));
 }
 
@@ -165,7 +167,7 @@ System<Interval> GrippedContact::assembled() {
   return system;
 }
 
-/// Nothing is proven.
+/// By iterations in Float: no proof relies on it, as prove() bounds what it leaves.
 void GrippedContact::solve(const System<Interval>& system) {
   const long unknowns = size_ - 1;
   const auto in_double = converted<double>(system);
@@ -284,26 +286,6 @@ std::shared_ptr<GrippedContact::Kernels> smooth_kernels(const GrippedKernels& ke
 }  // namespace
 
 GrippedKernels gripped_kernels() { return {I1_interval, I3_interval, stretch_interval}; }
-
-/// The least eigenvalue is at least the determinant over the trace, (1 - beta)(r + beta) with r = (sinh 2x - 2x)/S, which
-/// rises, times S/(2 cosh 2x), which rises and then falls to 1/2.
-Interval least_stiffness(const Interval& x, const Interval& beta) {
-  const Interval twice = 2 * x, S = sinh(twice) + twice;
-  const Interval over_trace = S / (2 * cosh(twice));
-  const Interval least = mpfr_cmp_d(over_trace.lower(), 0.5) < 0 ? over_trace : Interval(0.5, x.precision());
-  return (1 - beta) * ((sinh(twice) - twice) / S + beta) * least;
-}
-
-Interval gripped_coercivity(const Interval& half_length, const Interval& beta) {
-  constexpr long steps = 16;
-  Interval best(half_length.precision());
-  for (long k = 1; k < steps; ++k) {
-    const Interval z = Interval(2 * k, half_length.precision()) / steps;
-    const Interval value = least_stiffness(z / half_length, beta) * (1 - square(z) / 4);
-    if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
-  }
-  return best;
-}
 
 Proof proven_gripped(const Exact& half_length, const Exact& beta, int digits, const GrippedKernels& kernels) {
   const GrippedPlan plan = plan_of(half_length.approximate(), beta.approximate(), digits);

@@ -29,10 +29,4 @@ std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
 /// Unknowns of the expansion of a contact of given length.
 int proven_gripped_terms(double half_length, double beta, int digits);
 
-/// A bound from below of the least eigenvalue of x times the symbol of both displacements under both tractions, for the
-/// wave number x and all larger ones.
-Interval least_stiffness(const Interval& x, const Interval& beta);
-/// lambda of the page, for all half lengths of the interval.
-Interval gripped_coercivity(const Interval& half_length, const Interval& beta);
-
 }  // namespace nipref::ref

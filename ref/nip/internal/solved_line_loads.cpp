@@ -62,8 +62,8 @@ std::optional<SolvedLineLoads> LengthSearch::contact_carrying(int digits, const 
     const Interval excess = contact->load() - wanted;
     return mpfr_sgn(excess.lower()) > 0 ? 1 : mpfr_sgn(excess.upper()) < 0 ? -1 : 0;
   };
-  // The load's own error is far below what it changes by over the spread.
   const Lengths lengths{length, pow(Float(10), -digits)};
+  // A thousandth within the lengths, so that rounding puts neither outside; the load still changes far more than its error.
   const Float change = length * lengths.spread * (1 - Float(1e-3));
   if (sign_at(length - change) * sign_at(length + change) >= 0) return std::nullopt;
   ++systems;

@@ -33,7 +33,7 @@ struct Lengths {
   Float spread = 0;
 };
 
-/// What the contacts of some lengths have in common.
+/// The contacts of all lengths in an interval: what is so for each of them.
 struct SolvedLineLoads {
   double roller_radius;
   int leading_elements;

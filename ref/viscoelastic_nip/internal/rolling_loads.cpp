@@ -13,11 +13,11 @@ namespace {
 using data::BadInput;
 
 /// Half widths from the line through the centres to a load's place, towards the leading side.
-long elements_to(const RollingLoads& problem, int load) { return 2L * (problem.leading - load) - 1; }
+long half_elements_to(const RollingLoads& problem, int load) { return 2L * (problem.leading - load) - 1; }
 
 /// A distance and so many half widths of an element, in half-thicknesses, in the middle of a grid.
-mpq_class way(const RollingGrid& grid, const mpq_class& distance, long elements) {
-  return distance + elements * grid.element;
+mpq_class way(const RollingGrid& grid, const mpq_class& distance, long half_elements) {
+  return distance + half_elements * grid.half_element;
 }
 
 /// A load's distance from a place, now and at the start; the fixed point's distance from the load.
@@ -27,22 +27,22 @@ struct LoadWays {
 };
 
 LoadWays ways_of(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place, int load) {
-  const long to_load = elements_to(problem, load), to_start = 2L * load + 1;
-  const auto off = [&](long elements) { return mpq_class(std::abs(elements) * grid.spread); };
+  const long to_load = half_elements_to(problem, load), to_start = 2L * load + 1;
+  const auto off = [&](long half_elements) { return mpq_class(std::abs(half_elements) * grid.spread); };
   const mpq_class before = problem.approach - place.distance;
-  LoadWays ways{way(grid, before, 2L * problem.leading - place.elements),
-                way(grid, place.distance, place.elements - to_load),
+  LoadWays ways{way(grid, before, 2L * problem.leading - place.half_elements),
+                way(grid, place.distance, place.half_elements - to_load),
                 way(grid, problem.approach, to_start),
                 way(grid, 0, -to_load),
-                way(grid, before, to_start - place.elements),
-                {{off(place.elements - to_load), off(to_start)},
-                 {off(to_load), off(to_start - place.elements)},
+                way(grid, before, to_start - place.half_elements),
+                {{off(place.half_elements - to_load), off(to_start)},
+                 {off(to_load), off(to_start - place.half_elements)},
                  problem.material.memory_error}};
-  if (ways.t < off(2L * problem.leading - place.elements))
-    throw BadInput(
-        "y",
-        Exact(mpq_class(way(grid, place.distance, place.elements) * problem.half_thickness())).approximate(),
-        "must not be ahead of where the leading end started");
+  if (ways.t < off(2L * problem.leading - place.half_elements))
+    throw BadInput("y",
+                   Exact(mpq_class(way(grid, place.distance, place.half_elements) * problem.half_thickness()))
+                       .approximate(),
+                   "must not be ahead of where the leading end started");
   return ways;
 }
 
@@ -87,9 +87,9 @@ class StartedSheet final : public LineLoadSheet {
 
 }  // namespace
 
-Interval RollingGrid::elements(long count) const {
+Interval RollingGrid::length(long half_elements) const {
   const mpfr_prec_t bits = working_bits();
-  return count * Interval(Exact(element), bits).widened(Interval(Exact(spread), bits));
+  return half_elements * Interval(Exact(half_element), bits).widened(Interval(Exact(spread), bits));
 }
 
 Interval normal_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place,
@@ -130,11 +130,12 @@ std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const Ro
   };
   system.right_error(0) = 0;
   for (int i = 0; i <= n; ++i) {
-    const long elements = 2L * (problem.leading - i);
-    keep(system.right(i), system.right_error(0), square(grid.elements(elements)) * curvature);
+    const long half_elements = 2L * (problem.leading - i);
+    keep(system.right(i), system.right_error(0), square(grid.length(half_elements)) * curvature);
     system.matrix(i, 0) = 1;
     for (int j = 0; j < n; ++j)
-      keep(system.matrix(i, j + 1), system.error, -(normal_at(problem, grid, {0, elements}, j) / compliance));
+      keep(system.matrix(i, j + 1), system.error,
+           -(normal_at(problem, grid, {0, half_elements}, j) / compliance));
   }
   auto solved = enclosed_solutions(system);
   if (!solved) return std::nullopt;
@@ -146,7 +147,7 @@ std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const Ro
   return SolvedLineLoads{.roller_radius = problem.nip.roller_radius,
                          .leading_elements = problem.leading,
                          .is_symmetric = false,
-                         .contact_length = grid.elements(2L * n) * half_thickness,
+                         .contact_length = grid.length(2L * n) * half_thickness,
                          .indentation = unknowns.front() * half_thickness,
                          .normal = std::move(loads),
                          .shear = {},

@@ -20,7 +20,7 @@ struct RollingLoads {
   [[nodiscard]] int loads() const { return leading + trailing; }
   [[nodiscard]] mpq_class half_thickness() const { return mpq_class(nip.sheet_thickness) / 2; }
   /// Half the width of an element of this contact length, in half-thicknesses.
-  [[nodiscard]] mpq_class element(const mpq_class& contact_length) const {
+  [[nodiscard]] mpq_class half_element(const mpq_class& contact_length) const {
     return contact_length / (2 * loads() * half_thickness());
   }
   [[nodiscard]] Float instantaneous() const {
@@ -32,19 +32,19 @@ struct RollingLoads {
   }
 };
 
-/// All contacts whose elements have half the width `element`, to `spread`, in half-thicknesses. (thesis 7.11)
+/// All contacts whose elements have half the width `half_element`, to `spread`, in half-thicknesses. (thesis 7.11)
 struct RollingGrid {
-  mpq_class element, spread;
+  mpq_class half_element, spread;
 
-  /// So many half widths.
-  [[nodiscard]] Interval elements(long count) const;
+  /// Of so many half widths, in half-thicknesses.
+  [[nodiscard]] Interval length(long half_elements) const;
 };
 
 /// A place Y in half-thicknesses: at a distance and so many half widths of an element from the line through the rollers'
 /// centres.
 struct RollingPlace {
   mpq_class distance;
-  long elements;
+  long half_elements;
 };
 
 /// Displacement of a place by the unit load j, 1/stress; the tangential one from the fixed point of thesis 6.27.

@@ -70,6 +70,17 @@ TEST_CASE("an element's tractions are its loads over its width, opposite shear o
   CHECK_THROWS_AS((void)solution.pressure(std::nan("")), data::BadInput);
 }
 
+TEST_CASE("inside the sheet, on the line through the centres, the shear of line loads is exactly 0") {
+  const fast::InnerPoint points[] = {{0, 0.3}, {0, -0.7}, {0.01, 0.3}};
+  for (const data::Grip& grip : {data::Grip{}, grip_with(1e-3)}) {
+    const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 7, 0.1, grip);
+    const auto stresses = fast::line_load_stresses(solution.loads, thick_nip.half_thickness(), points);
+    CHECK(stresses[0].shear.value == 0);
+    CHECK(stresses[1].shear.value == 0);
+    CHECK(stresses[2].shear.value != 0);
+  }
+}
+
 TEST_CASE("the loads are affine in the creep") {
   const auto at = [](double creep) {
     return fast::line_loads_for_length(middling_nip, 4, 0.07, grip_with(creep));
@@ -119,6 +130,8 @@ TEST_CASE("bad input to the gripped contact is refused") {
   CHECK_THROWS_WITH_AS(fast::line_loads_for_length(thick_nip, 2, 0.1, grip_with(nan)),
                        "creep = nan: must be finite", data::BadInput);
   CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, -1}, 0.1, grip_with(0)), data::BadInput);
+  CHECK_THROWS_WITH_AS(fast::line_loads_for_length(thick_nip, -3, 0.1, grip_with(0)),
+                       "elements_per_side = -3: must be from 1 to 10000", data::BadInput);
   CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, 501}, 0.1, grip_with(0)), data::BadInput);
   CHECK_THROWS_AS(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), data::BadInput);
   // Elements so wide that their loads no longer reach the next matching point.

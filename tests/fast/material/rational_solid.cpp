@@ -166,6 +166,8 @@ TEST_CASE("rational solids: what is out of the domain is named") {
   CHECK_THROWS_WITH_AS(fast::theta1(solids[0], -1), doctest::Contains("t = -1"), data::BadInput);
   CHECK_THROWS_WITH_AS(fast::storage(solids[0], Strain::shear, INFINITY), doctest::Contains("omega = inf"),
                        data::BadInput);
+  CHECK_THROWS_WITH_AS(fast::storage(DifferentialOperators{{0, 1}, {1, 1}, {1}, {1}}, Strain::shear, 0),
+                       "omega = 0: must not be where the modulus is infinite", data::BadInput);
   CHECK_THROWS_WITH_AS(fast::theta1(data::SingleRelaxationTimeSolid{1, 1, 0, 2}, 1),
                        doctest::Contains("tau = 0"), data::BadInput);
 }

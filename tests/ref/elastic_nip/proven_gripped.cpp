@@ -9,6 +9,7 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/internal/gripped_coercivity.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
