@@ -41,7 +41,7 @@ struct System {
     return cosines[at((k % period + period) % period)];
   }
 
-  /// The coefficient of zeta^n in 4 Omega p, over i^{1 - n}.
+  /// The coefficient of zeta^n in 4 Omega h, over i^{1 - n}.
   [[nodiscard]] Number outer(const std::vector<Number>& alpha, long n) const {
     Number sum = zero;
     for (long k = std::max(0L, n - 1); k < static_cast<long>(alpha.size()); ++k) {
