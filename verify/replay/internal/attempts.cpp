@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cmath>
 
-#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {
@@ -29,8 +29,8 @@ std::string other_digit(const MissedCell& missed) {
   return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
 }
 
-/// The value of the input that would give the printed number, by linear extrapolation from the ends of its interval; the
-/// other inputs are at the midpoints of theirs. `put` sets the input.
+/// The value of the input that would give the printed number; the other inputs are at the midpoints of their intervals.
+/// `put` sets the input.
 template <class Put>
 double needed(const MissedCell& missed, const data::Interval& ends, const Put& put) {
   const auto value_at = [&](double at) {
@@ -43,7 +43,7 @@ double needed(const MissedCell& missed, const data::Interval& ends, const Put& p
   const double at_low = value_at(ends.lower), at_high = value_at(ends.upper);
   const data::Interval& printed = cell_of(missed).number->rounding;
   const double goal = at_low < printed.lower ? printed.lower : printed.upper;
-  return ends.lower + (goal - at_low) / (at_high - at_low) * (ends.upper - ends.lower);
+  return input_for(goal, ends, at_low, at_high);
 }
 
 std::string needed_length(const MissedCell& missed) {
@@ -109,13 +109,20 @@ std::string load_note(double replayed, double stated) {
                      100 * (replayed / stated - 1));
 }
 
-std::string attempts(const MissedCell& missed) {
+std::string all_outcomes(std::initializer_list<std::string> outcomes) {
   std::string text;
-  for (const auto& attempt : {other_shear, other_digit, needed_length, needed_creep, other_elements}) {
-    const std::string outcome = attempt(missed);
+  for (const std::string& outcome : outcomes)
     if (!outcome.empty()) text += (text.empty() ? "" : "; ") + outcome;
-  }
   return text;
+}
+
+double input_for(double goal, const data::Interval& input, double at_lower, double at_upper) {
+  return input.lower + (goal - at_lower) / (at_upper - at_lower) * (input.upper - input.lower);
+}
+
+std::string attempts(const MissedCell& missed) {
+  return all_outcomes({other_shear(missed), other_digit(missed), needed_length(missed), needed_creep(missed),
+                       other_elements(missed)});
 }
 
 }  // namespace nipref::verify

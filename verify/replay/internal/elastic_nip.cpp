@@ -7,7 +7,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
@@ -127,18 +127,6 @@ class RowReplay {
   ReplayedRow replayed_;
 };
 
-/// Replays all rows and appends their cells and nips.
-void replay_rows(Replay& replay, const data::ElasticNip& nip, data::Friction friction,
-                 const fast::LineLoadMethod& method, CreepReading reading) {
-  for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
-    const RowReplay one(replay.table, row, nip, friction, method, reading);
-    replay.nips.push_back(one.nip());
-    for (const data::TableColumn& column : replay.table.columns) {
-      if (!column.is_key) replay.cells.push_back(one.cell(column.name));
-    }
-  }
-}
-
 bool is_met(const ReplayedCell& cell) {
   return cell.verdict == Verdict::match || cell.verdict == Verdict::misprint;
 }
@@ -209,10 +197,15 @@ data::ElasticNip nip_of_the_tables(const data::Table& table) {
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side) {
   const data::ElasticNip nip = nip_of_the_tables(table);
   Replay replay{std::move(table), method_text(nip, friction, elements_per_side), {}};
-  replay_rows(replay, nip, friction, elements_per_side, CreepReading::rounded);
+  const auto append = [&](Replay& rows, CreepReading reading) {
+    append_rows(rows, [&](std::size_t row) {
+      return RowReplay(rows.table, row, nip, friction, elements_per_side, reading);
+    });
+  };
+  append(replay, CreepReading::rounded);
   if (friction == data::Friction::full) {
     Replay other{replay.table, replay.method, {}};
-    replay_rows(other, nip, friction, elements_per_side, CreepReading::away_from_zero);
+    append(other, CreepReading::away_from_zero);
     explain(replay.cells, other.cells);
   }
   return replay;

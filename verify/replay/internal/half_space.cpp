@@ -7,6 +7,7 @@
 
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {

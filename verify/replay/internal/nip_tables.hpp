@@ -2,6 +2,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
@@ -9,8 +10,28 @@
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
+
+/// Replays all rows of the table and appends their cells and nips, which replay_of(row) gives as cell(column) and nip().
+void append_rows(Replay& replay, const auto& replay_of) {
+  struct Row {
+    ReplayedNip nip;
+    std::vector<ReplayedCell> cells;
+  };
+  const auto rows = parallel_mapped(replay.table.rows.size(), [&](std::size_t row) {
+    const auto one = replay_of(row);
+    Row replayed{one.nip(), {}};
+    for (const data::TableColumn& column : replay.table.columns)
+      if (!column.is_key) replayed.cells.push_back(one.cell(column.name));
+    return replayed;
+  });
+  for (const Row& row : rows) {
+    replay.nips.push_back(row.nip);
+    replay.cells.insert(replay.cells.end(), row.cells.begin(), row.cells.end());
+  }
+}
 
 /// The method by which a table of the elastic nip was computed.
 struct LineLoadTable {
@@ -80,10 +101,10 @@ struct ViscoelasticRowInput {
   data::Interval leading_length;  ///< the L1 that follows from it, in
   int trailing_elements;          ///< m2, from the ratio of the printed lengths
   /// The printed length that agrees with it and bounds L1 most narrowly, mostly L, of which L1 is half.
-  std::string narrowest_column;
-  data::Interval narrowest;
+  std::string narrowest_column = {};
+  data::Interval narrowest = leading_length;
   /// What all agreeing lengths and d0 - d1 = L1^2/(2R) leave of `leading_length`.
-  data::Interval agreed;
+  data::Interval agreed = leading_length;
 };
 
 /// The cell is L1 if it is printed and not doubtful, otherwise L, L2, L/B or d2. m2 is the number of elements that

@@ -4,9 +4,8 @@
 #include <array>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -101,18 +100,15 @@ class ViscoelasticRowReplay {
   }
 
   [[nodiscard]] std::string attempts(const ReplayedCell& missed) const {
-    std::string text = one_digit(table_, missed.row, missed.column, missed.range);
-    if (!text.empty()) text += "; ";
-    return text + needed_length(missed) + "; " + other_elements(missed);
+    return all_outcomes({one_digit(table_, missed.row, missed.column, missed.range), needed_length(missed),
+                         other_elements(missed)});
   }
 
   [[nodiscard]] std::string needed_length(const ReplayedCell& missed) const {
-    const auto [low, high] = input_.leading_length;
-    const double at_low = replayed_.corners.front().at(missed.column);
-    const double at_high = replayed_.corners.back().at(missed.column);
-    const double goal = table_.cell(row_, missed.column).number->value;
-    return fmt::format("it would take L1 = {:.6g}e-3",
-                       1e3 * (low + (goal - at_low) / (at_high - at_low) * (high - low)));
+    const double length =
+        input_for(table_.cell(row_, missed.column).number->value, input_.leading_length,
+                  replayed_.corners.front().at(missed.column), replayed_.corners.back().at(missed.column));
+    return fmt::format("it would take L1 = {:.6g}e-3", 1e3 * length);
   }
 
   /// Whether one leading element more or less matches.
@@ -181,16 +177,7 @@ Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how) {
           how.leading_elements, residue_terms, how.smallest_term, how.approach, nip.material.young,
           nip.material.poisson),
       {}};
-  std::vector<std::vector<ReplayedCell>> rows(replay.table.rows.size());
-  replay.nips.resize(rows.size());
-  parallel_for(rows.size(), [&](std::size_t row) {
-    const ViscoelasticRowReplay one(replay.table, row, how);
-    replay.nips[row] = one.nip();
-    for (const data::TableColumn& column : replay.table.columns) {
-      if (!column.is_key) rows[row].push_back(one.cell(column.name));
-    }
-  });
-  for (const auto& row : rows) replay.cells.insert(replay.cells.end(), row.begin(), row.end());
+  append_rows(replay, [&](std::size_t row) { return ViscoelasticRowReplay(replay.table, row, how); });
   return replay;
 }
 

@@ -114,7 +114,7 @@ ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
   };
   const data::Interval rounding = by_load ? data::Interval{} : d2.number->rounding;
   const data::Interval leading{length(rounding.lower), length(rounding.upper)};
-  return {by_load ? "" : "d2", leading, found.trailing_elements(), "", leading, leading};
+  return {by_load ? "" : "d2", leading, found.trailing_elements()};
 }
 
 /// L1 by d0 - d1 = L1^2/(2R); nothing if one of them is not legible or its row contradicts it.
@@ -133,7 +133,6 @@ void narrow(ViscoelasticRowInput& input, const std::vector<PrintedLength>& lengt
             const std::optional<data::Interval>& by_displacements) {
   const auto width = [](const data::Interval& interval) { return interval.upper - interval.lower; };
   input.narrowest_column = input.column;
-  input.narrowest = input.agreed = input.leading_length;
   for (const PrintedLength& length : lengths) {
     const data::Interval leading = length.leading(ratio);
     if (length.is_doubtful || !leading.meets(input.leading_length)) continue;
@@ -152,25 +151,19 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
                                             data::ViscoelasticLineLoads method) {
   const auto lengths = printed_lengths(table, row, nip.sheet_thickness);
   if (lengths.empty()) return without_length(table, row, nip, method);
+  const auto presses = [&](const ViscoelasticRowInput& input) {
+    method.trailing_elements = input.trailing_elements;
+    return fast::line_loads_for_length(nip, method, input.leading_length.middle()).presses_everywhere();
+  };
   std::optional<ViscoelasticRowInput> best;
   std::size_t most = 0;
   for (int trailing = method.leading_elements; trailing > 0; --trailing) {
     const double ratio = static_cast<double>(trailing) / method.leading_elements;
     const std::size_t agree = agreeing(lengths, ratio);
-    if (agree < most) continue;
-    const data::Interval leading = lengths.front().leading(ratio);
-    if (agree > most || !best) {
-      most = agree;
-      best = {lengths.front().column, leading, trailing, "", leading, leading};
-    } else {
-      const auto presses = [&](int trailing_elements, double length) {
-        method.trailing_elements = trailing_elements;
-        return fast::line_loads_for_length(nip, method, length).presses_everywhere();
-      };
-      if (!presses(best->trailing_elements, best->leading_length.middle()) &&
-          presses(trailing, leading.middle()))
-        best = {lengths.front().column, leading, trailing, "", leading, leading};
-    }
+    const ViscoelasticRowInput input{lengths.front().column, lengths.front().leading(ratio), trailing};
+    // Among inputs with which as many lengths agree: the first without tension, if there is one, otherwise the first.
+    if (agree > most || (agree == most && !presses(*best) && presses(input))) best = input;
+    most = std::max(most, agree);
   }
   narrow(*best, lengths, static_cast<double>(best->trailing_elements) / method.leading_elements,
          length_by_displacements(table, row, nip.roller_radius));
