@@ -14,7 +14,7 @@ using Square = std::array<std::array<Number, size>, size>;
 /// or nothing if the determinant is 0 or not a number.
 std::optional<double> invert(Square<Two, 3>& matrix);
 
-/// M = P + i W, P symmetric and W antisymmetric.
+/// A Hermitian matrix M = re + i im.
 template <class Number>
 struct Impedance {
   Square<Number, 3> re, im;
