@@ -64,7 +64,7 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
                                 const data::Grip& grip = {}, const LoadSearch& search = {});
 
 /// The thesis's own creep, of the least size among the ranges, and the range that it is in, of which it is an end
-/// unless it is 0. (thesis 5.5, Figure 15)
+/// unless it is 0. (thesis, section 5.5, Figure 15)
 struct ThesisCreep {
   CreepRange range;
   double chosen;

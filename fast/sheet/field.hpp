@@ -26,7 +26,7 @@ struct SheetStresses {
   double shear;   ///< tau_xy
 };
 
-/// Thesis (3.19), (3.20), (4.3), (4.14).
+/// Thesis (3.19), (3.20), (4.3), of shear (3.26), (3.27), (4.14).
 SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
 
 // Derivatives by alpha of a face's displacements un, vn, which is minus that of us, and vs, over theta1 + theta2,

@@ -331,7 +331,9 @@ Estimate ConvergedNip::peak_pressure() const {
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
-  if (parts_->sheet->is_symmetric()) return exact_zero(parts_->digits);
+  // The middle, of which the proof without friction shows that the pressure is largest there.
+  if (parts_->sheet->is_symmetric())
+    return parts_->proof && !parts_->sheet->grips() ? exact_zero(parts_->digits) : Estimate(0, 0, parts_->digits);
   const auto place = [](const NipSolution& of) -> Float {
     return of.half_length() + of.offset() - place_of_largest(of, &PressureAndShear::pressure);
   };

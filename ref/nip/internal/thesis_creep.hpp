@@ -8,7 +8,7 @@ namespace nipref::ref {
 
 /// The creep ratio of Grip::Creep::thesis. The loads are at_zero + creep per_creep, the normal ones before as many
 /// shear loads. Nothing if there is none, or if the intervals do not tell which: otherwise it is proven, and goes
-/// with the loads continuously. (thesis 5.5)
+/// with the loads continuously. (thesis, section 5.5)
 std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
                                      const std::vector<Interval>& per_creep);
 

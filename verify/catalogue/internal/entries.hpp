@@ -24,7 +24,7 @@ std::vector<Quantity> seed_sphere_entries();            ///< the seed's sphere, 
 std::vector<Quantity> anisotropic_entries();  ///< K, S, critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, dimensionless, thesis chapter V
 std::vector<Quantity> displacement_entries();      ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
-std::vector<Quantity> field_entries();             ///< inside the sheet, thesis (3.19), (3.20)
+std::vector<Quantity> field_entries();             ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
 std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelastic one, thesis chapter VII
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17

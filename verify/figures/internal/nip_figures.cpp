@@ -21,9 +21,9 @@
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
-// Numbers of nips against their loads and memories, and the creep ratios that the thesis's conditions allow (thesis 5.5,
+// Numbers of nips against their loads and memories, and the creep ratios that the thesis's conditions allow (thesis, section 5.5,
 // 5.7, 7.5); pressure, shear and displacements along nips (thesis 5.7, 7.5), and stresses inside the sheet, which the
-// thesis derives but does not draw (3.19, 3.20, 4.3, 4.14).
+// thesis derives but does not draw (3.19, 3.20, 3.26, 3.27, 4.3, 4.14).
 
 namespace nipref::verify {
 namespace {

@@ -109,7 +109,7 @@ struct ViscoelasticRowInput {
 
 /// The cell is L1 if it is printed and not doubtful, otherwise L, L2, L/B or d2. m2 is the number of elements that
 /// agrees with all printed lengths. If several numbers do, it is the first from m1 downwards without tension, the
-/// choice of the thesis (2.5).
+/// choice of the thesis (section 2.5).
 ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
                                             const data::ViscoelasticNip& nip,
                                             data::ViscoelasticLineLoads method);
