@@ -12,8 +12,8 @@ struct ViscoelasticLineLoads {
   std::optional<int> trailing_elements;
   /// C_L, how far before the nip the loads started, > 0, half-thicknesses; method.approach_lengths
   double approach_lengths;
-  int residue_terms =
-      0;  ///< 0: exact kernels; else as many terms of their series, 1 to 500; method.residue_terms
+  /// 0: exact kernels; else as many terms of their series, 1 to 500; method.residue_terms
+  int residue_terms = 0;
   /// Of theta1 + theta2 at once, 0 to 1: the sum after a load has passed ends with its first term below it.
   double smallest_term = 0;
 };

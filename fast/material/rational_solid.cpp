@@ -20,7 +20,7 @@ using internal::product;
 using internal::Rational;
 using internal::times;
 
-/// Of the parts that a value is made of; they are good to less.
+/// Of the size of the parts that a value is made of, which are known better.
 constexpr double least_scale = 0x1p-150;
 
 /// A modulus Q/P. `factors`: those of P that are known, otherwise P itself.

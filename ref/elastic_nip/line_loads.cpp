@@ -17,6 +17,7 @@ namespace nipref::ref {
 namespace {
 
 using data::BadInput;
+using data::Grip;
 
 /// A system that needs more counts as singular.
 constexpr ExtraDigits extra_digits{12, 400};
@@ -258,7 +259,7 @@ void check(const Problem& problem, double contact_length, int digits) {
 }  // namespace
 
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, int digits, const Grip& grip) {
+                                  double contact_length, int digits, const data::Grip& grip) {
   const Problem problem{nip, method, grip};
   check(problem, contact_length, digits);
   auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) {
@@ -272,7 +273,7 @@ LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMet
 }
 
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                int digits, const Grip& grip) {
+                                int digits, const data::Grip& grip) {
   constexpr int starting_digits = 16, starting_tolerance = 3;  // without friction
   const Problem problem{nip, method, grip}, frictionless{nip, method, {}};
   check_digits_and_elements(problem, digits);

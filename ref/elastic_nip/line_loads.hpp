@@ -20,14 +20,12 @@ struct LineLoadMethod {
   LineLoadMethod(int elements, int residues = 0) : elements_per_side(elements), residue_terms(residues) {}
 };
 
-using data::Grip;
-
 /// Contact length L = `contact_length`, unit of length, > 0 and at most 500 sheet thicknesses; digits 16 to 300. The
 /// doubles are taken exactly. BadInput otherwise, and where no creep meets the thesis's conditions or the
 /// reference cannot tell. The bounds are those of enclosed_system.hpp; more digits are taken until they are
 /// small enough.
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                  double contact_length, int digits, const Grip& grip = {});
+                                  double contact_length, int digits, const data::Grip& grip = {});
 
 /// The same for a `load` per unit width, > 0 and finite, sought by secants from the length without friction.
 /// Proven: at the two ends of an interval of lengths the load is smaller and larger than that, and every length
@@ -35,7 +33,7 @@ LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMet
 /// length in it carries the load; the bounds of everything hold for all lengths in it. Not proven is that no
 /// other interval has one. BadInput where none is found, as where the loads are not positive.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                int digits, const Grip& grip = {});
+                                int digits, const data::Grip& grip = {});
 
 /// Without friction, from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
 /// these values would find without rounding. Set beside that solver it tells its rounding, beside

@@ -59,7 +59,8 @@ struct LoadSums {
       throw data::BadInput("field.positions", point.y, "must not be the place of a line load on a face");
     return from_load;
   }
-  /// Of the kernels as functions of alpha: ref/sheet/README.md, Inside the sheet. On the faces there is none.
+  /// A bound of that of the kernels as functions of alpha: ref/sheet/README.md, Inside the sheet. On the faces none is known,
+  /// and nothing is proven.
   [[nodiscard]] Interval curvature() const {
     const mpq_class depth = 1 - abs(Exact(point.depth).value());
     return depth == 0 ? Interval(working_bits())

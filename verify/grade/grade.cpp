@@ -90,7 +90,7 @@ Json grade_json(const Grade& grade) {
               {"along", found.quantity->arguments[found.spread.along].name},
               {"decades", json_list(found.spread.decades, decade_json)},
               {"_scale", found.quantity->scale},
-              // Who promises no ulps reads none: one is at most 2^-52 of the scale.
+              // Without a promise in ulps, as a part of the scale: an ulp is at most 2^-52 of it.
               {"_part", found.promise == 0 ? Json(found.max_error_ulp * 0x1p-52) : Json()},
               {"_worst_decades", json_list(worst, decade_json)},
               {"_left_out_decades",

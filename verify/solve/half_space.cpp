@@ -178,7 +178,7 @@ struct BodyOnHalfSpace {
     return 0.5 * contact().span(psi);
   }
   Number leading_end(double degrees) { return end(Path::line(degrees)); }
-  /// Only on lines with contours of the body's own they differ.
+  /// Lines differ in it only where their contours are the body's own.
   Number peak_on_line(double degrees) {
     if constexpr (requires { contact().peak_pressure(Path::line(degrees)); })
       return contact().peak_pressure(Path::line(degrees));

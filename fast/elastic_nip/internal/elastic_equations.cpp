@@ -54,7 +54,10 @@ Tractions::Kernel ElasticEquations::normal_kernel(CountedKernels& kernels) const
 }
 
 Tractions::Kernel ElasticEquations::along_kernel(CountedKernels& kernels) const {
-  return {grips_ ? 1 : 2, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+  return {grips_ ? 1 : 2,
+          false,
+          {},
+          [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             const std::vector<double> i3 = kernels.I3(alpha),
                                       i6 = grips_ ? kernels.I6(alpha) : std::vector<double>();
             on_p.resize(grips_ ? 1 : 2, static_cast<Eigen::Index>(alpha.size()));

@@ -48,11 +48,6 @@ Square<Two, 3> mixed_block(const data::Stiffness::Voigt& voigt, double unit) {
   return result;
 }
 
-Square<Two, 3> inverse(Square<Two, 3> matrix) {
-  invert(matrix);
-  return matrix;
-}
-
 }  // namespace
 
 AnisotropicLine::AnisotropicLine(const data::Stiffness& solid)
@@ -114,7 +109,8 @@ Two AnisotropicLine::limit_within(Direction psi, double share) const {
     const auto m = impedance_at(speed);
     return m ? m->determinant() : Two{-1};
   };
-  const double bound = 1.001 * std::sqrt(std::min({blocks.q[0][0].high, blocks.q[1][1].high, blocks.q[2][2].high}) / density_);
+  const double bound =
+      1.001 * std::sqrt(std::min({blocks.q[0][0].high, blocks.q[1][1].high, blocks.q[2][2].high}) / density_);
   double below = 0, beyond = bound;
   constexpr int coarse = 40;
   for (int step = 0; step < coarse; ++step) {

@@ -12,6 +12,8 @@ namespace {
 double high_word(double x) { return x; }
 double high_word(Two x) { return x.high; }
 
+/// By Gauss-Jordan elimination with column pivoting. Returns the base-2 logarithm of |det|, or nothing if the determinant
+/// is 0 or not a number.
 template <class Number, std::size_t size>
 std::optional<double> invert_in_place(Square<Number, size>& a) {
   std::array<std::size_t, size> swapped{};
@@ -47,7 +49,8 @@ std::optional<double> invert_in_place(Square<Number, size>& a) {
 template <class Number>
 std::optional<Square<Number, 6>> sign_of(Square<Number, 6> x) {
   constexpr int most = 80;
-  constexpr double converged = 1e-17;  // the iteration is quadratic, and the square is below the rounding of two words
+  constexpr double converged =
+      1e-17;  // the iteration is quadratic, and the square is below the rounding of two words
   for (int step = 0; step < most; ++step) {
     Square<Number, 6> inverse = x;
     const auto log2_determinant = invert_in_place(inverse);
@@ -156,7 +159,8 @@ struct Residual {
     for (std::size_t entry = 0; entry < entries; ++entry) {
       const auto [i, k] = place_of_entry[entry];
       if (entry < real_entries)
-        of_entry[entry] = dot(m.re, i, re, k) + dot(im_of_p, i, im, k) - blocks.q[i][k] + (i == k ? X : Two{0});
+        of_entry[entry] =
+            dot(m.re, i, re, k) + dot(im_of_p, i, im, k) - blocks.q[i][k] + (i == k ? X : Two{0});
       else
         of_entry[entry] = dot(m.re, i, im, k) - dot(im_of_p, i, re, k);
     }
@@ -221,7 +225,10 @@ std::optional<Impedance<Two>> refined(const Impedance<double>& start, const Stro
 
 }  // namespace
 
-std::optional<double> invert(Square<Two, 3>& matrix) { return invert_in_place(matrix); }
+Square<Two, 3> inverse(Square<Two, 3> matrix) {
+  invert_in_place(matrix);
+  return matrix;
+}
 
 std::optional<Impedance<double>> impedance(const StrohBlocks& blocks, double X) {
   return by_sign_function(blocks, X);

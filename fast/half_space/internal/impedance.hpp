@@ -10,9 +10,8 @@ namespace nipref::fast::internal {
 template <class Number, std::size_t size>
 using Square = std::array<std::array<Number, size>, size>;
 
-/// Inverts a matrix in place by Gauss-Jordan elimination with column pivoting. Returns the base-2 logarithm of |det|,
-/// or nothing if the determinant is 0 or not a number.
-std::optional<double> invert(Square<Two, 3>& matrix);
+/// The inverse of a matrix that has one.
+Square<Two, 3> inverse(Square<Two, 3> matrix);
 
 /// A Hermitian matrix M = re + i im.
 template <class Number>

@@ -303,8 +303,10 @@ Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places,
   const Place nearest{*std::ranges::max_element(places), true, panels_.size()};
   Nodes nodes;
   append_panel(panels_.front(), nearest, true, kernel, true, tolerance, nodes);
-  const auto count = static_cast<Eigen::Index>(nodes.e.size()), all = static_cast<Eigen::Index>(places.size());
-  const Eigen::MatrixXd layers = 0.5 * (array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e)));
+  const auto count = static_cast<Eigen::Index>(nodes.e.size()),
+             all = static_cast<Eigen::Index>(places.size());
+  const Eigen::MatrixXd layers =
+      0.5 * (array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e)));
   Eigen::ArrayXXd alpha(count, all);
   for (Eigen::Index i = 0; i < all; ++i)
     alpha.col(i) = array(nodes.e) - (2 * half_length_ - places[static_cast<std::size_t>(i)]);

@@ -92,9 +92,8 @@ RollingEquations::Response RollingEquations::fading_response(const std::vector<M
     const auto z = rate * x;
     const double columns = mode.columns;
     const auto faded = faded_powers(z);
-    result.stiffness.add(
-        columns *
-        std::real(has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z) : amplitude * x * faded[0]));
+    result.stiffness.add(columns * std::real(has_faded(mode, half_length) ? -amplitude / rate * std::exp(-z)
+                                                                          : amplitude * x * faded[0]));
     result.first.add(columns * std::real(amplitude * x * x * faded[1]));
     result.second.add(columns * std::real(amplitude * x * x * x * faded[2]));
   };
@@ -190,7 +189,8 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_l
       const Complex over = is_layer(mode) ? mode.memory.rate : 1;
       const Complex of_real = (closure[k] + of_partner) / over,
                     of_imaginary = Complex(0, 1) * (closure[k] - of_partner) / over;
-      const auto memory = ahead.middleRows(2 * static_cast<Eigen::Index>(k + (is_layer(mode) ? terms.size() : 0)), 2);
+      const auto memory =
+          ahead.middleRows(2 * static_cast<Eigen::Index>(k + (is_layer(mode) ? terms.size() : 0)), 2);
       const Eigen::Index row = first + mode.unknown;
       equations.on_tractions.row(row) -= of_real.real() * memory.row(0) + of_imaginary.real() * memory.row(1);
       if (mode.columns == 2)

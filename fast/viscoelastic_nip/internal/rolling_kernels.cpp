@@ -116,7 +116,8 @@ RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::Su
       [](Complex /*part*/, double faded, Complex /*rate*/) { return 2 * pi * faded; });
   // Slopes for complex rates that are not large are differences of numbers of the size of I3.
   for (const auto& [amplitude, rate] : sheet_.normal.terms)
-    if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from) sum.size += std::abs(amplitude) * pi / 2;
+    if (rate.imag() != 0 && std::abs(rate) < internal::polynomial_from)
+      sum.size += std::abs(amplitude) * pi / 2;
   for (const auto& [amplitude, rate] : sheet_.theta2) {
     if (alpha >= 0) continue;
     const Complex trace = -pi * amplitude * std::exp(rate * alpha);
@@ -167,7 +168,8 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
   return {functionals, true, rates(),
           [functionals, set](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
-            for (std::size_t i = 0; i < alpha.size(); ++i) set(alpha[i], on_p.col(static_cast<Eigen::Index>(i)));
+            for (std::size_t i = 0; i < alpha.size(); ++i)
+              set(alpha[i], on_p.col(static_cast<Eigen::Index>(i)));
             on_q = on_p;
           }};
 }

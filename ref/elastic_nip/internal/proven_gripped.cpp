@@ -45,7 +45,7 @@ Interval capacity(const Interval& epsilon) {
   return sum.widened(3 * power / (1 - ratio));
 }
 
-/// A bound of entries of all kernels together, as of entry_bounds() for J.
+/// What entry_bounds() is for J, for the entries of all kernels together.
 EntryBounds gripped_bounds(const Interval& half_length, long size) {
   EntryBounds bounds = entry_bounds(half_length, static_cast<int>(size));
   bounds.amplitude = bounds.amplitude * (half_length * cosh(bounds.rate) + 1);
@@ -193,6 +193,7 @@ void GrippedContact::solve(const System<Interval>& system) {
     alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
 }
 
+/// The errors of the page: in energy, of the slopes of the tractions, and of the creep.
 void GrippedContact::prove(const System<Interval>& system) {
   const long N = size_;
   const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
@@ -224,6 +225,7 @@ void GrippedContact::prove(const System<Interval>& system) {
   find_displacement(system, sines, decay, entry_error);
 }
 
+/// d1 of the page, and what its sums miss.
 void GrippedContact::find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
                                        const EntryBounds& decay, const Interval& entry_error) {
   const long N = size_;

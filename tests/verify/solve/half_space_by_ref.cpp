@@ -35,8 +35,7 @@ void check_both_paths(data::Scene scene) {
   using enum data::ResultId;
   scene.wanted = {span_along,    span_across,    span_ratio,  normal_force, friction_force,
                   peak_pressure, critical_speed, span,        compliance,   coupling,
-                  centre_along,  centre_across,  leading_end, trailing_end,
-                  peak_on_line};
+                  centre_along,  centre_across,  leading_end, trailing_end, peak_on_line};
   if (problem.rule == data::ContourRule::exact)
     scene.wanted.insert(scene.wanted.end(), {axis_ratio, approach, orientation});
   if (std::holds_alternative<data::RigidRollingSphere>(problem.body))

@@ -33,8 +33,8 @@ void set_nip_results(const auto& set) {
   set(ResultId::peak_shear_position, &Solution::peak_shear_position);
   set(ResultId::normal_displacement, &Solution::normal_displacement);
   set(ResultId::tangential_displacement, &Solution::tangential_displacement);
+  set(ResultId::shear_zeros, &Solution::shear_zeros);
   // Results that only some methods have.
-  if constexpr (requires { &Solution::shear_zeros; }) set(ResultId::shear_zeros, &Solution::shear_zeros);
   if constexpr (requires { &Solution::leading_moment; }) {
     set(ResultId::leading_moment, &Solution::leading_moment);
     set(ResultId::trailing_moment, &Solution::trailing_moment);
