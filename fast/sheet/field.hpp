@@ -29,8 +29,8 @@ struct SheetStresses {
 /// Thesis (3.19), (3.20), (4.3), of shear (3.26), (3.27), (4.14).
 SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
 
-// Derivatives by alpha of a face's displacements un, vn, which is minus that of us, and vs, over theta1 + theta2,
-// dimensionless (thesis 2.8). The scale is the value, or the amplitude of the slowest residue term.
+// Derivatives by alpha of a face's displacements un, vn and vs over theta1 + theta2, dimensionless (thesis 2.8); that
+// of us is minus that of vn. The scale is the value, or the amplitude of the slowest residue term.
 double un_slope(double alpha, data::Derivative order);
 double vn_slope(double alpha, data::Derivative order);
 double vs_slope(double alpha, data::Derivative order);

@@ -17,8 +17,8 @@ struct CreepRange {
 /// A nip with its tractions gathered in line loads, the thesis's discrete contact, in multiprecision: the same
 /// equations as fast/nip/line_loads.hpp, so that what that loses to its kernels and to rounding is known. (thesis
 /// 2.2) It is made by line_loads_for_length or line_loads_for_load for an elastic nip (elastic_nip/line_loads.hpp) or
-/// a viscoelastic one (viscoelastic_nip/line_loads.hpp). Every number has a proven bound, see Enclosure; those of
-/// loads are relative to the largest of them, and those of sums to what is summed, about.
+/// a viscoelastic one (viscoelastic_nip/line_loads.hpp). Every number has a proven bound, see Enclosure. The
+/// bounds of loads are relative to the largest load, those of sums to the size of what is summed.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading side, unit
 /// of length, known exactly and finite; otherwise BadInput, as for displacements at the place of a line load.

@@ -21,8 +21,8 @@ Enclosure sheet_across(const Exact& alpha, const Exact& depth, data::SheetLoad l
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< sigma_y
 Enclosure sheet_shear(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< tau_xy
 
-/// Derivatives by alpha of a face's displacements un, vn, which is minus that of us, and vs, over theta1 + theta2,
-/// alpha != 0. (thesis 2.8, 4.8, 4.19)
+/// Derivatives by alpha of a face's displacements un, vn and vs over theta1 + theta2, alpha != 0; that of us is minus
+/// that of vn. (thesis 2.8, 4.8, 4.19)
 Enclosure un_slope(const Exact& alpha, data::Derivative order, int digits);
 Enclosure vn_slope(const Exact& alpha, data::Derivative order, int digits);
 Enclosure vs_slope(const Exact& alpha, data::Derivative order, int digits);
