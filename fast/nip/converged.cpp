@@ -119,7 +119,7 @@ struct ConvergedNip::Implementation {
       return Along{at_unsure_place(place, displacement), {}};
     });
   }
-  /// The displacement is shifted by at most the largest strain within reach times that reach.
+  /// The displacement is shifted by the reach times the strain, here and what that changes by at both ends of the reach.
   [[nodiscard]] Along sliding_along(const ContactPlace& place, CountedKernels& kernels) const {
     SurfaceAlong here = equations->along(solved.last(), place, kernels);
     Along result{{std::move(here.displacement)}, {std::move(here.strain)}};
