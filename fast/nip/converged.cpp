@@ -119,7 +119,8 @@ struct ConvergedNip::Implementation {
       return Along{at_unsure_place(place, displacement), {}};
     });
   }
-  /// The displacement is shifted by the reach times the strain, here and what that changes by at both ends of the reach.
+  /// The displacement is shifted by the reach times the sum of the strain here and what that changes by
+  /// towards both ends of the reach.
   [[nodiscard]] Along sliding_along(const ContactPlace& place, CountedKernels& kernels) const {
     SurfaceAlong here = equations->along(solved.last(), place, kernels);
     Along result{{std::move(here.displacement)}, {std::move(here.strain)}};

@@ -297,7 +297,8 @@ Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, c
   return result;
 }
 
-/// The panel that has layers is at most a quarter of the contact, so that the nodes for the nearest place do for all.
+/// The panel that has layers is at most a quarter of the contact, so that the nodes for the nearest place
+/// do for all.
 Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                  double tolerance) const {
   const Place nearest{*std::ranges::max_element(places), true, panels_.size()};
