@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
+#include "support/paths.hpp"
 #include "support/test.hpp"
 
 /// A JSON Schema (draft 2020-12) of which only a few keywords are known; one that uses others is refused with
@@ -94,3 +95,19 @@ class JsonSchema {
 
   Json root_;
 };
+
+/// The schema of what the program answers.
+inline const JsonSchema& answer_schema() {
+  static const JsonSchema schema(
+      nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
+  return schema;
+}
+
+/// Whether `is_so` of a name and its value, at any depth.
+bool holds_anywhere(const nlohmann::json& value, const auto& is_so) {
+  if (!value.is_structured()) return false;
+  for (const auto& [name, item] : value.items()) {
+    if (is_so(name, item) || holds_anywhere(item, is_so)) return true;
+  }
+  return false;
+}

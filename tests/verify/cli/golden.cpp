@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 
 #include "support/golden_folder.hpp"
@@ -13,9 +14,7 @@ namespace {
 using nlohmann::json;
 
 std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
+  return nipref::data::text_of_input_file(path, "file");
 }
 
 /// Changes the first place where `from` stands.
@@ -26,21 +25,14 @@ void edit(const std::filesystem::path& path, const std::string& from, const std:
   std::ofstream(path) << text;
 }
 
-void sum(const GoldenFolder& folder) {
-  REQUIRE(std::system(("cd '" + folder.path().string() + "' && sha256sum *.csv >SHA256SUMS").c_str()) == 0);
+int status_in(const std::filesystem::path& folder, const std::string& command) {
+  return WEXITSTATUS(std::system(("cd '" + folder.string() + "' && " + command).c_str()));
 }
 
 /// An answer that fits the schema.
 json answer(const std::string& arguments, const std::string& definition, int status) {
-  static const JsonSchema schema(
-      json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
-  const Outcome outcome = run(arguments + " --json");
-  CAPTURE(arguments);
-  CAPTURE(outcome.err);
-  CHECK(outcome.status == status);
-  const json found = json::parse(outcome.out);
-  CHECK(schema.misfit(found, definition) == "");
-  CHECK(schema.misfit(found) == "");
+  const json found = answer_to(arguments, status);
+  CHECK(answer_schema().misfit(found, definition) == "");
   return found;
 }
 
@@ -52,8 +44,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
       answer("golden make I2 root.re --points 6 --digits 30 --seed 5 --in-place", "golden_make", 0);
   CHECK(made["files"].size() == 2);
   CHECK(made["files"][0]["rows"] == 6);
-  CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
-        0);
+  CHECK(status_in(folder.path(), "sha256sum -c SHA256SUMS >/dev/null") == 0);
   const json kept = answer("golden check root.re I2", "golden_check", 0);
   CHECK(contains(run("golden check I2 --every 50").out, "recomputed by the reference: PASS\n"));
   CHECK(kept["files"].size() == 2);
@@ -66,7 +57,6 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   const auto of_contacts =
       static_cast<std::size_t>(std::ranges::count_if(nipref::verify::catalogue(), is_of_contacts));
   CHECK(of_all["failures"].size() + 2 + of_contacts == nipref::verify::catalogue().size());
-  check_call_refused("golden check nip.load", "which hold whole contacts");
   CHECK(of_all["failures"][0]["fault"] == "missing");
 
   SUBCASE("a digit that is changed is found, by its checksum and by the reference") {
@@ -74,35 +64,27 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     const json changed = answer("golden check I2", "golden_check", 1);
     CHECK(changed["files"][0]["failures"][0]["fault"] == "text-changed");
     CHECK(changed["files"][0]["failures"][1]["fault"] == "wrong");
-    const Outcome text = run("golden check root.re I2");
-    CHECK(text.status == 1);
-    CHECK(contains(text.out, "12 golden values: 1 wrong, 0 too-wide, 1 text-changed, 0 missing"));
-
+    CHECK(contains(run("golden check root.re I2").out,
+                   "12 golden values: 1 wrong, 0 too-wide, 1 text-changed, 0 missing"));
     edit(folder.file("I2.csv"), "# scale: ", "# scale: formerly ");
-    const std::string before = text_of(folder.file("I2.csv"));
     const json updated = answer("golden update I2 --dirty --in-place", "golden_update", 0);
     REQUIRE(updated["files"][0]["changed"].size() == 1);
     CHECK(updated["files"][0]["changed"][0]["why"] == "another value");
     CHECK(run("golden check root.re I2").status == 0);
     const std::string after = text_of(folder.file("I2.csv"));
-    CHECK(after != before);
     CHECK(contains(after, "# updated: 1 rows by "));
     CHECK(!contains(after, "formerly"));
     CHECK(contains(run("golden update I2 --dirty --in-place").out, "0 of 6 rows changed"));
     CHECK(text_of(folder.file("I2.csv")) == after);
-    const Outcome all = run("golden update I2 --dirty --in-place --all");
-    CHECK(contains(all.out, "\n- "));
-    CHECK(contains(all.out, "\n+ "));
-    CHECK(contains(all.out, "6 of 6 rows changed"));
+    const std::string all = run("golden update I2 --dirty --in-place --all").out;
+    for (const char* part : {"\n- ", "\n+ ", "6 of 6 rows changed"}) CHECK(contains(all, part));
   }
   SUBCASE("a wide bound is told even where the checksum agrees") {
-    const std::string text = text_of(folder.file("root.re.csv"));
+    std::string text = text_of(folder.file("root.re.csv"));
     const std::size_t row = text.find("\n0x") + 1, value = text.find(',', row) + 1,
                       bound = text.find(',', value) + 1;
-    std::string wide = text;
-    wide.replace(bound, text.find(',', bound) - bound, "1e-9");
-    std::ofstream(folder.file("root.re.csv")) << wide;
-    sum(folder);
+    std::ofstream(folder.file("root.re.csv")) << text.replace(bound, text.find(',', bound) - bound, "1e-9");
+    REQUIRE(status_in(folder.path(), "sha256sum *.csv >SHA256SUMS") == 0);
     const json told = answer("golden check root.re", "golden_check", 1);
     REQUIRE(told["files"][0]["failures"].size() == 1);
     CHECK(told["files"][0]["failures"][0]["fault"] == "too-wide");
@@ -111,8 +93,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   SUBCASE("a file by its path, and one that cannot be read") {
     CHECK(run("golden check '" + folder.file("I2.csv").string() + "'").status == 0);
     std::ofstream(folder.file("I2.csv")) << "nothing";
-    const json changed = answer("golden check root.re I2", "golden_check", 1);
-    CHECK(changed["files"][1]["quantity"].is_null());
+    CHECK(answer("golden check root.re I2", "golden_check", 1)["files"][1]["quantity"].is_null());
   }
 }
 
@@ -125,7 +106,7 @@ TEST_CASE("golden: where new values go is said, and no file that is there gets f
   check_call_refused("golden update I2 --dirty", "output = (missing)");
   check_call_refused(six + to_file + " --in-place", "must be left out, or --in-place");
   check_call_refused(six + " -o '" + folder.path().string() + "'", "--in-place writes to nipref's own files");
-  check_call_refused("golden list" + to_file, "golden list has no such option");
+  check_call_refused("golden update I1 --dirty --in-place", "must be a file that exists");
   CHECK(std::filesystem::is_empty(folder.path()));
 
   CHECK(run(six + " --in-place").status == 0);
@@ -135,7 +116,6 @@ TEST_CASE("golden: where new values go is said, and no file that is there gets f
   CHECK(text_of(folder.file("I2.csv")) == own);
 
   CHECK(run(six + to_file).status == 0);
-  CHECK(text_of(file) == own);
   check_call_refused(five + to_file, "must not lose rows: it has 6 and would get 5");
   check_call_refused("golden make I3 --points 7" + to_file,
                      "must be one of I3, or none yet: it has values of I2");
@@ -145,45 +125,25 @@ TEST_CASE("golden: where new values go is said, and no file that is there gets f
   CHECK(std::distance(std::filesystem::directory_iterator(elsewhere.path()), {}) == 1);
   CHECK(run(six + " -o '" + (elsewhere.path() / "all/").string() + "'").status == 0);
   CHECK(text_of(elsewhere.path() / "all/I2.csv") == own);
-  CHECK(std::system(("cd '" + (elsewhere.path() / "all").string() + "' && sha256sum --quiet -c SHA256SUMS")
-                        .c_str()) == 0);
+  CHECK(status_in(elsewhere.path() / "all", "sha256sum --quiet -c SHA256SUMS") == 0);
   edit(folder.file("I2.csv"), "1.5707963267948966192313216916", "1.5707963267948966192313216917");
   const std::string changed = text_of(folder.file("I2.csv"));
   CHECK(run("golden update I2 --dirty" + to_file).status == 0);
   CHECK(text_of(folder.file("I2.csv")) == changed);
   CHECK(contains(text_of(file), "# updated: 1 rows by "));
-}
-
-TEST_CASE("golden: bad input is refused before anything is written") {
-  const GoldenFolder folder;
-  check_call_refused("golden", "must be make, check, update, list or export");
-  check_call_refused("golden forge I1", "must be make, check, update, list or export");
-  check_call_refused("golden make I9", "I9");
-  check_call_refused("golden make I1 --in-place --digits 5", "digits = 5");
-  check_call_refused("golden make I1 --in-place --points 0", "points = 0");
-  check_call_refused("golden make I1 --dirty", "golden make has no such option");
-  check_call_refused("golden check --points 3", "golden check has no such option");
-  check_call_refused("golden check --every 0", "every = 0");
-  check_call_refused("golden check nowhere.csv", "must be a file that exists");
-  check_call_refused("golden check " + std::string(300, 'a') + ".csv", "must be a file that can be read");
-  check_call_refused("golden list --all", "golden list has no such option");
-  check_call_refused("golden update I1 --dirty --in-place", "must be a file that exists");
   const json commit = answer_to("--version")["nipref"]["commit"];
-  if (commit.is_null() || commit.get<std::string>().ends_with("-dirty")) {
+  if (commit.is_null() || commit.get<std::string>().ends_with("-dirty"))
     check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");
-  }
-  CHECK(std::filesystem::is_empty(folder.path()));
 }
 
 TEST_CASE("golden: an exported header compiles in a stranger's program, whose I1 it finds right and wrong") {
   const ScratchFolder folder;
-  const std::string here = "cd '" + folder.path().string() + "' && ";
   const json told =
       answer("golden export I1 contacts-frictionless --format cpp -o '" + folder.path().string() + "'",
              "golden_export", 0);
   CHECK(told["version"] == json::parse(run("--version --json").out)["golden"]);
   // I1 is -log|alpha| and a constant but for terms of the order alpha^2 log alpha.
-  std::ofstream(folder.path() / "stranger.cpp") << R"(
+  folder.write("stranger.cpp", R"(
     #include <cmath>
     #include "I1.hpp"
     #include "contacts-frictionless.hpp"
@@ -196,16 +156,12 @@ TEST_CASE("golden: an exported header compiles in a stranger's program, whose I1
         ++rows, wrong += !(std::fabs(mine - row.value) <= 1e-12 * row.scale);
       }
       return rows < 10 ? 2 : wrong > 0;
-    })";
-  const auto status_with = [&](const std::string& constant) {
-    const std::string compiled =
-        here + "c++ -std=c++17 -Wall -Werror -D CONSTANT=" + constant + " stranger.cpp -o it";
-    REQUIRE(std::system(compiled.c_str()) == 0);
-    return WEXITSTATUS(std::system((here + "./it").c_str()));
-  };
-  CHECK(status_with("0.3516753926187") == 0);
-  CHECK(status_with("0.3516753936187") == 1);
-
+    })");
+  for (const auto& [constant, status] : {std::pair{"0.3516753926187", 0}, {"0.3516753936187", 1}}) {
+    const std::string compiler = "c++ -std=c++17 -Wall -Werror -D CONSTANT=";
+    REQUIRE(status_in(folder.path(), compiler + constant + " stranger.cpp -o it") == 0);
+    CHECK(status_in(folder.path(), "./it") == status);
+  }
   const std::string text = text_of(nipref::data::golden_directory() / "I1.csv");
   for (const std::string format : {"csv", "json"}) {
     const std::filesystem::path file = folder.path() / ("I1." + format);
@@ -213,6 +169,4 @@ TEST_CASE("golden: an exported header compiles in a stranger's program, whose I1
     if (format == "csv") CHECK(text_of(file).ends_with(text));
     if (format == "json") CHECK(json::parse(text_of(file))["columns"]["value"]["double"].size() == 250);
   }
-  check_call_refused("golden export I1 --format cpp", "output = (missing)");
-  check_call_refused("golden export I1 --format xml -o a", "format = xml");
 }

@@ -89,9 +89,3 @@ TEST_CASE("a kernel that is slower than an older one by more than is allowed fal
   CHECK(outcome.status == 1);
   CHECK(contains(unfolded(outcome.out), "FAIL, 200 % slower is allowed"));
 }
-
-TEST_CASE("what cannot be graded of a shared object is refused") {
-  const ScratchFile values("alpha,value\n0.5,0.45361862\n");
-  check_call_refused("grade '" + values.path() + "' I1 alpha=2", "alpha = 2");
-  check_call_refused("grade '" + values.path() + "' I1 --points 100", "points = 100");
-}

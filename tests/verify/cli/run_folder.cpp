@@ -1,12 +1,13 @@
 #include <nlohmann/json.hpp>
 
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 #include <nipref/verify/support/random.hpp>
 
 #include "support/json_schema.hpp"
-#include "support/paths.hpp"
+#include "support/refusal.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/test.hpp"
@@ -18,13 +19,7 @@ namespace {
 
 constexpr auto fingerprint = "{\n  \"of\": \"this\",\n  \"works\": 1\n}\n";
 
-std::string text_in(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+std::string text_in(const fs::path& file) { return data::text_of_input_file(file, "file"); }
 
 /// A cheap audit of ten blocks.
 verify::AuditOptions ten_blocks() {
@@ -61,17 +56,6 @@ std::string merged(const fs::path& folder) {
   CHECK(merging.there.gaps() == "");
   return verify::audit_row_json(merging.work.result()).text();
 }
-
-std::string refusal_of(auto action) {
-  try {
-    action();
-  } catch (const data::BadInput& error) {
-    return error.what();
-  }
-  return "";
-}
-
-bool is_said(const std::string& text, const std::string& part) { return contains(text, part); }
 
 }  // namespace
 
@@ -136,43 +120,38 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   CHECK(again.there.count() == 3);
   CHECK(again.there.of() == 10);
 
-  const fs::path file = folder.path() / "shard-1-of-2.jsonl", other = folder.path() / "shard-2-of-2.jsonl";
-  const std::string line = text_in(file).substr(0, text_in(file).find('\n') + 1);
-  const auto reading_refused = [&](const std::string& text) {
-    write(other, text);
+  const std::string done = text_in(folder.file("shard-1-of-2.jsonl")),
+                    line = done.substr(0, done.find('\n') + 1);
+  const auto reading = [&](const std::string& text) {
+    folder.write("shard-2-of-2.jsonl", text);
     return refusal_of([&] {
       Process reader;
       verify::read_blocks(folder.path(), reader.works, reader.there);
     });
   };
-  CHECK(reading_refused(line) == "");
   std::string changed = line;
   changed.replace(changed.find("\"points\":") + 9, 1, "9");
-  CHECK(is_said(reading_refused(line + changed),
-                "shard-2-of-2.jsonl:2: must have what another line has for I3 block 0"));
-  CHECK(is_said(reading_refused("rubbish\n"),
-                "shard-2-of-2.jsonl:1: must be the line of a block of this run (no JSON)"));
-  CHECK(is_said(reading_refused(R"({"work":"I3","block":10,"found":{}})"
-                                "\n"),
-                "must be the line of a block"));
-  CHECK(is_said(reading_refused(R"({"work":"I7","block":1,"found":{}})"
-                                "\n"),
-                "must be the line of a block"));
-  CHECK(reading_refused("{\"work\":\"I3\",\"bl") == "");  // half a line does not count
+  for (const auto& [text, says] : std::vector<std::pair<std::string, std::string>>{
+           {line, "accepted"},
+           {"{\"work\":\"I3\",\"bl", "accepted"},  // half a line does not count
+           {line + changed, "shard-2-of-2.jsonl:2: must have what another line has for I3 block 0"},
+           {"rubbish\n", "shard-2-of-2.jsonl:1: must be the line of a block of this run (no JSON)"},
+           {"{\"work\":\"I3\",\"block\":10,\"found\":{}}\n", "must be the line of a block"},
+           {"{\"work\":\"I7\",\"block\":1,\"found\":{}}\n", "must be the line of a block"}})
+    CHECK(contains(reading(text), says));
 }
 
 TEST_CASE("a folder takes no other run, and a shard no second process") {
   const ScratchFolder folder;
   const verify::ShardFile file(folder.path(), fingerprint, {0, 2});
-  CHECK(is_said(refusal_of([&] {
-                  verify::ShardFile(folder.path(), fingerprint, {0, 2});
-                }),
-                "must be left to the process that is writing"));
-  CHECK(refusal_of([&] { verify::ShardFile(folder.path(), fingerprint, {1, 2}); }) == "");
+  const auto opened = [&](const std::string& run, verify::Shard shard) {
+    return refusal_of([&] { const verify::ShardFile second(folder.path(), run, shard); });
+  };
+  CHECK(contains(opened(fingerprint, {0, 2}), "must be left to the process that is writing"));
+  CHECK(opened(fingerprint, {1, 2}) == "accepted");
   std::string other = fingerprint;
   other.replace(other.find("this"), 4, "that");
-  const std::string refusal = refusal_of([&] { verify::ShardFile(folder.path(), other, {1, 2}); });
-  CHECK(is_said(refusal, "there is \"of\": \"this\" where \"of\": \"that\" must be"));
+  CHECK(contains(opened(other, {1, 2}), "there is \"of\": \"this\" where \"of\": \"that\" must be"));
   CHECK(text_in(folder.path() / "run.json") == fingerprint);
 }
 
@@ -187,10 +166,8 @@ TEST_CASE(
   check_call_refused("merge " + run_folder,
                      "must have all its blocks: without I3 block 0, I3 block 2, root.re block 0");
   const Outcome shard = run(audit + "--shard 1/2 --json --out " + run_folder);
-  const JsonSchema schema(
-      nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
   const auto told = nlohmann::json::parse(shard.out);
-  CHECK(schema.misfit(told, "audit_shard") == "");
+  CHECK(answer_schema().misfit(told, "audit_shard") == "");
   CHECK(told.at("blocks_done") == 4);
   CHECK(told.at("blocks_there") == 2);
   const Outcome merged = run("merge --json --no-times " + run_folder);
@@ -200,7 +177,5 @@ TEST_CASE(
   check_call_refused("audit I3 --points 9000 --out " + run_folder,
                      "must be of the same program, command and inputs");
   check_call_refused("merge '" + folder.path().string() + "'", "must be a folder with a run.json");
-  check_call_refused("audit I3 --shard 1/2", "must be given with --out");
-  check_call_refused("audit I3 --points 1e13", "must be a whole number from 1 to 1e12");
   check_call_refused("audit I3 --shard 3/2 --out " + run_folder, "must be i/N");
 }

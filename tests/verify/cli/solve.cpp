@@ -1,49 +1,13 @@
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
-#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
+#include "support/scratch_folder.hpp"
 #include "support/test.hpp"
 
-namespace {
-
 using nlohmann::json;
-
-std::string example(const std::string& name) {
-  return "'" + source_directory() + "/data/scenes/" + name + ".toml'";
-}
-
-std::set<std::string> keys_of(const json& object) {
-  std::set<std::string> keys;
-  for (const auto& [key, value] : object.items()) keys.insert(key);
-  return keys;
-}
-
-}  // namespace
-
-TEST_CASE("solve as JSON: what is wanted with its errors, the work") {
-  const json answer = answer_to("solve " + example("intermediate-frictionless"));
-  CHECK(keys_of(answer.at("results")) ==
-        std::set<std::string>{"contact_length", "indentation", "edge_displacement", "peak_pressure",
-                              "creep_ratio", "pressure", "normal_displacement", "tangential_displacement"});
-  CHECK(answer["results"]["contact_length"].at("value").is_number());
-  CHECK(answer["results"]["contact_length"].at("unit") == "length");
-  CHECK(answer["results"]["pressure"].at("value").size() == answer["positions"].size());
-  CHECK(answer["results"]["pressure"].at("error").size() == answer["positions"].size());
-  CHECK(answer["work"].at("kernel_evaluations").at("I1") > 0);
-  CHECK(answer["work"].at("line_responses").is_null());
-}
-
-TEST_CASE("a field in JSON is a list for each depth of a number for each position") {
-  const json answer =
-      answer_to("solve inside-thick-frictionless field.depths=[0,1] field.positions=[0,0.02,0.04]");
-  for (const char* part : {"value", "error"}) {
-    const json& depths = answer.at("results").at("stress_across").at(part);
-    REQUIRE(depths.size() == 2);
-    for (const json& depth : depths) CHECK(depth.size() == 3);
-  }
-  const double middle = answer.at("results").at("stress_across").at("value")[1][0].get<double>();
-  CHECK(-middle == doctest::Approx(answer.at("results").at("peak_pressure").at("value").get<double>()));
-}
 
 TEST_CASE(
     "solve --full tells the thesis's search for the load: each length by (2.13) from the last, the last load met") {
@@ -66,47 +30,98 @@ TEST_CASE(
       CHECK(steps[i + 1].at("contact_length").get<double>() == doctest::Approx(next).epsilon(1e-14));
     }
   }
-  CHECK(answer_to("solve --full thick-frictionless").at("search").empty());
-  CHECK_FALSE(answer_to("solve thick-frictionless-line-loads").contains("search"));
 }
 
-TEST_CASE("solve for people names every result with its unit, and the work") {
-  const Outcome outcome = run("solve " + example("thick-full-friction"));
-  CHECK(outcome.status == 0);
-  for (const char* part :
-       {"contact_length", "creep_ratio", "peak_shear", "stress", "values of I6", "unknowns"})
-    CHECK(contains(outcome.out, part));
-}
-
-TEST_CASE("solve by ref gives its numbers as text, with the digits that are asked for") {
-  const json answer = answer_to("solve --path ref --digits 40 " + example("thick-frictionless"));
-  for (const json& result : answer.at("results")) {
-    const auto value = result.at("value").get<std::string>();
-    CHECK(value.size() > 40);
-    CHECK(std::stod(result.at("error").get<std::string>()) <= 1e-40 * std::stod(value));
-    CHECK(result.at("proven") == true);
-  }
-  const json fast = answer_to("solve " + example("thick-frictionless"));
-  CHECK(std::stod(answer["results"]["contact_length"]["value"].get<std::string>()) ==
-        doctest::Approx(fast["results"]["contact_length"]["value"].get<double>()).epsilon(1e-12));
-}
-
-TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") {
-  const std::string long_name(300, 'a');  // than a file's may be
-  check_call_refused("solve " + long_name, "scene = " + long_name);
-}
-
-TEST_CASE("a bad scene: status 2, one line with file, line, key and value") {
-  const ScratchFile scene("title = \"x\"\n[roller]\nradius = 0\n");
-  check_call_refused("solve " + scene.path(), scene.path() + ": wanted = (missing)");
-  const ScratchFile two_lines("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n");
-  check_call_refused("solve " + two_lines.path(), two_lines.path() + ":5: material.model = ela stic: ");
-}
-
-TEST_CASE("a load whose contact would be longer than the radius is refused at its line") {
-  const ScratchFile scene(
+TEST_CASE("a bad scene: status 2, one line with file, line, key and value, nothing of a binary file") {
+  const auto check = [](const std::string& text, const std::string& says) {
+    const ScratchFile scene(text);
+    check_call_refused("solve " + scene.path(), scene.path() + says);
+  };
+  check("title = \"x\"\n[roller]\nradius = 0\n", ": wanted = (missing)");
+  check("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n",
+        ":5: material.model = ela stic: ");
+  check(std::string("\x7f\0\x01", 3), ": syntax = (binary): must be text: this has zero bytes");
+  // Its contact would be longer than the radius, which only solving tells.
+  check(
       "title = \"too much\"\nwanted = [\"load\"]\n[roller]\nradius = 1\n[sheet]\nthickness = 1\n[material]\n"
       "model = \"elastic\"\nyoung = 1\npoisson = 0.3\n[load]\nper_length = 10\n[friction]\nmodel = \"none\"\n"
-      "[method]\nkind = \"converged\"\n");
-  check_call_refused("solve " + scene.path(), scene.path() + ":12: load.per_length = 10: ");
+      "[method]\nkind = \"converged\"\n",
+      ":12: load.per_length = 10: ");
+}
+
+namespace {
+
+const std::string swept_nip = R"(title = "a nip"
+wanted = ["contact_length", "peak_pressure"]
+[roller]
+radius = 6
+[sheet]
+thickness = 1.0
+[material]
+model = "elastic"
+young = 1.45e5
+poisson = 0.3
+[load]
+per_length = 50
+[friction]
+[method]
+kind = "converged"
+[sweep]
+points = 3
+friction.model = ["none", "full"]
+load.per_length = "25..100:log"
+)";
+
+}  // namespace
+
+TEST_CASE("a scene's sweep solves each combination as solve does, and no other verb goes through it") {
+  const ScratchFile file(swept_nip);
+  const json answer = answer_to("solve " + file.path() + " material.poisson=0.3,0.6", 1),
+             columns = answer.at("columns");
+  REQUIRE(answer.at("refused").size() == 12);
+  for (std::size_t row = 0; row < 12; ++row) {
+    CAPTURE(row);
+    CHECK(answer["refused"][row].is_null() == (row % 2 == 0));
+    CHECK(columns.at("peak_pressure")[row].is_null() == (row % 2 == 1));
+    CHECK(columns.at("friction.model")[row] == (row < 6 ? "none" : "full"));
+  }
+  CHECK(std::stod(columns.at("load.per_length")[4].get<std::string>()) == 100);
+  const json length =
+      answer_to("solve " + file.path() + " friction.model=full load.per_length=25 material.poisson=0.3")
+          .at("results")
+          .at("contact_length");
+  CHECK(columns.at("contact_length")[6].get<double>() ==
+        doctest::Approx(length.at("value").get<double>()).epsilon(1e-14));
+  CHECK(run("balance " + file.path()).status == 2);
+}
+
+TEST_CASE(
+    "profiles and fields of a sweep are lists in JSON, and a row for each number with its place in CSV, not both") {
+  const std::string words =
+      "solve inside-thick-frictionless load.per_length=50.0,100.0 profile.points=3 "
+      "'wanted=[\"contact_length\", \"pressure\", \"stress_across\"]'";
+  const json columns = answer_to(words).at("columns");
+  const json places = columns.at("field.positions")[1];
+  const std::size_t depths = columns.at("field.depths")[1].size();
+  REQUIRE(columns.at("stress_across")[1].size() == depths);
+  CHECK(columns.at("stress_across_error")[1][0].size() == places.size());
+  CHECK(columns.at("pressure")[1].size() == columns.at("positions")[1].size());
+  CHECK(columns.at("contact_length")[1].is_number());
+  const std::string csv = run(words).out;
+  CHECK(contains(csv, "result,depth,position,value,error,missed,warnings,refused\n50.0,"));
+  CHECK(std::ranges::count(csv, '\n') == static_cast<long>(1 + 2 * (1 + 3 + depths * places.size())));
+  CHECK(contains(csv, ",stress_across,0.999," + places.back().dump() + ","));
+  CHECK(run(words + " --csv --json").err == "nipref: csv = (given): must be left out beside --json\n");
+}
+
+TEST_CASE("a scene is read from a pipe, which can be read once only") {
+  const ScratchFile file(swept_nip);
+  const std::string swept = run("solve " + file.path()).out;
+  const ScratchFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  // What would wait for a second writer is ended.
+  CHECK(run("solve " + pipe + " & solved=$!; cat " + file.path() + " >" + pipe +
+            "; (sleep 30; kill $solved) >/dev/null 2>&1 & wait $solved")
+            .out == swept);
 }

@@ -13,6 +13,7 @@
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
+#include "support/json_schema.hpp"
 #include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
@@ -163,6 +164,34 @@ TEST_CASE("the report's page is well-formed, its ids are unique, and no link in 
     CHECK(link.starts_with("#"));
     CHECK(known.contains(link.substr(1)));
   }
+}
+
+TEST_CASE("the report is as the schema has it, its parts as the verbs would answer, without times if so") {
+  Report report = small_report();
+  AuditResult& broken = report.quantities[1];
+  broken.max_error_ulp = broken.spread.mean = broken.allowance_used = std::numeric_limits<double>::infinity();
+  report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
+  report.scenes.clear();  // made by hand: without a scene's text
+  const auto answer = nlohmann::json::parse(answer_of(report));
+  CHECK(answer_schema().misfit(answer, "report") == "");
+  CHECK_FALSE(holds_anywhere(answer, [](const auto&, const nlohmann::json& item) { return item == ""; }));
+  for (const std::string part : {"audit", "bench", "tables"}) {
+    nlohmann::json as_verb = answer.at(part);
+    for (const char* head : {"schema", "nipref"}) as_verb[head] = answer.at(head);
+    as_verb["verb"] = part;
+    CAPTURE(part);
+    CHECK(answer_schema().misfit(as_verb, part) == "");
+  }
+  const auto& rows = answer["audit"]["rows"];
+  CHECK(rows[0]["passed"] == true);
+  CHECK(rows[1]["passed"] == false);
+  for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
+    CHECK(rows[1].at(infinite).is_null());
+  CHECK(answer["seed_errors"][0]["table"] == "thesis-VII");
+  CHECK(answer["bench"]["times"]["ratios"][1]["met"] == false);
+  const auto timeless = nlohmann::json::parse(answer_text("report", report_json(report), true));
+  CHECK(answer_schema().misfit(timeless, "report") == "");
+  CHECK_FALSE(holds_anywhere(timeless, [](const auto& name, const auto&) { return name == "times"; }));
 }
 
 TEST_CASE("a page that is not well-formed is seen") {

@@ -67,28 +67,17 @@ TEST_CASE("the shear is smaller on both sides of its peak, and changes its sign 
   CHECK(shear[3].value * shear[4].value < 0);
 }
 
-TEST_CASE("line loads have their places at centres and borders of elements, in both paths the same") {
+TEST_CASE("line loads have their largest tractions at the places that they tell") {
   data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
   scene.wanted = {data::ResultId::peak_pressure_position,
                   data::ResultId::peak_shear_position,
-                  data::ResultId::shear_zeros,
-                  data::ResultId::contact_length,
                   data::ResultId::peak_pressure,
                   data::ResultId::peak_shear,
                   data::ResultId::pressure,
                   data::ResultId::shear};
-  auto& problem = problem_of(scene);
   const auto first = verify::solve(scene);
-  const auto by_ref = verify::solve_by_ref(scene, 20);
-  for (const data::ResultId id :
-       {data::ResultId::peak_pressure_position, data::ResultId::peak_shear_position}) {
-    CHECK(first[id].value == approx(std::stod(by_ref[id].value_text()), 1e-12));
-    CHECK(by_ref[id].proven);
-  }
-  REQUIRE(first.profile(data::ResultId::shear_zeros).size() ==
-          by_ref.profile(data::ResultId::shear_zeros).size());
-  problem.profile = data::Positions{{first[data::ResultId::peak_pressure_position].value,
-                                     first[data::ResultId::peak_shear_position].value}};
+  problem_of(scene).profile = data::Positions{{first[data::ResultId::peak_pressure_position].value,
+                                               first[data::ResultId::peak_shear_position].value}};
   const auto there = verify::solve(scene);
   CHECK(there.profile(data::ResultId::pressure)[0].value == there[data::ResultId::peak_pressure].value);
   CHECK(std::fabs(there.profile(data::ResultId::shear)[1].value) == there[data::ResultId::peak_shear].value);

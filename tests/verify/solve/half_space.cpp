@@ -1,11 +1,9 @@
-// Scenes of bodies on half-spaces: what they give, and what is refused.
+// Scenes of bodies on half-spaces: what they give.
 #include <fmt/format.h>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
-#include "support/refused_scene.hpp"
 #include "support/scratch_file.hpp"
 #include "support/solved_scene.hpp"
 #include "support/test.hpp"
@@ -16,9 +14,6 @@ namespace {
 
 const std::string isotropic =
     "[half_space]\nmodel = \"isotropic\"\nshear = 3.0\npoisson = 0.25\ndensity = 2.0\n";
-const std::string isotropic_as_transversely =
-    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 9.0\nc33 = 9.0\n"
-    "c13 = 3.0\nc44 = 3.0\nc66 = 3.0\ndensity = 2.0\n";
 const std::string graphite_epoxy =
     "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\n"
     "c13 = 6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
@@ -35,14 +30,6 @@ std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = 
 
 const std::string spans = wanting(R"("span_along", "span_across", "normal_force", "peak_pressure")");
 
-void check_same(const std::string& a, const std::string& b, double tolerance) {
-  const auto x = solved(a), y = solved(b);
-  for (std::size_t i = 0; i < x.results.size(); ++i) {
-    CAPTURE(std::string(x.results[i].what->name));
-    CHECK(x.results[i].numbers[0].value == approx(y.results[i].numbers[0].value, tolerance));
-  }
-}
-
 }  // namespace
 
 TEST_CASE("a sphere at rest is Hertz's") {
@@ -53,66 +40,6 @@ TEST_CASE("a sphere at rest is Hertz's") {
   CHECK(4.0 / 3 * modulus * std::pow(radius, 3) == approx(1e-3, 1e-12));
   CHECK(contact["approach"].value == approx(radius * radius, 1e-12));
   CHECK(contact["axis_ratio"].value == doctest::Approx(1).epsilon(1e-12));
-}
-
-TEST_CASE("force and span lead to the same contact, by either rule") {
-  for (const std::string& method : {exact, rule}) {
-    const auto by_force = solved(spans + isotropic + die + sliding("0.9") + load + method);
-    char span[40];
-    std::snprintf(span, sizeof span, "%.17g", by_force["span_along"].value);
-    check_same(spans + isotropic + die + sliding("0.9") + load + method,
-               spans + isotropic + die + sliding("0.9") + "[contact]\nspan_along = " + span + "\n" + method,
-               1e-13);
-  }
-}
-
-TEST_CASE("estimates of contacts on half-spaces cover what roundings leave next to the critical speed") {
-  // The Rayleigh speed of nu = 1/4 is sqrt(2 - 2/sqrt(3)), here times sqrt(3.1/1.9): 1.174381882.
-  const std::string solid =
-      "[half_space]\nmodel = \"isotropic\"\nshear = 3.1\npoisson = 0.25\ndensity = 1.9\n";
-  for (const char* speed : {"1.1743", "1.174381", "1.17438188"}) {
-    CAPTURE(speed);
-    const auto contact = solved(wanting("\"compliance\", \"coupling\"") + solid + die + sliding(speed) +
-                                load + rule + "[profile]\npositions = [0.0, 1e-3, 20.0]\n");
-    const auto surface = [&](double degrees) {
-      const ref::Exact shear(3.1), density(1.9), at(std::stod(speed));
-      return ref::line_response(
-          ref::sagittal_stiffness(ref::ExactTransverse::isotropic(shear, ref::Exact(0.25), density)), at,
-          ref::SurfaceDirection::of_degrees(ref::Exact(0.0)),
-          ref::SurfaceDirection::of_degrees(ref::Exact(degrees)), 30);
-    };
-    for (std::size_t i = 0; i < contact.positions.size(); ++i) {
-      const auto truth = surface(contact.positions[i]);
-      const fast::Estimate compliance = contact.profile("compliance")[i];
-      const fast::Estimate coupling = contact.profile("coupling")[i];
-      CHECK(std::fabs(truth.compliance.error_of(compliance.value)) <= compliance.error);
-      CHECK(std::fabs(truth.coupling.error_of(coupling.value)) <= coupling.error);
-      CHECK(compliance.error < 1e-14 * compliance.value);
-    }
-  }
-}
-
-TEST_CASE("what follows from a given span has an error, by either rule") {
-  for (const std::string& method : {exact, rule}) {
-    const auto contact =
-        solved(spans + isotropic + die + sliding("0.9") + "[contact]\nspan_along = 0.1\n" + method);
-    for (const char* name : {"span_across", "normal_force", "peak_pressure"}) {
-      CAPTURE(name);
-      CHECK(contact[name].error > 0);
-      CHECK(contact[name].error < 1e-12 * contact[name].value);
-    }
-  }
-  const auto roll = solved(spans + isotropic + rolling + "[contact]\nspan_along = 0.1\n" + rule);
-  CHECK(roll["normal_force"].error > 0);
-  CHECK(roll["peak_pressure"].error > 0);
-  CHECK(roll["peak_pressure"].error < 1e-12 * roll["peak_pressure"].value);
-}
-
-TEST_CASE("an isotropic solid is the same by all five of its constants") {
-  for (const std::string& method : {exact, rule}) {
-    const std::string rest = die + sliding("0.9", "direction = 30.0\n") + load + method;
-    check_same(spans + isotropic + rest, spans + isotropic_as_transversely + rest, 1e-12);
-  }
 }
 
 TEST_CASE("a die turns with its motion, the material does not") {
@@ -148,64 +75,6 @@ TEST_CASE("a patch that moves in its sphere softens it") {
   const auto moving = solved(spans + graphite_epoxy + sphere + "patch = \"moving\"\n" + rest);
   CHECK(moving["peak_pressure"].value < fixed["peak_pressure"].value);
   CHECK(moving["peak_pressure"].value > 0.98 * fixed["peak_pressure"].value);
-}
-
-TEST_CASE("speeds that are not subcritical are refused with the line and the limit") {
-  check_refused(spans + isotropic + die + sliding("1.2") + load + exact,
-                "sliding.speed = 1.2: must be below 1.126");  // Rayleigh: 0.9194 sqrt(3/2)
-  check_refused(spans + graphite_epoxy + die + sliding("1600.0", "direction = 45.0\n") + load + exact,
-                "sliding.speed = 1600: ");
-  check_refused(spans + graphite_epoxy + die + sliding("1600.0", "direction = 45.0\n") + load + exact,
-                "psi = 24.55");  // 20.44 degrees from the motion
-  check_refused(spans + isotropic + "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 2.0\n" + load + rule,
-                "rolling.speed = 2: must be below 1.126");
-  check_refused(spans + isotropic + die + sliding("-1.0") + load + exact, "sliding.speed = -1: ");
-}
-
-TEST_CASE("solids that cannot be are refused at their keys") {
-  const auto with = [](std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-  };
-  const std::string rest = die + sliding("0.1") + load + exact;
-  check_refused(spans + with(isotropic, "0.25", "0.5") + rest, ":6: half_space.poisson = 0.5: ");
-  check_refused(spans + with(isotropic, "0.25", "-1.0") + rest, ":6: half_space.poisson = -1: ");
-  check_refused(spans + with(isotropic, "shear = 3.0", "shear = -3.0") + rest, ":5: half_space.shear = -3: ");
-  check_refused(spans + with(graphite_epoxy, "c13 = 6.44e9", "c13 = 60.0e9") + rest, ":8: half_space.c13 = ");
-  check_refused(spans + with(graphite_epoxy, "c66 = 3.5e9", "c66 = 0.0") + rest, ":10: half_space.c66 = 0: ");
-  check_refused(spans + with(graphite_epoxy, "in-plane", "oblique") + rest,
-                ":5: half_space.axis = oblique: ");
-}
-
-TEST_CASE("what does not fit together is refused at its key") {
-  check_refused(spans + isotropic + die + sliding("0.1", "friction = -0.1\n") + load + rule,
-                "sliding.friction = -0.1: ");
-  check_refused(spans + isotropic + die + sliding("0.1", "friction = 0.1\n") + load + exact,
-                "sliding.friction = 0.1: must be 0");
-  check_refused(spans + isotropic + die + sliding("0.1", "direction = 91.0\n") + load + rule,
-                "sliding.direction = 91: ");
-  check_refused(spans + isotropic + rolling + load + exact, "method.kind = exact: must be stationary-force");
-  check_refused(spans + graphite_epoxy + rolling + load + rule, "half_space.model = ");
-  check_refused(spans + isotropic + die + rolling + load + rule, "die = (beside another body): ");
-  check_refused(spans + isotropic + sliding("0.1") + load + rule, "die = (missing): ");
-  check_refused(spans + isotropic + die + sliding("0.1") + rule, "load = (missing): ");
-  check_refused(spans + isotropic + die + sliding("0.1") + "[contact]\nspan_along = 1.1\n" + rule,
-                "contact.span_along = 1.1: ");
-  check_refused(wanting("\"approach\"") + isotropic + die + sliding("0.1") + load + rule,
-                ":2: wanted[0] = approach: must be wanted of the exact method only");
-  check_refused(wanting("\"contact_length\"") + isotropic + die + sliding("0.1") + load + rule,
-                ":2: wanted[0] = contact_length: ");
-  check_refused(spans + isotropic + die + "[roller]\nradius = 1.0\n" + sliding("0.1") + load + rule,
-                "roller = ");
-}
-
-TEST_CASE("a friction force has the rounding of its product, though force and friction are given") {
-  const data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die"));
-  const auto solved = verify::solve(scene);
-  const double force =
-      std::get<data::GivenNormalForce>(std::get<data::HalfSpaceProblem>(scene.system).given).force;
-  // 0.3 is no binary number: 1000 times it is 1.1e-14 below 300.
-  CHECK(std::fabs(std::fma(0.3, force, -solved["friction_force"].value)) > 1e-14);
-  CHECK(solved["friction_force"].error >= std::fabs(std::fma(0.3, force, -solved["friction_force"].value)));
 }
 
 TEST_CASE(
@@ -268,28 +137,6 @@ TEST_CASE("a rolling sphere's creep and compressed radius, and tractions that en
   CHECK(tractions(radius + 0.1 * strip).value < 0);
 }
 
-TEST_CASE("results of lines, of points on them and of rolling spheres are refused elsewhere") {
-  const std::string body = isotropic + die + sliding("0.5") + load + rule;
-  check_refused(wanting(R"("pressure")") + body + "[profile]\npoints = 5\n",
-                "must be wanted with profile.direction");
-  check_refused(wanting(R"("span")") + body + "[profile]\ndirection = 0.0\npoints = 5\n",
-                "must be wanted without profile.direction");
-  check_refused(wanting(R"("creep")") + body + "[profile]\npoints = 5\n",
-                "must be wanted of a rolling sphere only");
-  check_refused(wanting(R"("pressure")") + body + "[profile]\ndirection = 91.0\npoints = 5\n",
-                "profile.direction = 91");
-  check_refused(wanting(R"("span_along")") +
-                    "[half_space]\nmodel = \"anisotropic\"\nstiffness = [1.0, 2.0]\n" + "density = 1.0\n" +
-                    die + sliding("0.0") + load + rule,
-                "must be 21 numbers");
-  check_refused(
-      wanting(R"("span_along")") +
-          "[half_space]\nmodel = \"anisotropic\"\nstiffness = [1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, "
-          "0, 0, 1, 0, 1]\ndensity = 1.0\n" +
-          rolling + load + rule,
-      "must be isotropic under a rolling sphere");
-}
-
 TEST_CASE("a contact similar to the body's contours: its spans are theirs, its force their integral") {
   data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
   auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
@@ -310,11 +157,4 @@ TEST_CASE("a contact similar to the body's contours: its spans are theirs, its f
   const double force = std::pow(along, 1.5) * std::pow(length, 3) /
                        (12 * at_rest.profile("compliance")[0].value) * integral * std::acos(-1.0) / parts;
   CHECK(at_rest["normal_force"].value == approx(force, 1e-12));
-}
-
-TEST_CASE("no sphere rolls on a contact similar to its contours") {
-  data::Scene scene = data::load_scene(data::example_scene("half-space-rolling-sphere"));
-  scene.wanted = {data::ResultId::span_along};
-  std::get<data::HalfSpaceProblem>(scene.system).rule = data::ContourRule::similar_contour;
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("(30) is a die's"), data::BadInput);
 }

@@ -2,7 +2,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
-#include "support/refusal.hpp"
 #include "support/solved_scene.hpp"
 #include "support/test.hpp"
 #include "support/thesis_nips.hpp"
@@ -73,51 +72,39 @@ TEST_CASE("each name of a scene is the solver's result of that name") {
   }
 }
 
-TEST_CASE("a scene with a given length and the scene with the load that follows are the same contact") {
-  data::Scene by_length =
-      scene_of(data::Friction::full,
-               {data::ResultId::load, data::ResultId::indentation, data::ResultId::creep_ratio}, 1e-10);
-  problem_of(by_length).given = data::GivenLength{0.3};
-  const auto first = verify::solve(by_length);
-  data::Scene by_load = scene_of(
-      data::Friction::full,
-      {data::ResultId::contact_length, data::ResultId::indentation, data::ResultId::creep_ratio}, 1e-10);
-  problem_of(by_load).given = data::GivenLoad{first[data::ResultId::load].value};
-  const auto second = verify::solve(by_load);
-  CHECK(second[data::ResultId::contact_length].value == doctest::Approx(0.3).epsilon(1e-9));
-  CHECK(second[data::ResultId::indentation].value ==
-        doctest::Approx(first[data::ResultId::indentation].value).epsilon(1e-9));
-  CHECK(second[data::ResultId::creep_ratio].value ==
-        doctest::Approx(first[data::ResultId::creep_ratio].value).epsilon(1e-8));
-}
-
-TEST_CASE("evenly spaced positions go from the middle of the nip to the end of the contact") {
-  data::Scene scene =
-      scene_of(data::Friction::none, {data::ResultId::contact_length, data::ResultId::normal_displacement,
-                                      data::ResultId::indentation, data::ResultId::edge_displacement});
+TEST_CASE(
+    "evenly spaced positions go from the middle, or of a rolling contact the trailing end, to the leading end") {
+  using enum data::ResultId;
+  data::Scene scene = scene_of(data::Friction::none, {normal_displacement, indentation, edge_displacement});
   problem_of(scene).profile = data::EvenlySpaced{5};
   const auto solution = verify::solve(scene);
-  const double half = solution[data::ResultId::contact_length].value / 2;
   REQUIRE(solution.positions.size() == 5);
-  for (std::size_t i = 0; i < 5; ++i)
-    CHECK(solution.positions[i] == doctest::Approx(half * static_cast<double>(i) / 4));
-  const auto& u = solution.profile(data::ResultId::normal_displacement);
-  CHECK(u.front().value == doctest::Approx(solution[data::ResultId::indentation].value).epsilon(1e-8));
-  CHECK(u.back().value == doctest::Approx(solution[data::ResultId::edge_displacement].value).epsilon(1e-8));
+  CHECK(solution.positions[2] == approx(solution.positions[4] / 2, 1e-15));
+  const auto& u = solution.profile(normal_displacement);
+  CHECK(u.front().value == approx(solution[indentation].value, 1e-8));
+  CHECK(u.back().value == approx(solution[edge_displacement].value, 1e-8));
+  const auto rolling =
+      verify::solve(data::load_scene(data::example_scene("viscoelastic-short-memory"),
+                                     {{"material.relaxation_time", "0.1"},
+                                      {"wanted", R"(["pressure", "leading_length", "trailing_length"])"},
+                                      {"profile.points", "5"}}));
+  REQUIRE(rolling.positions.size() == 5);
+  CHECK(rolling.positions.front() == -rolling[trailing_length].value);
+  CHECK(rolling.positions.back() == rolling[leading_length].value);
+  const auto& p = rolling.profile(data::ResultId::pressure);
+  CHECK(p.front().value == 0);
+  CHECK(p.back().value == 0);
+  // The sheet is stiffest where it has been pressed for the shortest time.
+  CHECK(p[3].value > 1.1 * p[1].value);
 }
 
-TEST_CASE("positions without a wanted profile cost nothing and are not reported") {
+TEST_CASE("what a scene does not want costs nothing, is not reported, and is refused by name") {
   data::Scene scene = scene_of(data::Friction::none, {data::ResultId::load});
   const auto with = verify::solve(scene);
   problem_of(scene).profile.reset();
-  const auto without = verify::solve(scene);
   CHECK(with.positions.empty());
-  CHECK(with.work.kernel_evaluations == without.work.kernel_evaluations);
-}
-
-TEST_CASE("a result that the scene does not want is refused by name") {
-  const auto solution = verify::solve(scene_of(data::Friction::none, {data::ResultId::load}));
-  CHECK_THROWS_WITH_AS((void)solution[data::ResultId::creep_ratio],
+  CHECK(with.work.kernel_evaluations == verify::solve(scene).work.kernel_evaluations);
+  CHECK_THROWS_WITH_AS((void)with[data::ResultId::creep_ratio],
                        "result = creep_ratio: must be among what the scene wants", data::BadInput);
 }
 
@@ -134,20 +121,15 @@ TEST_CASE("a frictionless scene that wants no tangential result evaluates I1 alo
   }
 }
 
-TEST_CASE("a coarser accuracy costs fewer unknowns and fewer series terms") {
+TEST_CASE("less accuracy and less that is wanted never cost more") {
   for (const data::Friction friction : frictions) {
-    const std::vector<data::ResultId> wanted{data::ResultId::contact_length, data::ResultId::creep_ratio};
+    std::vector<data::ResultId> wanted{data::ResultId::contact_length, data::ResultId::creep_ratio};
     const auto coarse = verify::solve(scene_of(friction, wanted, 1e-4)).work;
     const auto fine = verify::solve(scene_of(friction, wanted, 1e-13)).work;
     CHECK(coarse.unknowns < fine.unknowns);
     CHECK(coarse.terms < fine.terms);
     CHECK(costs_no_more(coarse, fine));
-  }
-}
-
-TEST_CASE("wanting less never costs more") {
-  for (const data::Friction friction : frictions) {
-    std::vector<data::ResultId> wanted = all_results();
+    wanted = all_results();
     auto more = verify::solve(scene_of(friction, wanted)).work;
     while (wanted.size() > 1) {
       CAPTURE(wanted.back());
@@ -157,15 +139,4 @@ TEST_CASE("wanting less never costs more") {
       more = less;
     }
   }
-}
-
-TEST_CASE("a contact that is not allowed shows on solving, and is refused by what was given") {
-  data::Scene scene = scene_of(data::Friction::none, {data::ResultId::load});
-  const auto refusal = [&](const auto& given) {
-    problem_of(scene).given = given;
-    return refusal_of([&] { return verify::solve(scene); });
-  };
-  for (const double load : {1e-200, 1e10, 1e300})
-    CHECK(refusal(data::GivenLoad{load}).starts_with("load.per_length = "));
-  CHECK(refusal(data::GivenLength{1e-10}).starts_with("contact.length = 1e-10: "));
 }

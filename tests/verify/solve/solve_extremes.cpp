@@ -2,8 +2,8 @@
 // soon.
 #include <fmt/format.h>
 
-#include <chrono>
-
+#include <nipref/data/directory.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -17,9 +17,7 @@ using namespace nipref;
 namespace {
 
 std::string text_of(const std::string& scene) {
-  std::ostringstream text;
-  text << std::ifstream(data::example_scene(scene)).rdbuf();
-  return text.str();
+  return data::text_of_input_file(data::example_scene(scene), "scene");
 }
 
 /// With "key = old" replaced by "key = value".
@@ -28,10 +26,6 @@ std::string with(std::string text, const std::string& key, const std::string& va
   REQUIRE(begin != std::string::npos);
   const std::size_t end = text.find('\n', begin + 1);
   return text.replace(begin, end - begin, "\n" + key + " = " + value);
-}
-
-void check_refusal(const std::string& text, const char* says) {
-  CHECK_THROWS_WITH_AS((void)solved(text), doctest::Contains(says), data::BadInput);
 }
 
 /// The sheet of "viscoelastic-short-memory" with another relaxation time.
@@ -52,24 +46,6 @@ std::string elastic(double softening) {
 constexpr const char* same_when_elastic[] = {"contact_length", "indentation", "creep_ratio", "peak_pressure"};
 
 }  // namespace
-
-TEST_CASE("numbers with units beyond 1e-60 and 1e60 are refused by their keys") {
-  struct Extreme {
-    const char *scene, *key, *value, *says;
-  };
-  for (const auto& [scene, key, value, says] : std::vector<Extreme>{
-           {"thick-full-friction", "per_length", "5e-324", "load.per_length = 5e-324: must be from 1e-60"},
-           {"thick-full-friction", "thickness", "1e-308", "sheet.thickness = 1e-308: must be from 1e-60"},
-           {"thin-given-length", "radius", "1e61", "roller.radius = 1e+61: must be from 1e-60"},
-           {"thick-frictionless", "young", "1e300", "material.young = 1e+300: must be from 1e-60"},
-           {"viscoelastic-long-memory", "speed", "1e200", "rolling.speed = 1e+200: must be from 1e-60"},
-           {"viscoelastic-started", "radius", "1e308", "roller.radius = 1e+308: must be from 1e-60"},
-           {"viscoelastic-long-memory", "theta1_amplitudes", "[1e308, 4.6e-8]", "must be at most 1e60 times"},
-           {"half-space-near-critical", "density", "2.2e-308", "half_space.density = 2.2e-308: must be from"},
-           {"half-space-sliding-die", "normal_force", "1e-308", "load.normal_force = 1e-308: must be from"},
-           {"half-space-sliding-die", "positions", "[1e61]", "profile.positions[0] = 1e+61: must be from"}})
-    check_refusal(with(text_of(scene), key, value), says);
-}
 
 TEST_CASE("a memory that is far shorter or longer than the contact leaves the elastic contact") {
   const auto relaxed = solved(elastic(2)), stiff = solved(elastic(1));
@@ -115,39 +91,6 @@ TEST_CASE("an angle of many turns keeps its digits") {
   CHECK(near.profile("span")[0].value == far.profile("span")[0].value);
 }
 
-TEST_CASE("a result that a contact does not have is refused with the reason") {
-  const auto wanting = [](const char* example, data::ResultId result) {
-    data::Scene scene = data::load_scene(data::example_scene(example));
-    scene.wanted = {result};
-    return scene;
-  };
-  const auto check = [&](const char* example, data::ResultId result, const char* says) {
-    CHECK_THROWS_WITH_AS((void)verify::solve(wanting(example, result)), doctest::Contains(says),
-                         data::BadInput);
-  };
-  using enum data::ResultId;
-  for (const data::ResultId place : {peak_shear_position, shear_zeros})
-    check("thick-frictionless", place, "without friction there is no shear");
-  check("intermediate-full-friction", creep_range, "a converged contact has one creep");
-  check("intermediate-full-friction-line-loads", slip, "slip: must be left out: between line loads");
-  check("half-space-sliding-die-similar", peak_pressure, "each line has its own, peak_on_line");
-  CHECK_THROWS_WITH_AS(
-      (void)verify::solve_by_ref(wanting("viscoelastic-comparable-memory", leading_moment), 16),
-      doctest::Contains("leading_moment: must be wanted of the fast"), data::BadInput);
-}
-
-TEST_CASE("what would take longer than 20 s is refused") {
-  const auto elements = [](const std::string& text, const std::string& count) {
-    return with(with(text, "leading_elements", count), "trailing_elements", count);
-  };
-  check_refusal(elements(text_of("intermediate-full-friction-line-loads"), "1001"), "from 1 to 1000");
-  check_refusal(elements(text_of("thin-frictionless-line-loads"), "2001"), "from 1 to 2000");
-  check_refusal(with(text_of("viscoelastic-thesis-line-loads"), "leading_elements", "201"), "from 1 to 200");
-  check_refusal(with(text_of("viscoelastic-long-memory"), "points", "10001"), "from 2 to 10000");
-  check_refusal(with(with(text_of("viscoelastic-started"), "points", "1000"), "leading_elements", "300"),
-                "must be at most 326 points with 306 elements");
-}
-
 TEST_CASE("a result that is no number is refused by its name") {
   data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
   scene.wanted = {data::ResultId::load};
@@ -163,81 +106,62 @@ TEST_CASE("a result that is no number is refused by its name") {
 
 namespace {
 
-/// Random edits of scenes, the same on every machine: only the engine's own bits are used.
-class Edits {
- public:
-  explicit Edits(std::uint64_t seed) : engine_(seed) {}
-
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
-  double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
-  /// One of the numbers after an equals sign becomes another.
-  std::string edited(std::string text) {
-    std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
-    for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 1)) {
-      std::size_t begin = at + 3;
-      if (text[begin] == '[') ++begin;
-      const std::size_t end = text.find_first_not_of("0123456789.+-e", begin);
-      if (end > begin) numbers.emplace_back(begin, end - begin);
-    }
-    const auto [begin, length] = numbers[below(numbers.size())];
-    return text.replace(begin, length, number(std::strtod(text.c_str() + begin, nullptr)));
+/// The text with one of its numbers, after an equals sign, replaced by another: an extreme, one of another size, or any. The
+/// same on every machine: only the engine's own bits are used.
+std::string edited(std::string text, std::mt19937_64& engine) {
+  const auto below = [&](std::size_t count) { return static_cast<std::size_t>(engine() % count); };
+  std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
+  for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 1)) {
+    const std::size_t begin = at + (text[at + 3] == '[' ? 4 : 3);
+    const std::size_t end = text.find_first_not_of("0123456789.+-e", begin);
+    if (end > begin) numbers.emplace_back(begin, end - begin);
   }
-
- private:
-  std::string number(double value) {
-    static constexpr std::array extremes{"0",
-                                         "-0.0",
-                                         "5e-324",
-                                         "1e-308",
-                                         "1e-100",
-                                         "1e-60",
-                                         "1e-20",
-                                         "1e-8",
-                                         "1e8",
-                                         "1e20",
-                                         "1e60",
-                                         "1e100",
-                                         "1.7976931348623157e308",
-                                         "nan",
-                                         "inf",
-                                         "-inf",
-                                         "-1",
-                                         "-1.0",
-                                         "1",
-                                         "2.0",
-                                         "0.5",
-                                         "0.49999999999999994",
-                                         "-0.9999999999999999"};
-    switch (below(3)) {
-      case 0:
-        return extremes[below(extremes.size())];
-      case 1:
-        return fmt::format("{}", value * std::pow(10, 24 * share() - 12));
-      default:
-        return fmt::format("{}", std::pow(10, 616 * share() - 308));
-    }
-  }
-
-  std::mt19937_64 engine_;
-};
+  const auto [begin, length] = numbers[below(numbers.size())];
+  static const std::vector<std::string> extremes{"0",
+                                                 "-0.0",
+                                                 "5e-324",
+                                                 "1e-308",
+                                                 "1e-100",
+                                                 "1e-60",
+                                                 "1e-20",
+                                                 "1e-8",
+                                                 "1e8",
+                                                 "1e20",
+                                                 "1e60",
+                                                 "1e100",
+                                                 "1.7976931348623157e308",
+                                                 "nan",
+                                                 "inf",
+                                                 "-inf",
+                                                 "-1",
+                                                 "-1.0",
+                                                 "1",
+                                                 "2.0",
+                                                 "0.5",
+                                                 "0.49999999999999994",
+                                                 "-0.9999999999999999"};
+  const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+  const std::string others[]{
+      extremes[below(extremes.size())],
+      fmt::format("{}", std::strtod(text.c_str() + begin, nullptr) * std::pow(10, 24 * share - 12)),
+      fmt::format("{}", std::pow(10, 616 * share - 308))};
+  return text.replace(begin, length, others[below(3)]);
+}
 
 }  // namespace
 
-TEST_CASE("random edits of scenes end in numbers or in a refusal of one line, within 20 s") {
+TEST_CASE("random edits of scenes end in numbers or in a refusal of one line") {
   std::vector<std::string> scenes;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(data::example_scene("thick-frictionless").parent_path())) {
+  for (const auto& entry : std::filesystem::directory_iterator(data::scenes_directory())) {
     if (entry.path().extension() == ".toml") scenes.push_back(entry.path().stem().string());
   }
   std::ranges::sort(scenes);  // a folder has no order
-  Edits edits(20261121);
+  std::mt19937_64 engine(20261121);
   int results = 0, refusals = 0;
   for (int i = 0; i < 300; ++i) {
-    std::string text = text_of(scenes[edits.below(scenes.size())]);
-    for (std::size_t count = 1 + edits.below(2); count > 0; --count) text = edits.edited(text);
+    std::string text = text_of(scenes[static_cast<std::size_t>(engine() % scenes.size())]);
+    for (std::uint64_t count = 1 + engine() % 2; count > 0; --count) text = edited(text, engine);
     CAPTURE(text);
-    const auto start = std::chrono::steady_clock::now();
     try {
       for (const auto& result : solved(text).results) {
         for (const fast::Estimate& number : result.numbers) {
@@ -251,7 +175,6 @@ TEST_CASE("random edits of scenes end in numbers or in a refusal of one line, wi
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
       ++refusals;
     }
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
   }
   CHECK(results > 50);
   CHECK(refusals > 50);
