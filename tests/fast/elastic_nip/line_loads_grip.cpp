@@ -81,37 +81,6 @@ TEST_CASE("inside the sheet, on the line through the centres, the shear of line 
   }
 }
 
-TEST_CASE("the loads are affine in the creep") {
-  const auto at = [](double creep) {
-    return fast::line_loads_for_length(middling_nip, 4, 0.07, grip_with(creep));
-  };
-  const LineLoadNip low = at(-1e-3);
-  const LineLoadNip middle = at(0);
-  const LineLoadNip high = at(1e-3);
-  CHECK(high.load() != approx(low.load(), 1e-3));
-  for (std::size_t k = 0; k < 4; ++k) {
-    CHECK(low.loads[k].normal + high.loads[k].normal == approx(2 * middle.loads[k].normal, 1e-11));
-    CHECK(low.loads[k].shear + high.loads[k].shear == approx(2 * middle.loads[k].shear, 1e-9));
-  }
-}
-
-TEST_CASE("an incompressible sheet much thicker than the contact couples pressure and shear no more") {
-  // Half-space of poisson = 1/2: normal loads move its surface normally only.
-  const data::ElasticNip nip{1.0, 1.0, {1.0, 0.5}};
-  double last_shear = 1;
-  for (const double length : {1e-2, 1e-3, 1e-4}) {
-    const LineLoadNip gripped = fast::line_loads_for_length(nip, 6, length, grip_with(0.0));
-    const LineLoadNip slipping = fast::line_loads_for_length(nip, 6, length);
-    CAPTURE(length);
-    // Shear follows the pressure by a factor of order L/B, and the pressure feels it by as much again.
-    CHECK(gripped.load() == approx(slipping.load(), 20 * length * length));
-    const double shear = gripped.peak_shear() / gripped.peak_pressure();
-    CHECK(shear < 5 * length);
-    CHECK(shear < 0.2 * last_shear);
-    last_shear = shear;
-  }
-}
-
 TEST_CASE("length for a load and load for a length are inverse, over twelve decades of load") {
   for (double length = 1e-6; length < 2; length *= 10) {
     // The creep of a thick_nip nip is proportional to its length.
@@ -123,17 +92,4 @@ TEST_CASE("length for a load and load for a length are inverse, over twelve deca
       CHECK(again.contact_length() == approx(length, 1e-9));
     }
   }
-}
-
-TEST_CASE("bad input to the gripped contact is refused") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH_AS(fast::line_loads_for_length(thick_nip, 2, 0.1, grip_with(nan)),
-                       "creep = nan: must be finite", data::BadInput);
-  CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, -1}, 0.1, grip_with(0)), data::BadInput);
-  CHECK_THROWS_WITH_AS(fast::line_loads_for_length(thick_nip, -3, 0.1, grip_with(0)),
-                       "elements_per_side = -3: must be from 1 to 10000", data::BadInput);
-  CHECK_THROWS_AS(fast::line_loads_for_length(thick_nip, {2, 501}, 0.1, grip_with(0)), data::BadInput);
-  CHECK_THROWS_AS(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), data::BadInput);
-  // Elements so wide that their loads no longer reach the next matching point.
-  CHECK_THROWS_AS(fast::line_loads_for_length(thin_nip, 1, 301 * 2 * 0.005), data::BadInput);
 }

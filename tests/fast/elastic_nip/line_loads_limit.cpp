@@ -1,3 +1,5 @@
+#include <Eigen/LU>
+
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
@@ -16,31 +18,16 @@ namespace {
 /// the scheme solves, so to speak, a contact whose ends are off by (alpha ln m + beta)/m.
 const std::vector<int> elements{64, 96, 128, 192, 256, 384};
 
-/// First unknown of a square system, by elimination from the last: rows end with the right-hand side.
-double first_unknown(std::vector<std::vector<double>> rows) {
-  for (std::size_t last = rows.size() - 1; last > 0; --last) {
-    const auto pivot =
-        std::ranges::max_element(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(last) + 1, {},
-                                 [&](const auto& row) { return std::abs(row[last]); });
-    std::swap(*pivot, rows[last]);
-    for (std::size_t row = 0; row < last; ++row) {
-      const double factor = rows[row][last] / rows[last][last];
-      for (std::size_t column = 0; column < rows[row].size(); ++column) {
-        rows[row][column] -= factor * rows[last][column];
-      }
-    }
-  }
-  return rows[0].back() / rows[0][0];
-}
-
 double extrapolated(const std::vector<double>& values) {
-  std::vector<std::vector<double>> rows;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double h = 100.0 / elements[i];  // columns of like size
-    const double ln = std::log(h);
-    rows.push_back({1, h * ln, h, h * h * ln * ln, h * h * ln, h * h, values[i]});
+  Eigen::Matrix<double, 6, 6> rows;
+  Eigen::Vector<double, 6> right;
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double h = 100.0 / elements[at], ln = std::log(h);  // columns of like size
+    rows.row(i) << 1, h * ln, h, h * h * ln * ln, h * h * ln, h * h;
+    right(i) = values[at];
   }
-  return first_unknown(rows);
+  return rows.partialPivLu().solve(right)(0);
 }
 
 }  // namespace

@@ -1,6 +1,4 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/fast/sheet/kernels.hpp>
-#include <nipref/fast/sheet/plain_series.hpp>
 
 #include "support/line_load_sums.hpp"
 #include "support/test.hpp"
@@ -75,26 +73,4 @@ TEST_CASE("residues: as many terms as asked for, and the library's kernels where
   // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
   const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, grip_with(1e-4));
   CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
-}
-
-TEST_CASE("plain series: the batch gives I1, I3 and the part of I6 in alpha") {
-  const std::vector<double> alpha{-3.0, -0.2, 0.1, 1.0, 9.0};
-  std::vector<double> i1(5), i3(5), i6(5);
-  fast::plain_series(alpha, 500, {i1, i3, i6});
-  for (std::size_t i = 0; i < alpha.size(); ++i) {
-    CAPTURE(alpha[i]);
-    CHECK(i1[i] == doctest::Approx(fast::I1(alpha[i])).epsilon(1e-12).scale(1e-3));
-    CHECK(i3[i] == approx(fast::I3(alpha[i]), 1e-12));
-    // Against I6 at another alpha, so that the part in eta cancels.
-    CHECK(i6[i] - i6[3] ==
-          doctest::Approx(fast::I6(alpha[i], 0.0) - fast::I6(1.0, 0.0)).epsilon(1e-12).scale(1.0));
-  }
-  // eta so large that its residues have died: I6 = part in alpha + (pi/4) |eta|.
-  CHECK(i6[3] == approx(fast::I6(1.0, 30.0) - 30 * std::atan(1.0), 1e-12));
-  std::vector<double> alone(5);
-  fast::plain_series(alpha, 500, {{}, alone, {}});
-  CHECK(alone == i3);
-  std::vector<double> short_room(4);
-  CHECK_THROWS_AS(fast::plain_series(alpha, 500, {short_room, {}, {}}), data::BadInput);
-  CHECK_THROWS_AS(fast::plain_series(alpha, 501, {i1, {}, {}}), data::BadInput);
 }

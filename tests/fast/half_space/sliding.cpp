@@ -1,9 +1,6 @@
-// The papers' sliding contact: its integral equation, its force, its contour, its limits.
-#include <boost/math/quadrature/tanh_sinh.hpp>
-
+// The papers' sliding contact: its integral equation, its peak and centre, integrals over half a turn.
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
-#include <nipref/fast/half_space/transversely_isotropic.hpp>
 
 #include "support/half_space.hpp"
 #include "support/test.hpp"
@@ -13,7 +10,6 @@ using fast::Direction;
 using fast::Indenter;
 using fast::sliding_for_force;
 using fast::sliding_for_span;
-using fast::SlidingContact;
 using fast::SlidingLine;
 using std::numbers::pi;
 using test::any_poisson;
@@ -23,31 +19,6 @@ namespace {
 
 constexpr Direction along_x1{1, 0};
 const Indenter die = Indenter::ellipsoid(0.7, 1.9, 1.3);
-
-/// int p |x| dx and int p x |x| dx on one line.
-std::array<double, 2> moments(const SlidingLine& line) {
-  boost::math::quadrature::tanh_sinh<double> rule;
-  const auto side = [&](double lower, double upper, double power) {
-    return rule.integrate([&](double x) { return line.pressure(x).value * std::pow(std::fabs(x), power); },
-                          lower, upper, 1e-13);
-  };
-  return {side(line.trailing_end().value, 0, 1) + side(0, line.leading_end().value, 1),
-          side(0, line.leading_end().value, 2) - side(line.trailing_end().value, 0, 2)};
-}
-
-/// The resultants by brute force: Gauss-free, many directions.
-std::array<double, 3> resultants(const SlidingContact& contact, Direction motion) {
-  constexpr int directions = 40;
-  std::array<double, 3> sum{};
-  for (int i = 0; i < directions; ++i) {
-    const double psi = pi * i / directions;
-    const auto [force, moment] = moments(contact.along(Direction::of_angle(psi)));
-    sum[0] += force * pi / directions;
-    sum[1] += moment * pi / directions * (std::cos(psi) * motion.cosine + std::sin(psi) * motion.sine);
-    sum[2] += moment * pi / directions * (std::sin(psi) * motion.cosine - std::cos(psi) * motion.sine);
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -83,35 +54,6 @@ TEST_CASE("sliding: the pressure satisfies the integral equation of every line")
   CHECK(worst < 2e-14);
 }
 
-TEST_CASE("sliding: force and centre of pressure against quadrature of the pressure") {
-  for (const double friction : {0., 0.05, 0.5, 3.})
-    for (const double angle : {0., 0.8, -2.5}) {
-      const Direction motion = Direction::of_angle(angle);
-      const auto contact = sliding_for_span(isotropic(0.2, 0.5), die, friction, motion, 0.4);
-      const auto [force, along, across] = resultants(contact, motion);
-      const auto close = [](fast::Estimate found, double truth, double scale) {
-        CHECK(std::fabs(found.value - truth) < found.error + 1e-12 * scale);
-        CHECK(found.error < 1e-13 * scale);
-      };
-      close(contact.force(), force, force);
-      close(contact.centre_along(), along / force, 0.4);
-      close(contact.centre_across(), across / force, 0.4);
-      CHECK(contact.shear_force().value == friction * contact.force().value);
-    }
-}
-
-TEST_CASE("sliding: span and force belong together, the force is cubic in the span") {
-  const auto response = isotropic(0.1, 0.3);
-  const auto contact = sliding_for_span(response, die, 0.3, along_x1, 0.2);
-  const auto back = sliding_for_force(response, die, 0.3, along_x1, contact.force().value);
-  CHECK(back.span().value == doctest::Approx(0.2).epsilon(1e-15));
-  CHECK(back.span().error < 1e-14);
-  CHECK(back.centre_along().value == approx(contact.centre_along().value, 1e-14));
-  const auto twice = sliding_for_span(response, die, 0.3, along_x1, 0.4);
-  CHECK(twice.force().value == doctest::Approx(8 * contact.force().value).epsilon(1e-15));
-  CHECK(twice.peak_pressure().value == doctest::Approx(2 * contact.peak_pressure().value).epsilon(1e-15));
-}
-
 TEST_CASE("sliding: every line has the same peak, where the paper says") {
   const auto contact = sliding_for_span(isotropic(any_poisson, 0.7), die, 0.5, along_x1, 0.2);
   for (int i = 0; i < 20; ++i) {
@@ -129,16 +71,6 @@ TEST_CASE("sliding: every line has the same peak, where the paper says") {
   }
 }
 
-TEST_CASE("sliding: at rest without friction a sphere carries pi/4 of Hertz at the same span") {
-  const double radius = 3, span = 0.1, a = span / 2;
-  const auto contact =
-      sliding_for_span(isotropic(any_poisson, 0), Indenter::sphere(radius), 0, along_x1, span);
-  const double hertz = 8 * a * a * a / (3 * (1 - any_poisson) * radius);
-  CHECK(contact.force().value == doctest::Approx(pi / 4 * hertz).epsilon(1e-14));
-  CHECK(contact.span_ratio({0, 1}).value == doctest::Approx(1).epsilon(1e-15));
-  CHECK(std::fabs(contact.centre_along().value) < 1e-16);
-}
-
 TEST_CASE(
     "sliding: without friction the centre is the point of first touch, to its error, next to a critical line too") {
   for (const double off : {1e-1, 1e-3, 1e-5}) {
@@ -151,47 +83,6 @@ TEST_CASE(
     for (const fast::Estimate centre : {contact.centre_along(), contact.centre_across()})
       CHECK(std::fabs(centre.value) <= centre.error);
   }
-}
-
-TEST_CASE("sliding: an axis in the surface, oblique to the motion, and its mirror image") {
-  const data::TransverselyIsotropicSolid solid{3.1, 20.7, 1.4, 1.9, 0.8, 1};
-  const auto contact = [&](double theta) {
-    const Direction motion = Direction::of_angle(theta);
-    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
-        solid, data::SymmetryAxis::in_plane, motion, 0.3);
-    return sliding_for_span([surface](Direction psi) { return surface->along(psi); }, {1, 1}, 0.5, motion,
-                            0.1);
-  };
-  const auto one = contact(0.5), image = contact(-0.5);
-  CHECK(one.force().value == doctest::Approx(image.force().value).epsilon(1e-13));
-  CHECK(one.centre_along().value == doctest::Approx(image.centre_along().value).epsilon(1e-12));
-  CHECK(one.centre_across().value == doctest::Approx(-image.centre_across().value).epsilon(1e-12));
-  // Along and across the axis nothing distinguishes the sides.
-  for (const double theta : {0., pi / 2}) CHECK(std::fabs(contact(theta).centre_across().value) < 1e-15);
-  CHECK(std::fabs(one.centre_across().value) > 1e-4);
-}
-
-TEST_CASE("sliding: table 1 of the first paper, first row, as far as friction matters there") {
-  // The table leaves friction out of the last two factors (notes): 1e-3 at friction 0.1.
-  constexpr std::array printed{0.9938, 0.9712, 0.9330, 0.8781, 0.8034, 0.7049};
-  for (std::size_t i = 0; i < printed.size(); ++i) {
-    const double speed = 0.1 * static_cast<double>(i + 1);
-    const auto contact =
-        sliding_for_span(isotropic(any_poisson, speed), Indenter::sphere(1), 0.1, along_x1, 0.1);
-    CHECK(contact.span_ratio({0, 1}).value == doctest::Approx(printed[i]).epsilon(2e-3));
-  }
-}
-
-TEST_CASE("sliding: the contour of a die, by the closed form of the cross direction") {
-  // (brock2012 35) corrected: C2 L2/(C1 L1) = K(90) h1^-1 Q1/Q(90), Q(90) = 1/2.
-  const double friction = 0.3, speed = 0.5;
-  const auto contact = sliding_for_span(isotropic(any_poisson, speed), die, friction, along_x1, 0.1);
-  const fast::LineResponse line = isotropic(any_poisson, speed)(along_x1);
-  const double compliance = line.compliance, coupling = line.coupling;
-  const double gamma = friction * coupling, angle = std::atan(gamma / compliance) / pi;
-  const double q = std::pow(0.5 + angle, 0.5 + angle) * std::pow(0.5 - angle, 0.5 - angle);
-  CHECK(contact.span_ratio({0, 1}).value * 1.9 / 0.7 ==
-        doctest::Approx((1 - any_poisson) / std::hypot(compliance, gamma) * 2 * q).epsilon(1e-14));
 }
 
 TEST_CASE("integrals over half a turn keep their digits at poles beside the directions") {

@@ -5,7 +5,6 @@
 #include "support/test.hpp"
 
 using namespace nipref;
-using data::StandardLinearSolid;
 using fast::material_functions;
 using Complex = std::complex<double>;
 
@@ -23,62 +22,7 @@ void check_equal(Complex a, Complex b, double tolerance) {
   CHECK(std::abs(a - b) <= tolerance * std::abs(b));
 }
 
-/// The functions' transforms against the moduli they stand for.
-void check_moduli(const data::MaterialFunctions& material, const std::function<Complex(Complex)>& shear,
-                  const std::function<Complex(Complex)>& bulk, double tolerance) {
-  for (const Complex p : places) {
-    check_equal(material.theta1.transform(p), 1.0 / (2.0 * shear(p)), tolerance);
-    check_equal(material.theta2.transform(p), 3.0 / (6.0 * bulk(p) + 2.0 * shear(p)), tolerance);
-  }
-}
-
-void check_solid(const StandardLinearSolid& s, std::size_t terms) {
-  const auto material = material_functions(data::standard_linear_solid(s));
-  CHECK(material.theta2.terms.size() == terms);
-  check_moduli(
-      material,
-      [&](Complex p) { return 1.0 / (1.0 / s.shear_1 + 1.0 / (s.shear_2 + s.shear_viscosity * p)); },
-      [&](Complex p) { return 1.0 / (1.0 / s.bulk_1 + 1.0 / (s.bulk_2 + s.bulk_viscosity * p)); }, 1e-13);
-}
-
 }  // namespace
-
-TEST_CASE("the standard linear solid has the moduli of its springs and dashpots") {
-  check_solid({2, 3, 5, 7, 1, 11}, 2);
-  check_solid({1, 1e3, 1e4, 10, 1e-4, 1e4}, 2);
-  check_solid({5e4, 7e4, 1.4e5, 1e5, 7e-5, 1e9}, 2);
-}
-
-TEST_CASE("a standard linear solid with one relaxation time in both has one term, as (AIII.10, AIII.11)") {
-  check_solid({3, 3, 8, 8, 0.3, 0.8}, 1);
-  const auto general = material_functions(data::standard_linear_solid({3, 3, 8, 8, 0.3, 0.8}));
-  const auto special = material_functions(data::single_relaxation_time_solid(8, 3, 0.1));
-  for (const Complex p : places) {
-    check_equal(special.theta1.transform(p), general.theta1.transform(p), 1e-13);
-    check_equal(special.theta2.transform(p), general.theta2.transform(p), 1e-13);
-  }
-  CHECK(special.normal_compliance().terms.size() == 1);
-}
-
-TEST_CASE("operators: three relaxation times, shared factors and a complex pair") {
-  // (p + 2)(p + 30)(p + 500) over (p + 1)(p + 20)(p + 300), bulk modulus 4.
-  const data::DifferentialOperators three{{30000, 16060, 532, 1}, {6000, 6320, 321, 1}, {1}, {4}};
-  check_moduli(
-      factored(three),
-      [](Complex p) { return (p + 1.0) * (p + 20.0) * (p + 300.0) / ((p + 2.0) * (p + 30.0) * (p + 500.0)); },
-      [](Complex) { return Complex(4); }, 1e-12);
-  const data::DifferentialOperators shared{{2, 1}, {1, 1}, {2, 1}, {5, 5}};
-  CHECK(factored(shared).theta2.terms.size() == 1);
-  const data::DifferentialOperators cancelling{{5, 6, 1}, {3, 4, 1}, {1}, {7}};  // (p + 1) in P and in Q
-  CHECK(factored(cancelling).theta1.terms.size() == 1);
-  // 2 theta1 = 1 + 1/(p + 1 - i) + 1/(p + 1 + i)
-  const auto waves = factored({{4, 4, 1}, {2, 2, 1}, {1}, {10}});
-  CHECK(waves.theta1.terms.size() == 2);
-  CHECK(waves.theta1.terms[0].rate == std::conj(waves.theta1.terms[1].rate));
-  check_moduli(
-      waves, [](Complex p) { return (p * p + 2.0 * p + 2.0) / ((p + 2.0) * (p + 2.0)); },
-      [](Complex) { return Complex(10); }, 1e-13);
-}
 
 TEST_CASE("operators: of a double root that both sides have once, the other stays") {
   // 1/(2G) = 1/(2 (1 + p)), theta2 = 3 (2 + p)/((1 + p) (10 + 2 p))

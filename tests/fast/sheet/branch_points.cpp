@@ -1,4 +1,5 @@
 #include <nipref/fast/sheet/branch_points.hpp>
+#include <nipref/fast/sheet/displacements.hpp>
 
 #include "support/kernels.hpp"
 #include "support/test.hpp"
@@ -17,7 +18,7 @@ TEST_CASE("even kernels are even and odd ones odd, to the last bit") {
   for (const Kernel& kernel : kernels()) {
     for (const double x : log_uniform(1e-300, 700, 500, 4)) {
       const double value = kernel.scalar(x, {});
-      CHECK(kernel.scalar(-x, {}) == (kernel.residues.odd ? -value : value));
+      CHECK(kernel.scalar(-x, {}) == (kernel.odd ? -value : value));
     }
   }
   for (const double x : log_uniform(1e-3, 30, 200, 5)) {
@@ -57,7 +58,7 @@ TEST_CASE("branch points ascend") {
 
 TEST_CASE("odd kernels vanish at zero, linearly down to the denormal numbers") {
   for (const Kernel& kernel : kernels()) {
-    if (!kernel.residues.odd) continue;
+    if (!kernel.odd) continue;
     CAPTURE(kernel.name);
     CHECK(kernel.scalar(0.0, {}) == 0);
     CHECK(kernel.scalar(-0.0, {}) == 0);
@@ -83,9 +84,9 @@ TEST_CASE("logarithmic kernels down to the denormal numbers") {
 
 TEST_CASE("limits at infinity") {
   for (const Kernel& kernel : kernels()) {
-    const double limit = kernel.residues.odd ? std::numbers::pi / 4 : 0;
+    const double limit = kernel.odd ? std::numbers::pi / 4 : 0;
     for (const double x : {400.0, 1e3, 1e20, largest}) CHECK(kernel.scalar(x, {}) == limit);
-    CHECK(kernel.scalar(350.0, {}) != (kernel.residues.odd ? 0 : limit));  // still representable
+    CHECK(kernel.scalar(350.0, {}) != (kernel.odd ? 0 : limit));  // still representable
   }
   using nipref::fast::I6;
   CHECK(I6(1e20, 3e20) == doctest::Approx(std::numbers::pi / 2 * 1e20).epsilon(1e-15));
@@ -116,6 +117,12 @@ TEST_CASE("arguments outside the domain are refused by name") {
   CHECK_THROWS_WITH(I6(1.0, infinity), "eta = inf: must be a finite number");
   CHECK_THROWS_WITH(I6(0.0, 1.0), "alpha = 0: must be nonzero: the kernel is infinite there");
   CHECK_NOTHROW(I6(1.0, 0.0));
+  CHECK_THROWS_AS(un(1.0, {-1.0, 0.3}), BadInput);
+  CHECK_THROWS_AS(vs(0.0, 1.0, {1.0, 0.3}), BadInput);
+  CHECK_THROWS_AS(F1(1.0, 0.7), BadInput);
+  CHECK_THROWS_AS(F2(std::nan(""), 0.3), BadInput);
+  std::vector<double> at{1.0}, value(1);
+  CHECK_THROWS_AS(un(at, {1.0, 0.6}, value), BadInput);
 }
 
 TEST_SUITE_END();

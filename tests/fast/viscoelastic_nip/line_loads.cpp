@@ -1,10 +1,9 @@
 // The thesis's own way through the viscoelastic nip: its plain sums against exact displacements, its line
-// loads against the elastic ones, its search for m2.
+// loads at their matching points, its search for m2.
 #include <optional>
 #include <tuple>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -65,80 +64,6 @@ TEST_CASE("plain sums of the tangential displacement agree with the exact one as
     CHECK(std::fabs(plain.tangential_displacement(t, T, t0) - exact.tangential_displacement(t, T, t0)) <
           1e-3 * scale);
   }
-}
-
-TEST_CASE("fast and slow relaxation give the elastic line loads") {
-  const double length = 0.08;
-  for (const int terms : {0, 500}) {
-    CAPTURE(terms);
-    for (const auto& [relaxation_length, compliance] : {std::pair(1e7, 1.0), std::pair(1e-7, 2.0)}) {
-      CAPTURE(relaxation_length);
-      const LineLoadNip found = for_length(relaxation_length, method(5, 5, terms), length);
-      const auto truth = fast::line_loads_for_length(elastic(compliance), {5, terms}, 2 * length);
-      // After 500 terms what is quickly relaxed still lacks up to 0.2/500 of the kernel.
-      const double accuracy = terms > 0 && relaxation_length < 1 ? 3e-3 : 1e-5;
-      check_close(found.load(), truth.load(), accuracy);
-      check_close(found.indentation, truth.indentation, accuracy);
-      check_close(found.leading_displacement(), truth.leading_displacement(), accuracy);
-      check_close(found.trailing_displacement(), truth.leading_displacement(), accuracy);
-      check_close(found.peak_pressure(), truth.peak_pressure(), accuracy);
-      CHECK(std::fabs(found.rolling_resistance()) < accuracy * length / radius);
-    }
-    const LineLoadNip slow = for_length(1e7, method(5, 5, terms), length);
-    check_close(slow.creep_ratio(),
-                fast::line_loads_for_length(elastic(1), {5, terms}, 2 * length).creep_ratio(), 1e-5);
-  }
-}
-
-TEST_CASE("with enough residues line loads are those of exact displacements") {
-  const LineLoadNip plain = for_length(0.1, method(5, 4), 0.08);
-  const LineLoadNip exact = for_length(0.1, method(5, 4, 0), 0.08);
-  CHECK(plain.load() != exact.load());
-  check_close(plain.load(), exact.load(), 2e-3);
-  check_close(plain.indentation, exact.indentation, 2e-3);
-  check_close(plain.peak_pressure(), exact.peak_pressure(), 5e-3);
-  check_close(plain.creep_ratio(), exact.creep_ratio(), 2e-2);
-}
-
-TEST_CASE("the contact is linear: a stiffer sheet carries as much more at the same lengths") {
-  const auto stiffer = [](data::MaterialFunction function) {
-    function.instantaneous /= 7;
-    for (auto& term : function.terms) term.amplitude /= 7;
-    return function;
-  };
-  ViscoelasticNip stiff = nip(0.1);
-  stiff.material = {stiffer(stiff.material.functions()->theta1), stiffer(stiff.material.functions()->theta2)};
-  const LineLoadNip soft = for_length(0.1, method(4, 3), 0.05);
-  const LineLoadNip hard = fast::line_loads_for_length(stiff, method(4, 3), 0.05);
-  check_close(hard.load(), 7 * soft.load(), 1e-12);
-  check_close(hard.indentation, soft.indentation, 1e-12);
-  check_close(hard.rolling_resistance(), soft.rolling_resistance(), 1e-11);
-  check_close(hard.creep_ratio(), soft.creep_ratio(), 1e-11);
-}
-
-TEST_CASE("what the loads leave: the roller's shape at every matching point, and the moment (7.15)") {
-  ViscoelasticNip rolling = nip(0.1);
-  rolling.speed = 3;
-  const ViscoelasticLineLoads how = method(4, 3, 0);
-  const LineLoadNip found = fast::line_loads_for_length(rolling, how, 0.06);
-  const double half = rolling.half_thickness(), element = found.element_width() / 2;
-  CHECK(found.loads.size() == 7);
-  check_close(found.trailing_length(), 0.06 * 3 / 4, 1e-14);
-  const fast::MovingLoad sheet(rolling.material, rolling.speed, half);
-  const double start = how.approach_lengths * half;
-  double moment = 0;
-  for (int i = 0; i <= 7; ++i) {
-    double u = 0;
-    for (int j = 0; j < 7; ++j)
-      u += found.loads[static_cast<std::size_t>(j)].normal *
-           sheet.normal_displacement((start + 2 * i * element) / rolling.speed,
-                                     (start + (2 * j + 1) * element) / rolling.speed);
-    const double y = 0.06 - 2 * i * element;
-    check_close(u, found.indentation - y * y / (2 * radius), 1e-10);
-    if (i < 7) moment += found.loads[static_cast<std::size_t>(i)].normal * (y - element);
-  }
-  check_close(found.rolling_resistance(), moment / (found.load() * radius), 1e-12);
-  CHECK(found.rolling_resistance() > 0);
 }
 
 TEST_CASE("the surface has the roller's shape where it was matched, and the creep between its ends") {

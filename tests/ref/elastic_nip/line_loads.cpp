@@ -162,24 +162,3 @@ TEST_CASE("ref line loads: a given load is carried at a length that is proven, w
     CHECK(error(fine.load()) <= 1e-30);
   }
 }
-
-TEST_CASE("ref line loads: the thesis's creep is that in double") {
-  for (const double length : {0.05, 0.1, 0.3}) {
-    const auto solve = [&] {
-      return ref::line_loads_for_length(quarter_inch_nip, 3, length, 20, {data::Grip::Creep::thesis});
-    };
-    const auto solve_fast = [&] {
-      return fast::line_loads_for_length(quarter_inch_nip, 3, length, {data::Grip::Creep::thesis});
-    };
-    if (length > 0.2) {
-      CHECK_THROWS_AS(solve_fast(), data::BadInput);
-      CHECK_THROWS_AS(solve(), data::BadInput);
-      continue;
-    }
-    const auto theirs = solve_fast();
-    const auto mine = solve();
-    CHECK(mine.creep_ratio().to_double() == doctest::Approx(*theirs.gripped_creep).epsilon(1e-9));
-    CHECK(mine.load().to_double() == doctest::Approx(theirs.load()).epsilon(1e-9));
-    CHECK(mine.peak_shear().to_double() == doctest::Approx(theirs.peak_shear()).epsilon(1e-9));
-  }
-}

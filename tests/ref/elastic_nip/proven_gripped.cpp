@@ -63,7 +63,7 @@ TEST_CASE(
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 2; ++i) {
     CAPTURE(i);
     const double length = std::exp(between(std::log(1e-3), std::log(3.5)));
     const data::ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : between(-0.9, 0.5)}};
@@ -90,13 +90,14 @@ TEST_CASE(
     check([](const auto& of) { return of.leading_displacement(); });
     check([](const auto& of) { return of.creep_ratio(); });
     good(check([](const auto& of) { return of.pressure(0); }));
-    for (const double share : {-0.4, 0.3, 0.4999}) {
+    for (const double share : {-0.4, 0.4999}) {
       check([&](const auto& of) { return of.pressure(share * length); });
       check([&](const auto& of) { return of.shear(share * length); });
       check([&](const auto& of) { return of.normal_displacement(share * length); });
       check([&](const auto& of) { return of.tangential_displacement(share * length); });
       check([&](const auto& of) { return of.surface_strain(share * length); });
     }
+    if (i > 0) continue;
     // The length of that load is proven as well.
     const double load = few.load().to_double();
     const auto of_load = ref::converged_for_load(nip, Friction::full, load, 16);
@@ -138,8 +139,8 @@ TEST_CASE(
 }
 
 TEST_CASE("ref gripped contact: of a few digits only, its bounds still cover, and are not vacuous") {
-  for (const double half_length : {1e-3, 0.7, 3.0}) {
-    for (const double beta : {0.0, 0.25, 0.7}) {
+  for (const double half_length : {1e-3, 3.0}) {
+    for (const double beta : {0.0, 0.7}) {
       CAPTURE(half_length);
       CAPTURE(beta);
       const auto rough = gripped(half_length, Exact(beta), 3), truth = gripped(half_length, Exact(beta), 25);

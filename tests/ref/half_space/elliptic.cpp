@@ -1,6 +1,3 @@
-#include <boost/math/special_functions/ellint_rd.hpp>
-#include <boost/math/special_functions/ellint_rf.hpp>
-
 #include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/isotropic_surface.hpp"
@@ -8,32 +5,6 @@
 
 using namespace nipref;
 using ref::Exact;
-
-TEST_CASE("the reference's sphere at rest is Hertz's") {
-  const auto surface = isotropic_surface(0.25, 1e-30);
-  CHECK(ref::elliptic_axis_ratio(surface, Exact(1.0), 20).to_double() == doctest::Approx(1).epsilon(1e-15));
-  CHECK(ref::elliptic_stiffness(surface, Exact(1.0), 20).to_double() ==
-        doctest::Approx(8 / (3 * 0.75)).epsilon(1e-14));
-}
-
-TEST_CASE("the reference's die at rest is Hertz's ellipse") {
-  // (Johnson, Contact Mechanics, 4.26-4.28) by Carlson's integrals, for axes a = 1 and b = ratio, p0 = E*.
-  const auto surface = isotropic_surface(0.25, 1e-30);
-  for (const double ratio : {0.9, 0.4, 1e-3, 1e-6}) {
-    const double square = ratio * ratio;
-    const double flat = 2 * ratio * boost::math::ellint_rd(0, square, 1) / 3;
-    const double sharp = 2 * ratio * boost::math::ellint_rd(0, 1, square) / 3;
-    const double approach = ratio * boost::math::ellint_rf(0, square, 1), modulus = 2 / 0.75;
-    const double force = 2 * std::numbers::pi / 3 * ratio * modulus;
-    const double stiffness = force / std::pow(approach, 1.5) * std::sqrt((flat + sharp) / 2);
-    for (const double curvature_ratio : {sharp / flat, flat / sharp}) {
-      CHECK(ref::elliptic_axis_ratio(surface, Exact(curvature_ratio), 18).to_double() ==
-            doctest::Approx(ratio).epsilon(1e-13));
-      CHECK(ref::elliptic_stiffness(surface, Exact(curvature_ratio), 18).to_double() ==
-            doctest::Approx(stiffness).epsilon(1e-13));
-    }
-  }
-}
 
 TEST_CASE("the reference's ellipse under a compliance with a narrow peak, wherever that lies") {
   // K = 1 + 1/(gap + sin^2(psi - peak)) turns with its peak, and a sphere's ellipse with it.
@@ -52,11 +23,6 @@ TEST_CASE("the reference's ellipse under a compliance with a narrow peak, wherev
     CHECK(along.to_double() < 1);
     CHECK(along.to_double() == doctest::Approx(askew.to_double()).epsilon(1e-15));
   }
-}
-
-TEST_CASE("a sphere on a moving half-space has the shape found before") {
-  CHECK(ref::elliptic_axis_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(1.0), 18).to_double() ==
-        doctest::Approx(0.8905).epsilon(1e-4));
 }
 
 TEST_CASE("the reference's search for an ellipse asks for no more lines than it did") {
@@ -96,20 +62,4 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
     return line;
   };
   refused(no_number, Exact(1.0), "surface = nan");
-}
-
-TEST_CASE("the reference's contact of a sphere at rest is Hertz's, the force given or the span") {
-  // K = 1 - nu = 3/4: F = 8/(3 K) sqrt(R) approach^(3/2), a^2 = R approach, peak = 3 F/(2 pi a^2).
-  const double radius = 2, force = 0.01, K = 0.75;
-  const auto body = ref::Indenter::of_radii(radius, radius);
-  const ref::EllipticContact contact(isotropic_surface(0.25, 1e-30), body, data::GivenNormalForce{force}, 20);
-  const double approach = std::pow(3 * K * force / (8 * std::sqrt(radius)), 2.0 / 3);
-  const double a = std::sqrt(radius * approach);
-  CHECK(contact.approach().to_double() == doctest::Approx(approach).epsilon(1e-14));
-  CHECK(contact.span(Exact(33.0)).to_double() == doctest::Approx(2 * a).epsilon(1e-14));
-  CHECK(contact.peak_pressure().to_double() ==
-        doctest::Approx(3 * force / (2 * std::numbers::pi * a * a)).epsilon(1e-14));
-  CHECK(mpfr_get_d(ref::raw(contact.orientation().error), MPFR_RNDN) == 90);
-  const ref::EllipticContact back(isotropic_surface(0.25, 1e-30), body, data::GivenSpan{2 * a}, 20);
-  CHECK(back.force().to_double() == doctest::Approx(force).epsilon(1e-14));
 }

@@ -41,16 +41,6 @@ TEST_CASE("rational solids: equal roots have the terms t e^-t that their formula
   }
 }
 
-TEST_CASE("rational solids: a complex pair turns while it fades, proven") {
-  // theta1 = (p^2 + 4 p + 5)/(2 (p^2 + 2 p + 2)): e^-t (cos t + sin t/2)
-  const auto solid =
-      exact_operators(exacts({"5", "4", "1"}), exacts({"2", "2", "1"}), exacts({"1"}), exacts({"10"}));
-  for (const std::string t : {"0.001", "2", "100"}) {
-    const Float60 time(t);
-    check_holds(fading_part(solid.theta1, exact(t), digits), exp(-time) * (cos(time) + sin(time) / 2));
-  }
-}
-
 TEST_CASE("rational solids: roots 1e-30 apart are neither one nor a loss") {
   // 1/2 + 1/2 (1/(p + 1) - 1/(p + 1 + d))/d, of which the difference is t e^-t (1 - d t/2 + ...)
   const std::string near = "1.000000000000000000000000000001";
@@ -58,37 +48,6 @@ TEST_CASE("rational solids: roots 1e-30 apart are neither one nor a loss") {
                                  {exact("0.1"), exacts({"0"}), exacts({"1"})});
   const Float60 d("1e-30"), t(3);
   check_holds(fading_part(solid.theta1, exact("3"), 30), t * exp(-t) * (1 - d * t / 2) / 2);
-}
-
-TEST_CASE("rational solids: springs and dashpots by operators, with what both have cancelled") {
-  using nipref::data::SpringModel;
-  const ExactModulus shear{SpringModel::standard_linear, exact("2"), exact("3"), exact("5")},
-      bulk{SpringModel::standard_linear, exact("7"), exact("4"), exact("0.6")};
-  // Each times p + 1, which nobody sees.
-  const auto solid = exact_operators(exacts({"5", "10", "5"}), exacts({"6", "16", "10"}),
-                                     exacts({"11", "11.6", "0.6"}), exacts({"28", "32.2", "4.2"}));
-  for (const std::string t : {"0", "1e-12", "0.4", "77"}) {
-    const auto same = [&](const Enclosure& x, const Enclosure& y) {
-      CHECK(abs(number(x) - number(y)) <= Float60(x.error_text()) + Float60(y.error_text()));
-    };
-    same(fading_part(solid.theta1, exact(t), digits), theta1(shear, exact(t), digits));
-    same(fading_part(solid.theta2, exact(t), digits), theta2(shear, bulk, exact(t), digits));
-    same(relaxation(solid.shear, exact(t), digits), relaxation(shear, exact(t), digits));
-    same(creep(solid.dilatation, exact(t), digits), creep(bulk, exact(t), digits));
-    same(loss(solid.dilatation, exact(t), digits), loss(bulk, exact(t), digits));
-  }
-}
-
-TEST_CASE("rational solids: the thesis's misprint, and an elastic one in disguise, which is exactly that") {
-  const auto misprint = exact_single_time(exact("1"), exact("0.375"), exact("0.5"), 2);
-  // 4/(9 tau) e^(-2 t/tau) where it should be e^(-t/tau)
-  check_holds(fading_part(misprint.theta2, exact("0.25"), digits), Float60(8) / 9 * exp(Float60(-1)));
-  check_holds(fading_part(misprint.theta1, exact("0.25"), digits), Float60(8) / 3 * exp(Float60("-0.5")));
-  const auto disguised =
-      exact_operators(exacts({"0.1", "0.3"}), exacts({"0.1", "0.3"}), exacts({"1", "3"}), exacts({"2", "6"}));
-  CHECK(mpfr_zero_p(raw(fading_part(disguised.theta2, exact("2"), digits).value)) != 0);
-  CHECK(mpfr_zero_p(raw(loss(disguised.shear, exact("2"), digits).value)) != 0);
-  CHECK(number(relaxation(disguised.dilatation, exact("2"), digits)) == 2);
 }
 
 TEST_CASE("rational solids: creep that grows is a number up to 1000 digits, then refused as what it is") {

@@ -1,105 +1,16 @@
-#include <boost/math/constants/constants.hpp>
-#include <boost/math/quadrature/tanh_sinh.hpp>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
-#include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/decimal.hpp"
 #include "support/test.hpp"
 
-// The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the integral over
-// the past itself, by quadrature over the elastic kernels in real space, and what is known of its limits.
-
 using namespace nipref::ref;
 using nipref::data::BadInput;
 using nipref::test::exact;
 
 namespace {
-
-using Float45 = nipref::test::Decimal<45>;
-
-constexpr int digits = 32;
-
-Float45 number(const Enclosure& x) { return Float45(x.value_text()); }
-
-using KernelFunction = std::function<Float45(const Float45&)>;
-
-Float45 kernel_1(const Float45& w) { return number(I1(exact(w), 36)); }
-Float45 kernel_2(const Float45& w) {
-  const Float45 half_pi = boost::math::constants::half_pi<Float45>();
-  return w > 0 ? half_pi : Float45(-half_pi);
-}
-Float45 kernel_3(const Float45& w) { return number(I3(exact(w), 36)); }
-Float45 kernel_4(const Float45& w) { return number(I4(exact(w), 36)); }
-Float45 kernel_5(const Float45& w) { return number(I5(exact(w), 36)); }
-
-Float45 real(const mpq_class& x) { return Float45(x.get_num().get_str()) / Float45(x.get_den().get_str()); }
-
-/// The function of time of (c + b p)/(d + 2 rho p + p^2), c + b p being the numerator.
-Float45 oscillating_part(const ExactRatio& fraction, const Float45& since) {
-  const Float45 rho = real(fraction.denominator[1]) / 2, square = rho * rho - real(fraction.denominator[0]);
-  const Float45 b = real(fraction.numerator[1]), c = real(fraction.numerator[0]) - b * rho;
-  const Float45 width = sqrt(abs(square)), x = width * since;
-  return exp(-rho * since) *
-         (square < 0 ? b * cos(x) + c / width * sin(x) : b * cosh(x) + c / width * sinh(x));
-}
-
-/// What of theta comes after the beginning, at once for all rates: the kernels are what takes time.
-Float45 fading(const ExactFunction& theta, const Float45& since) {
-  Float45 sum = 0;
-  for (const ExactRatio& fraction : theta.fractions) sum += oscillating_part(fraction, since);
-  for (const ExactFunction::Term& term : theta.terms)
-    sum += real(term.amplitude) * exp(-real(term.rate) * since);
-  return sum;
-}
-
-/// int_from^to fading(w - from) I(w) dw in pieces that end at 0, where I1 and I2 are singular.
-Float45 memory_integral(const ExactFunction& theta, const KernelFunction& kernel, const Float45& from,
-                        const Float45& to) {
-  static boost::math::quadrature::tanh_sinh<Float45> rule(9);
-  const Float45 nothing("1e-80");
-  const Float45 zero = 0;
-  const auto piece = [&](const Float45& a, const Float45& b) -> Float45 {
-    if (!(b > a)) return 0;
-    // Measured from the end nearer to 0, so that the distance to the singularity is exact.
-    const bool backwards = b <= 0;
-    const Float45 origin = backwards ? b : a;
-    const auto integrand = [&](const Float45& v) -> Float45 {
-      if (v < nothing) return 0;
-      const Float45 w = backwards ? Float45(origin - v) : Float45(origin + v);
-      return fading(theta, w - from) * kernel(w);
-    };
-    return rule.integrate(integrand, zero, Float45(b - a), Float45("1e-34"));
-  };
-  Float45 sum = piece(from, std::min(to, zero));
-  // Short pieces near the start, where the memory is fresh.
-  Float45 left = std::max(from, zero);
-  for (Float45 length = 2; left < to; length *= 2) {
-    const Float45 right = std::min(to, Float45(left + length));
-    sum += piece(left, right);
-    left = right;
-  }
-  return sum;
-}
-
-Float45 convolution(const ExactFunction& theta, const KernelFunction& kernel, const Float45& from,
-                    const Float45& to) {
-  return real(theta.instantaneous) * kernel(from) + memory_integral(theta, kernel, from, to);
-}
-
-void check_agrees(const Enclosure& reference, const Float45& other) {
-  const Float45 tolerance("1e-30");
-  CHECK(abs(number(reference) - other) <= tolerance * abs(other));
-}
-
-/// A solid with two relaxation times of its own in theta1, another one in theta2; speed and half thickness 1.
-ExactMaterial two_times() {
-  return {{mpq_class(1), {{mpq_class(3, 2), mpq_class(4)}, {mpq_class(1, 4), mpq_class(1, 2)}}, {}},
-          {mpq_class(1, 3), {{mpq_class(1, 5), mpq_class(7)}}, {}}};
-}
 
 /// A solid whose memory oscillates four times as fast as it decays in theta1 and has two real rates in theta2, and
 /// which flows.
@@ -113,60 +24,7 @@ ExactMaterial oscillating_solid() {
 
 const Exact one(1.0);
 
-void check_Un(const std::string& t, const std::string& T, const ExactMaterial& solid = two_times()) {
-  CAPTURE(t);
-  CAPTURE(T);
-  const Float45 from = Float45(T) - Float45(t);
-  check_agrees(
-      moving_load_normal_displacement(exact(t), exact(T), one, one, solid, digits),
-      convolution(solid.normal(), kernel_1, from, Float45(T)) / boost::math::constants::pi<Float45>());
-}
-
-void check_Vn(const std::string& t, const std::string& T, const std::string& t0,
-              const ExactMaterial& solid = two_times()) {
-  CAPTURE(t);
-  CAPTURE(T);
-  CAPTURE(t0);
-  const Float45 alpha = Float45(T) - Float45(t);
-  const Float45 eta = Float45(t0) - Float45(t);
-  const Float45 sum = convolution(solid.normal(), kernel_3, alpha, Float45(T)) -
-                      convolution(solid.theta2, kernel_2, alpha, Float45(T)) +
-                      convolution(solid.theta2, kernel_4, eta, Float45(t0)) -
-                      convolution(solid.theta1, kernel_5, eta, Float45(t0));
-  check_agrees(moving_load_tangential_displacement(exact(t), exact(T), exact(t0), one, one, solid, digits),
-               sum / boost::math::constants::pi<Float45>());
-}
-
-double relative_difference(const Enclosure& x, const Enclosure& y) {
-  return static_cast<double>(abs(number(x) / number(y) - 1));
-}
-
 }  // namespace
-
-TEST_CASE("moving load: Un is the memory integral over the elastic kernel, in all cases of T") {
-  check_Un("1.5", "2.25");
-  check_Un("1.5", "0.5");
-  check_Un("1.5", "-0.75");
-  check_Un("2", "0");
-  check_Un("0.125", "0.126");
-  check_Un("6", "3");
-}
-
-TEST_CASE("moving load: Vn is the memory integral over the elastic kernels, in all four cases") {
-  check_Vn("1.5", "2.25", "1");
-  check_Vn("1.5", "0.5", "-0.5");
-  check_Vn("1.5", "-0.75", "0.25");
-  check_Vn("1.5", "-0.75", "-2");
-}
-
-TEST_CASE(
-    "moving load: a memory that oscillates is the memory integral too, and so is one whose roots are irrational") {
-  check_Un("1.5", "2.25", oscillating_solid());
-  check_Un("1.5", "0.5", oscillating_solid());
-  check_Un("6", "3", oscillating_solid());
-  check_Vn("1.5", "0.5", "-0.5", oscillating_solid());
-  check_Vn("0.125", "0.126", "4", oscillating_solid());
-}
 
 TEST_CASE("moving load: operators are the solids that their roots make") {
   const auto list = [](const std::vector<std::string>& texts) {
@@ -206,93 +64,6 @@ TEST_CASE("moving load: with operators what would take long is refused") {
   CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-101"), one, one, solid, 16),
                   BadInput);
   CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, exact("1e-101"), one, solid, 16), BadInput);
-}
-
-TEST_CASE("moving load: steady Un is the memory integral of a load that came from far away") {
-  const ExactMaterial solid = two_times();
-  for (const std::string alpha : {"0.5", "-1.25", "1e-6"}) {
-    CAPTURE(alpha);
-    // Beyond w = 40 the kernel is below e^{-84}.
-    check_agrees(moving_load_steady_normal_displacement(exact(alpha), one, one, solid, digits),
-                 convolution(solid.normal(), kernel_1, Float45(alpha), Float45(40)) /
-                     boost::math::constants::pi<Float45>());
-  }
-}
-
-TEST_CASE("moving load: the displacements do not jump where the cases meet") {
-  const ExactMaterial solid = two_times();
-  const auto U = [&](const char* t, const char* T) {
-    return moving_load_normal_displacement(exact(t), exact(T), one, one, solid, 25);
-  };
-  CHECK(relative_difference(U("1.5", "1e-20"), U("1.5", "-1e-20")) < 1e-17);
-  const auto V = [&](const char* T, const char* t0) {
-    return moving_load_tangential_displacement(exact("1.5"), exact(T), exact(t0), one, one, solid, 25);
-  };
-  CHECK(relative_difference(V("1e-20", "0.4"), V("-1e-20", "0.4")) < 1e-18);
-  CHECK(relative_difference(V("0.4", "1e-20"), V("0.4", "-1e-20")) < 1e-18);
-  const char* near_now = "1.50000000000000000001";
-  CHECK(relative_difference(V("0.4", near_now), V("0.4", "1.5")) < 1e-17);
-  // At T = t the jump is that of theta2's step, and the value is the mean.
-  const Float45 mean = (number(V(near_now, "0.4")) + number(V("1.49999999999999999999", "0.4"))) / 2;
-  CHECK(abs(mean / number(V("1.5", "0.4")) - 1) < Float45("1e-17"));
-}
-
-TEST_CASE("moving load: what happened long ago is forgotten") {
-  const ExactMaterial solid = two_times();
-  // The slowest rate is 1/2: e^{-50} is 2e-22.
-  const Enclosure steady = moving_load_steady_normal_displacement(exact("-0.75"), one, one, solid, 25);
-  CHECK(relative_difference(
-            moving_load_normal_displacement(exact("100"), exact("99.25"), one, one, solid, 25), steady) <
-        1e-19);
-  const Enclosure steady_shear =
-      moving_load_steady_tangential_displacement(exact("-0.75"), exact("1.5"), one, one, solid, 25);
-  CHECK(relative_difference(moving_load_tangential_displacement(exact("100"), exact("99.25"), exact("101.5"),
-                                                                one, one, solid, 25),
-                            steady_shear) < 1e-19);
-}
-
-TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
-  const ExactMaterial solid = two_times();
-  const Float45 pi = boost::math::constants::pi<Float45>();
-  check_agrees(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits),
-               Float45(4) / 3 * kernel_1(Float45("0.75")) / pi);
-  // Young 4/3 and Poisson 1/3 have theta1 = 1, theta2 = 1/3; their rounding to double is seen.
-  const double elastic = vn(exact("0.75"), exact("0.5"), Exact(4.0 / 3), Exact(1.0 / 3), 25).to_double();
-  CHECK(moving_load_tangential_displacement(exact("0"), exact("0.75"), exact("0.5"), one, one, solid, 25)
-            .to_double() == doctest::Approx(elastic).epsilon(1e-14));
-  // The memory grows in proportion to the time.
-  const Float45 start =
-      number(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits));
-  const auto growth = [&](const char* t) -> Float45 {
-    return (number(moving_load_normal_displacement(exact(t), exact("0.75"), one, one, solid, digits)) -
-            start) /
-           Float45(t);
-  };
-  CHECK(static_cast<double>(abs(growth("1e-10") / growth("2e-10") - 1)) < 1e-9);
-}
-
-TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic sheet, to first order") {
-  const auto deviation = [](const char* tau, double stiffness) {
-    const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, exact("1"), exact(tau));
-    const Float45 value = number(moving_load_steady_normal_displacement(exact("0.5"), one, one, solid, 25));
-    const Float45 elastic =
-        Float45(stiffness) * 16 / 9 * kernel_1(Float45("0.5")) / boost::math::constants::pi<Float45>();
-    return static_cast<double>(value / elastic - 1);
-  };
-  CHECK(std::abs(deviation("1e-6", 2)) < 1e-5);
-  CHECK(deviation("1e-6", 2) / deviation("1e-5", 2) == doctest::Approx(0.1).epsilon(1e-3));
-  CHECK(std::abs(deviation("1e6", 1)) < 1e-5);
-  CHECK(deviation("1e6", 1) / deviation("1e5", 1) == doctest::Approx(0.1).epsilon(1e-3));
-}
-
-TEST_CASE("moving load: only speed tau/half thickness counts, and bulk scales") {
-  const ExactMaterial solid = exact_solid(Solid::thesis, exact("2"), exact("0.5"));
-  const ExactMaterial other = exact_solid(Solid::thesis, exact("1"), exact("1"));
-  const Enclosure x =
-      moving_load_normal_displacement(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
-  const Enclosure y =
-      moving_load_normal_displacement(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
-  CHECK(abs(2 * number(x) / number(y) - 1) < Float45("1e-24"));
 }
 
 TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
@@ -343,6 +114,7 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
     for (const std::string alpha : {"-900", "-30", "-0.01", "1e-9", "2.5", "30", "900"}) {
       CAPTURE(tau);
       CAPTURE(alpha);
+      const Exact passing(mpq_class(exact(alpha).value() + 4));
       const auto difference = [&](auto value) {
         const Enclosure few = value(16), many = value(24);
         Float error = zero_of_bits(64), allowed = zero_of_bits(64);
@@ -356,12 +128,10 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
       difference([&](int n) {
         return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), one, one, solid, n);
       });
+      difference(
+          [&](int n) { return moving_load_normal_displacement(exact("4"), passing, one, one, solid, n); });
       difference([&](int n) {
-        return moving_load_normal_displacement(exact("4"), exact(Float45(alpha) + 4), one, one, solid, n);
-      });
-      difference([&](int n) {
-        return moving_load_tangential_displacement(exact("4"), exact(Float45(alpha) + 4), exact("-3"), one,
-                                                   one, solid, n);
+        return moving_load_tangential_displacement(exact("4"), passing, exact("-3"), one, one, solid, n);
       });
     }
   }
@@ -383,7 +153,7 @@ TEST_CASE("moving load: a start that has faded is worked out to the digits that 
 }
 
 TEST_CASE("moving load: bad arguments are refused") {
-  const ExactMaterial solid = two_times();
+  const ExactMaterial solid = exact_solid(Solid::thesis, one, one);
   CHECK_THROWS_AS(moving_load_normal_displacement(exact("-1"), one, one, one, solid, 20), BadInput);
   CHECK_THROWS_AS(moving_load_normal_displacement(one, one, one, one, solid, 20), BadInput);
   CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2000"), one, one, solid, 20), BadInput);
@@ -409,7 +179,7 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
   const Exact one(1.0);
   const mpq_class small("1/1000000000");
   double loosest[2][3] = {};
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 132; ++i) {
     const mpq_class alpha = sign() * rational(0.01, 5), t = rational(0.1, 5),
                     eta = sign() * rational(0.01, 5);
     const int which = i % 3,

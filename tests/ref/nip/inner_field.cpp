@@ -28,51 +28,39 @@ ref::FaceTraction lopsided(const Float& left, const Float& right) {
   return {root * (1 + left / 3), root * (left - right / 5)};
 }
 
-/// Each load's own field, by Gauss's rule in the angle: t = -cos(pi x).
-FloatStresses summed(const Float& half_length, const Tractions& tractions, double alpha, double depth) {
-  FloatStresses sum;
-  const ref::UnitRule rule = ref::gauss_rule(40);
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const Float angle = ref::pi() * rule.from_left[i];
-    const Float half = sin(angle / 2), other = cos(angle / 2);
-    const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
-    const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
-    const ref::FaceTraction here = tractions(left, right);
-    const ref::Exact from = ref::to_exact(alpha + half_length - left), at(depth);
-    for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
-      const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
-      sum.across += force * ref::at_working_precision(ref::sheet_across(from, at, load, 20).value);
-      sum.along += force * ref::at_working_precision(ref::sheet_along(from, at, load, 20).value);
-      sum.shear += force * ref::at_working_precision(ref::sheet_shear(from, at, load, 20).value);
+/// The fields of the single loads, by Gauss's rule in the angle: t = -cos(pi x).
+struct Summed {
+  FloatStresses stresses;
+  ref::FloatDisplacements moved;  ///< theta1/N = 7/10
+
+  Summed(const Float& half_length, const Tractions& tractions, double alpha, double depth) {
+    const ref::Exact poisson(mpq_class(2, 7)), at(depth), zero(0.0);
+    const ref::UnitRule rule = ref::gauss_rule(40);
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const Float angle = ref::pi() * rule.from_left[i], half = sin(angle / 2), other = cos(angle / 2);
+      const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
+      const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
+      const ref::FaceTraction here = tractions(left, right);
+      const ref::Exact from = ref::to_exact(alpha + half_length - left);
+      for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
+        const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
+        const auto add = [&](Float& sum, const ref::Enclosure& one) {
+          sum += force * ref::at_working_precision(one.value);
+        };
+        add(stresses.across, ref::sheet_across(from, at, load, 20));
+        add(stresses.along, ref::sheet_along(from, at, load, 20));
+        add(stresses.shear, ref::sheet_shear(from, at, load, 20));
+        add(moved.across, ref::sheet_u(from, at, load, poisson, 20));
+        add(moved.along, ref::sheet_v(from, zero, at, load, poisson, 20));
+      }
     }
   }
-  return sum;
-}
+};
 
-/// The same with a pressure that is even and a shear that is odd.
+/// A pressure that is even and a shear that is odd.
 ref::FaceTraction symmetric(const Float& left, const Float& right) {
   const Float root = sqrt(left * right);
   return {root, root * (left - right)};
-}
-
-ref::FloatDisplacements displaced(const Float& half_length, double alpha, double depth) {
-  // theta1/N = 1/(2 (1 - poisson)).
-  const ref::Exact poisson(mpq_class(2, 7)), at(depth), zero(0.0);
-  ref::FloatDisplacements sum;
-  const ref::UnitRule rule = ref::gauss_rule(40);
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const Float angle = ref::pi() * rule.from_left[i], half = sin(angle / 2), other = cos(angle / 2);
-    const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
-    const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
-    const ref::FaceTraction here = symmetric(left, right);
-    const ref::Exact from = ref::to_exact(alpha + half_length - left);
-    for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
-      const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
-      sum.across += force * ref::at_working_precision(ref::sheet_u(from, at, load, poisson, 20).value);
-      sum.along += force * ref::at_working_precision(ref::sheet_v(from, zero, at, load, poisson, 20).value);
-    }
-  }
-  return sum;
 }
 
 }  // namespace
@@ -90,7 +78,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
       CAPTURE(alpha);
       const double middle = half_length < 1 ? 0.25 : 0.0;  // far enough from the faces for forty loads
       const ref::FloatDisplacements here = field.displacements(alpha, middle, exact),
-                                    sum = displaced(half_length, alpha, middle);
+                                    sum = Summed(half_length, symmetric, alpha, middle).moved;
       near(here.across, sum.across, 1e-16);
       near(here.along, sum.along, 1e-16);
       for (const double depth : {0.25, -0.9, 0.99}) {
@@ -122,7 +110,8 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
       const double depth = half_length < 1 ? 0.25 : 0.0;
       CAPTURE(half_length);
       CAPTURE(alpha);
-      CHECK(largest_difference(field.at(alpha, depth), summed(half_length, lopsided, alpha, depth)) < 1e-16);
+      CHECK(largest_difference(field.at(alpha, depth), Summed(half_length, lopsided, alpha, depth).stresses) <
+            1e-16);
       FloatStresses mirrored = field.at(alpha, -depth);
       mirrored.shear = -mirrored.shear;
       CHECK(largest_difference(mirrored, field.at(alpha, depth)) < 1e-17);

@@ -42,13 +42,6 @@ double weight(double left, double right) {
   return mpfr_get_d(bound.upper(), MPFR_RNDU);
 }
 
-bool meet(const Enclosure& x, const Enclosure& y, const mpq_class& factor = 1) {
-  const Interval first = interval_of(x), second = Interval(Exact(factor), 300) * interval_of(y);
-  Interval common(300);
-  mpfi_intersect(common.get(), first.get(), second.get());
-  return mpfi_is_empty(common.get()) == 0;
-}
-
 }  // namespace
 
 TEST_CASE("the integral that bounds the field's aliasing holds on an interval mesh") {
@@ -142,22 +135,6 @@ TEST_CASE("summation and residues agree on the field where both converge") {
     Float width = zero_of_bits(64);
     mpfi_diam_abs(raw(width), by_sum.get());
     CHECK(mpfr_get_d(raw(width), MPFR_RNDU) < 1e-80);
-  }
-}
-
-TEST_CASE("the field's displacements at the faces are un, vn, us, vs of the kernels") {
-  const Exact young(1.0), poisson = Exact::parse("0.3"), eta = Exact::parse("1.7");
-  const Exact face(1.0), other(-1.0);
-  const mpq_class over_N = 1 / mpq_class(2 * (1 - poisson.value() * poisson.value()));
-  for (const char* const text : {"1e-40", "0.35", "-0.9", "1", "7"}) {
-    CAPTURE(text);
-    const Exact alpha = Exact::parse(text);
-    const auto n = SheetLoad::normal, s = SheetLoad::shear;
-    CHECK(meet(sheet_u(alpha, other, n, poisson, 40), un(alpha, young, poisson, 40), over_N));
-    CHECK(meet(sheet_u(alpha, face, n, poisson, 40), un(alpha, young, poisson, 40), -over_N));
-    CHECK(meet(sheet_u(alpha, other, s, poisson, 40), us(alpha, young, poisson, 40), over_N));
-    CHECK(meet(sheet_v(alpha, eta, face, n, poisson, 40), vn(alpha, eta, young, poisson, 40), over_N));
-    CHECK(meet(sheet_v(alpha, eta, other, s, poisson, 40), vs(alpha, eta, young, poisson, 40), over_N));
   }
 }
 

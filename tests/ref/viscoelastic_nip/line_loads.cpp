@@ -37,25 +37,6 @@ void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& thei
 
 }  // namespace
 
-TEST_CASE("ref rolling line loads are those in double, with exact kernels and with residue sums") {
-  for (const int terms : {0, 60}) {
-    const auto nip = nip_of(terms == 0 ? data::single_relaxation_time_solid(1e5, 3.75e4, 0.3)
-                                       : data::misprinted_thesis_solid(1e5, 3.75e4, 0.3));
-    const double length = 0.4;
-    const auto mine = ref::line_loads_for_length(nip, {3, 2, 4.0, terms}, length, 16);
-    const data::ViscoelasticLineLoads method{3, 2, 4.0, terms};
-    const auto theirs = fast::line_loads_for_length(nip, method, length * 3 / 5);
-    check_like_fast(mine, theirs, 1e-11);
-    CHECK(mine.creep_ratio().to_double() == doctest::Approx(theirs.creep_ratio()).epsilon(1e-10));
-    // Matching points, where the sheet is held to the roller, and an element.
-    for (const double y : {0.24, 0.08, -0.16})
-      CHECK(mine.normal_displacement(y).to_double() ==
-            doctest::Approx(mine.indentation().to_double() - y * y / 12).epsilon(1e-13));
-    CHECK(mine.pressure(0.1).to_double() == doctest::Approx(theirs.pressure(0.1)).epsilon(1e-11));
-    CHECK(mine.pressure(0.25).to_double() == 0);
-  }
-}
-
 TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
   constexpr int nips = 6;  // 200 were run once
   std::mt19937_64 random(1);

@@ -51,7 +51,7 @@ TEST_CASE(
                                        : data::misprinted_thesis_solid(1, 0.375, memory);
     const data::ViscoelasticNip nip{100, 1, material, 1};
     const auto few = ref::converged_for_length(nip, length, 16),
-               many = ref::converged_for_length(nip, length, 30);
+               many = ref::converged_for_length(nip, length, 24);
     const auto computed = fast::converged_for_length(nip, length, 1e-10);
     const auto check = [&](const auto& result) {
       const ref::Estimate rough = result(few), fine = result(many);
@@ -66,13 +66,14 @@ TEST_CASE(
     check([](const auto& of) { return of.rolling_resistance(); });
     check([&](const auto& of) { return of.pressure(0.2 * length); });
     check([](const auto& of) { return of.normal_displacement(0); });
+    proven += few.load().proven ? 1 : 0;
+    if (i > 0) continue;
     // The length of that load, which is proven as well.
     const double load = few.load().to_double();
     const auto of_load = ref::converged_for_load(nip, load, 16);
     if (few.load().proven) CHECK(of_load.contact_length().proven);
     CHECK(of_load.contact_length().to_double() == doctest::Approx(length).epsilon(1e-14));
     CHECK(std::fabs(of_load.load().error_of(load)) <= error(of_load.load()));
-    proven += few.load().proven ? 1 : 0;
   }
   CHECK(proven >= nips - 1);
 }

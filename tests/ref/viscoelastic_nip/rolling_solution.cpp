@@ -63,15 +63,3 @@ TEST_CASE("ref: the rolling sheet's strain is the slope of its tangential displa
     CHECK(abs(contact->strain(x, kernels) - slope) <= 1e-13);
   }
 }
-
-TEST_CASE("ref: a rolling contact's load grows with its length as the pressure at both ends says") {
-  const WorkingDigits working(32);
-  SheetKernels kernels(26);
-  const Float size = 1, step = 1e-5;
-  const auto load = [&](const Float& at) { return solution_of(at, kernels)->load(); };
-  const Float slope =
-      (8 * (load(size + step) - load(size - step)) - (load(size + 2 * step) - load(size - 2 * step))) /
-      (12 * step);
-  const auto contact = solution_of(size, kernels);
-  CHECK(abs(contact->growth() - slope * size / contact->load()) <= 1e-12);
-}

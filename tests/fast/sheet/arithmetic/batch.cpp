@@ -38,27 +38,6 @@ TEST_CASE("batches agree with single values, for every size up to several blocks
   }
 }
 
-TEST_CASE("I6 in batches agrees with single values") {
-  const std::vector<double> a = mixed_arguments(1300, 12);
-  const std::vector<double> e = mixed_arguments(1300, 13);
-  std::vector<double> value(a.size());
-  for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::best_rtol}) {
-    nipref::fast::I6(a, e, value, Accuracy(rtol));
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const double single = nipref::fast::I6(a[i], e[i], Accuracy(rtol));
-      CHECK(std::fabs(value[i] - single) <= ulp(I6_scale(a[i], e[i], single)));
-    }
-  }
-}
-
-TEST_CASE("a batch of one regime only, and one in place") {
-  for (const double x : {1e-3, 2.0, 30.0}) {
-    std::vector<double> values(600, x);
-    nipref::fast::I1(values, values);
-    for (const double value : values) CHECK(value == doctest::Approx(nipref::fast::I1(x)).epsilon(1e-15));
-  }
-}
-
 TEST_CASE("a batch with one bad element names it and writes nothing") {
   std::vector<double> x = mixed_arguments(700, 14);
   x[613] = std::nan("");
