@@ -1,10 +1,8 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
-#include <nipref/fast/sheet/displacements.hpp>
 
 namespace line_load_tests {
 
@@ -24,27 +22,6 @@ inline std::vector<double> normal_loads(const nipref::fast::LineLoadNip& solutio
 }
 inline std::vector<double> shear_loads(const nipref::fast::LineLoadNip& solution) {
   return side_of(solution, &nipref::fast::FaceLoad::shear);
-}
-
-/// Displacements at Y by the sum over all loads, no symmetry used: the middle of the nip as pinned point.
-struct Displacement {
-  double u;
-  double v;
-};
-
-inline Displacement displacement(const nipref::data::ElasticNip& nip,
-                                 const nipref::fast::LineLoadNip& solution, double y) {
-  namespace fast = nipref::fast;
-  const double b = nip.half_thickness();
-  Displacement sum{0, 0};
-  for (const fast::FaceLoad& load : solution.loads) {
-    const double alpha = (y - load.y) / b;
-    const double eta = -load.y / b;
-    sum.u += load.normal * fast::un(alpha, nip.material) + load.shear * fast::us(alpha, nip.material);
-    sum.v +=
-        load.normal * fast::vn(alpha, eta, nip.material) + load.shear * fast::vs(alpha, eta, nip.material);
-  }
-  return sum;
 }
 
 }  // namespace line_load_tests

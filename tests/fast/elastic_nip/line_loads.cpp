@@ -1,6 +1,5 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/line_load_sums.hpp"
 #include "support/test.hpp"
@@ -32,18 +31,28 @@ TEST_CASE("a load is carried by the shortest length that carries it, however wid
   }
 }
 
-TEST_CASE("the creep is the tangential displacement of the end, relative to the middle of the nip") {
-  const LineLoadNip solution = fast::line_loads_for_load(nip, 5, 100.0);
-  const double end = solution.contact_length() / 2;
-  double centre_line = 0;
-  for (const fast::FaceLoad& load : solution.loads)
-    centre_line += load.normal * fast::F1(-load.y / nip.half_thickness(), nip.material.poisson);
-  CHECK(solution.creep_ratio() == approx(displacement(nip, solution, end).v / end, 1e-12));
-  CHECK(std::abs(centre_line) < 1e-12 * solution.load());  // odd terms cancel in a symmetric nip
-  // A thick sheet's surface is drawn in (negative), a thin one's squeezed out.
-  CHECK(solution.creep_ratio() < 0);
-  const data::ElasticNip thin = data::seed::nip(0.005);
-  CHECK(fast::line_loads_for_load(thin, 10, 100.0).creep_ratio() > 0);
+TEST_CASE("inside the sheet, on the line through the centres, the shear of line loads is exactly 0") {
+  const fast::InnerPoint points[] = {{0, 0.3}, {0, -0.7}, {0.01, 0.3}};
+  for (const data::Grip& grip : {data::Grip{}, grip_with(1e-3)}) {
+    const LineLoadNip solution = fast::line_loads_for_length(nip, 7, 0.1, grip);
+    const auto stresses = fast::line_load_stresses(solution.loads, nip.half_thickness(), points);
+    CHECK(stresses[0].shear.value == 0);
+    CHECK(stresses[1].shear.value == 0);
+    CHECK(stresses[2].shear.value != 0);
+  }
+}
+
+TEST_CASE("length for a load and load for a length are inverse, over twelve decades of load") {
+  for (double length = 1e-6; length < 2; length *= 10) {
+    // The creep of a thick nip is proportional to its length.
+    for (const data::Grip& grip : {data::Grip{}, grip_with(-1e-2 * length)}) {
+      CAPTURE(length);
+      const LineLoadNip solution = fast::line_loads_for_length(nip, 4, length, grip);
+      const LineLoadNip again = fast::line_loads_for_load(nip, 4, solution.load(), grip);
+      CHECK(again.load() == approx(solution.load(), 1e-12));
+      CHECK(again.contact_length() == approx(length, 1e-9));
+    }
+  }
 }
 
 TEST_CASE("coarser kernels change the result by no more than their tolerance times the condition") {

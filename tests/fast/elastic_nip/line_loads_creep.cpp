@@ -128,30 +128,3 @@ TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
     CHECK(fast_search.work().systems < thesis_search.work().systems);
   }
 }
-
-TEST_CASE("the creep range closes on the continuous contact like 1/m, and there the shear does not zigzag") {
-  for (const double thickness : {1.0, 0.25}) {
-    CAPTURE(thickness);
-    const data::ElasticNip nip = data::seed::nip(thickness);
-    const double length = 0.45 * thickness;
-    const auto truth = fast::converged_for_length(nip, data::Friction::full, length, 1e-8);
-    double last_distance = infinity;
-    double last_excess = infinity;
-    for (const int m : {50, 100, 200}) {
-      CAPTURE(m);
-      const auto ranges = creep_ranges(nip, m, length);
-      REQUIRE(ranges.size() == 1);
-      const double creep = truth.creep_ratio().value;
-      const double distance = std::max(std::abs(ranges[0].lower - creep), std::abs(ranges[0].upper - creep));
-      CHECK(ranges[0].upper - ranges[0].lower < distance);
-      CHECK(distance < 0.7 * last_distance);
-      last_distance = distance;
-      const auto chosen = fast::line_loads_for_length(nip, m, length, thesis_grip);
-      const double excess = std::abs(chosen.load() / truth.load().value - 1);
-      CHECK(excess < 0.7 * last_excess);
-      last_excess = excess;
-      CHECK(fast::oscillation(shear_loads(chosen)) < 0.1);
-    }
-    CHECK(last_excess < 0.02);
-  }
-}

@@ -90,8 +90,8 @@ TEST_CASE("condition number of the smallest matrix, by hand") {
 }
 
 TEST_CASE("500 elements a side, L/B from 1e-4 to 1e3, poisson from -0.9 to 1/2: no failure") {
-  for (const double poisson : {-0.9, 0.0, 0.5}) {
-    for (const double ratio : {1e-4, 1e-2, 1.0, 1e2, 1e3}) {
+  for (const double poisson : {-0.9, 0.5}) {
+    for (const double ratio : {1e-4, 1.0, 1e3}) {
       CAPTURE(poisson);
       CAPTURE(ratio);
       const data::ElasticNip nip{1e5, 1.0, {1.0, poisson}};

@@ -18,6 +18,26 @@ namespace {
 const data::IsotropicSolid steel{2.5, 1. / 3, 2.5};
 constexpr double radius = 4;
 
+/// A point of an interval with its distances to both ends, which keep their digits.
+struct IntervalPoint {
+  double x, to_upper, to_lower;
+};
+
+/// (1/pi) vp int f(xi)/(xi - x) dxi over (lower, upper) for f that vanishes at the ends like a power: with xi
+/// = middle + half tanh v the trapezoidal rule, its nodes half a step off the pole, converges geometrically.
+double hilbert(double lower, double upper, double x, const std::function<double(IntervalPoint)>& f) {
+  const double half = (upper - lower) / 2, middle = (upper + lower) / 2, step = 0.125;
+  const double pole = std::atanh((x - middle) / half);
+  double sum = 0;
+  for (int node = -400; node < 400; ++node) {
+    const double offset = (node + 0.5) * step, v = pole + offset;
+    const double to_upper = 2 * half / (1 + std::exp(2 * v)), to_lower = 2 * half / (1 + std::exp(-2 * v));
+    sum += f({middle + half * std::tanh(v), to_upper, to_lower}) * std::cosh(pole) /
+           (std::cosh(v) * std::sinh(offset));
+  }
+  return sum * step / std::acos(-1.);
+}
+
 }  // namespace
 
 TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere on every line") {
@@ -32,15 +52,14 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
       const double normal_compliance = answers.compliance, coupling = answers.coupling;
       // K_tt of the sagittal plane: X wS/R = (X wD/R) wS/wD.
       const double shear_compliance = normal_compliance / (line.shear_share * line.shear_share);
-      const auto wave = [&](test::IntervalPoint at, double turn) {
+      const auto wave = [&](IntervalPoint at, double turn) {
         const double phase = line.index * std::log(at.to_upper / at.to_lower) + std::atan(at.x / line.lean);
         return line.amplitude * std::hypot(1, at.x / line.lean) * 2 * std::sqrt(at.to_upper * at.to_lower) *
                std::cos(phase - turn);
       };
-      const double normal_transform =
-          test::hilbert(-half, half, x, [&](test::IntervalPoint at) { return -wave(at, 0); });
-      const double shear_transform = test::hilbert(
-          -half, half, x, [&](test::IntervalPoint at) { return line.shear_share * wave(at, pi / 2); });
+      const double normal_transform = hilbert(-half, half, x, [&](IntervalPoint at) { return -wave(at, 0); });
+      const double shear_transform =
+          hilbert(-half, half, x, [&](IntervalPoint at) { return line.shear_share * wave(at, pi / 2); });
       const double slope = -normal_compliance * normal_transform - coupling * line.shear_traction(x).value;
       const double stretch = -shear_compliance * shear_transform + coupling * line.normal_traction(x).value;
       const double scale = half / radius * steel.shear;

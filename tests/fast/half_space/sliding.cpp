@@ -22,38 +22,6 @@ const Indenter die = Indenter::ellipsoid(0.7, 1.9, 1.3);
 
 }  // namespace
 
-TEST_CASE("sliding: the pressure satisfies the integral equation of every line") {
-  const double friction = 0.4;
-  const fast::SurfaceResponse response = [](Direction psi) {
-    fast::LineResponse line = test::isotropic_line(any_poisson, 0.6, psi);
-    line.coupling_across = 0.3 * psi.cosine * psi.sine;
-    return line;
-  };
-  const auto contact = sliding_for_span(response, die, friction, along_x1, 0.3);
-  double worst = 0;
-  for (int i = 0; i < 100; ++i) {
-    const Direction psi = Direction::of_angle(-1.5 + 0.03 * i);
-    const SlidingLine line = contact.along(psi);
-    const fast::LineResponse answers = response(psi);
-    const double compliance = answers.compliance, coupling = answers.coupling,
-                 coupling_across = answers.coupling_across;
-    const double shear = psi.cosine * coupling - psi.sine * coupling_across;  // (1, 0) by line and across it
-    const double x = line.trailing_end().value + line.span * (0.02 + 0.96 * ((37 * i) % 100) / 99.);
-    // With the distances to the ends as they come, for the powers there.
-    const double power = line.leading_share;
-    const double scale = line.peak_pressure / (std::pow(line.trailing_share * line.span, 1 - power) *
-                                               std::pow(power * line.span, power));
-    const double transform =
-        test::hilbert(line.trailing_end().value, line.leading_end().value, x, [&](test::IntervalPoint at) {
-          return -scale * std::pow(at.to_upper, 1 - power) * std::pow(at.to_lower, power);
-        });
-    const double slope = die.curvature(psi) * x;  // K H[sigma] + Gamma sigma = slope (brock2012 23)
-    const double found = compliance * transform - friction * shear * line.pressure(x).value;
-    worst = std::fmax(worst, std::fabs(found - slope) / (die.curvature(psi) * line.span));
-  }
-  CHECK(worst < 2e-14);
-}
-
 TEST_CASE("sliding: every line has the same peak, where the paper says") {
   const auto contact = sliding_for_span(isotropic(any_poisson, 0.7), die, 0.5, along_x1, 0.2);
   for (int i = 0; i < 20; ++i) {

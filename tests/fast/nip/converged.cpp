@@ -70,11 +70,17 @@ TEST_CASE("asking for less costs less, and no more is evaluated than is asked fo
   }
 }
 
-TEST_CASE("displacements are continuous where the sheet leaves the roller, of every kind of nip") {
+TEST_CASE("displacements go on where the sheet leaves the roller and tractions end, of every kind of nip") {
   for (const Kind& kind : kinds()) {
     CAPTURE(kind.name);
     const auto contact = kind.fast_of_load(load, 1e-10);
-    const double size = contact.indentation().value;
+    const double size = contact.indentation().value, inside = 0.3 * contact.contact_length().value;
+    if (kind.name != "rolling") {
+      CHECK(contact.pressure(-inside).value == contact.pressure(inside).value);
+      CHECK(contact.shear(-inside).value == -contact.shear(inside).value);
+      CHECK(contact.tangential_displacement(-3 * inside).value ==
+            -contact.tangential_displacement(3 * inside).value);
+    }
     for (const double end : {contact.leading_length().value, -contact.trailing_length().value}) {
       const double beyond = end * (1 + 1e-9), before = end * (1 - 1e-9);
       CHECK(std::fabs(contact.normal_displacement(beyond).value - contact.normal_displacement(before).value) <

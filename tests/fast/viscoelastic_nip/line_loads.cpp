@@ -50,22 +50,6 @@ TEST_CASE("plain sums: before the load they are exact, after it their rest falls
   check_close(error(200, t, T) / error(400, t, T), 2, 0.05);
 }
 
-TEST_CASE("plain sums of the tangential displacement agree with the exact one as far as they go") {
-  const ViscoelasticMaterial material = solid(2);
-  const fast::MovingLoad exact(material, 1, 1);
-  const fast::PlainMovingLoad plain(material, 1, 1, 500);
-  const double scale = material.functions()->theta1.long_time();
-  for (const auto& [t, T, t0] :
-       {std::tuple(1.0, 2.0, 1.5), std::tuple(2.0, 1.0, 1.5), std::tuple(2.0, 1.0, 2.5),
-        std::tuple(1.5, -0.5, 2.0), std::tuple(0.5, -1.0, -1.5)}) {
-    CAPTURE(t);
-    CAPTURE(T);
-    CAPTURE(t0);
-    CHECK(std::fabs(plain.tangential_displacement(t, T, t0) - exact.tangential_displacement(t, T, t0)) <
-          1e-3 * scale);
-  }
-}
-
 TEST_CASE("the surface has the roller's shape where it was matched, and the creep between its ends") {
   for (const int terms : {0, 300}) {
     CAPTURE(terms);

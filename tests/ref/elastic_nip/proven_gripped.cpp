@@ -13,6 +13,7 @@
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
+#include "support/intervals.hpp"
 #include "support/reference_values.hpp"
 
 using namespace nipref;
@@ -21,10 +22,6 @@ using ref::Exact;
 using ref::Interval;
 
 namespace {
-
-double upper_of(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
-double radius_of_gripped(const Interval& x) { return upper_of(ref::distance_from(ref::middle_of(x), x)); }
-bool overlap(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
 
 /// All that a proof gives of a contact.
 std::vector<Interval> results_of_gripped(const ref::Proof& proof) {
@@ -128,13 +125,13 @@ TEST_CASE(
       CHECK_THROWS_AS((void)with(-error), std::logic_error);
       const auto wide = with(ref::either_side(error));
       for (std::size_t k = 0; k < truth.size(); ++k) {
-        CHECK(overlap(wide[k], truth[k]));
-        CHECK(radius_of_gripped(wide[k]) > 1e4 * radius_of_gripped(truth[k]));
+        CHECK(meet(wide[k], truth[k]));
+        CHECK(width_of(wide[k]) > 1e4 * width_of(truth[k]));
       }
     }
     const auto other =
         gripped(half_length, Exact(mpq_class(1, 3) + mpq_class("1/10000000000000000000000000")), 30);
-    for (std::size_t k = 0; k < truth.size(); ++k) CHECK_FALSE(overlap(other[k], truth[k]));
+    for (std::size_t k = 0; k < truth.size(); ++k) CHECK_FALSE(meet(other[k], truth[k]));
   }
 }
 
@@ -146,9 +143,9 @@ TEST_CASE("ref gripped contact: of a few digits only, its bounds still cover, an
       const auto rough = gripped(half_length, Exact(beta), 3), truth = gripped(half_length, Exact(beta), 25);
       for (std::size_t k = 0; k < truth.size(); ++k) {
         CAPTURE(k);
-        CHECK(overlap(rough[k], truth[k]));
-        CHECK(mpfi_is_inside(truth[k].get(), rough[k].get()) > 0);
-        CHECK(radius_of_gripped(rough[k]) <= 1e-3 * upper_of(ref::magnitude_of(truth[0])) / half_length);
+        CHECK(meet(rough[k], truth[k]));
+        CHECK(is_inside(truth[k], rough[k]));
+        CHECK(width_of(rough[k]) <= 1e-3 * highest(ref::magnitude_of(truth[0])) / half_length);
       }
     }
   }
@@ -162,16 +159,16 @@ TEST_CASE("ref gripped contact: an interval of lengths has the contacts of each"
   REQUIRE(all);
   const ref::WorkingDigits working(all->working_digits);
   const Interval& known = all->contact->half_length();
-  CHECK(radius_of_gripped(known) <= 1e-20);
-  CHECK(radius_of_gripped(known) > 0);
-  CHECK(overlap(all->contact->load(), Interval(1.5, ref::working_bits())));
+  CHECK(width_of(known) <= 1e-20);
+  CHECK(width_of(known) > 0);
+  CHECK(meet(all->contact->load(), Interval(1.5, ref::working_bits())));
   const auto wide = results_of_gripped(*all);
   for (const mpfr_srcptr end : {known.lower(), known.upper()}) {
     mpq_class place;
     mpfr_get_q(place.get_mpq_t(), end);
     const auto one = results_of_gripped(
         ref::proven_gripped(Exact(place), beta, all->working_digits - 12, ref::gripped_kernels()));
-    for (std::size_t k = 0; k < one.size(); ++k) CHECK(mpfi_is_inside(one[k].get(), wide[k].get()) > 0);
+    for (std::size_t k = 0; k < one.size(); ++k) CHECK(is_inside(one[k], wide[k]));
   }
 }
 
@@ -185,7 +182,7 @@ TEST_CASE("ref gripped contact: lambda is the stiffness at z/A less what longer 
             lambda, (1 - beta) * (r + beta) * std::fmin(0.5, S / (2 * std::cosh(twice))) * (1 - z * z / 4));
       }
       const Interval found = ref::gripped_coercivity(Interval(A, 128), Interval(beta, 128));
-      CHECK(upper_of(found) == doctest::Approx(lambda).epsilon(1e-9));
+      CHECK(highest(found) == doctest::Approx(lambda).epsilon(1e-9));
     }
   }
 }
@@ -193,7 +190,7 @@ TEST_CASE("ref gripped contact: lambda is the stiffness at z/A less what longer 
 TEST_CASE("ref gripped contact: the stiffness of long waves and all shorter ones is what the proof takes") {
   for (const double beta : {0.0, 0.01, 0.3, 0.749}) {
     for (double z = 0.02; z < 10; z *= 1.5) {
-      const double least = upper_of(ref::least_stiffness(Interval(z, 128), Interval(beta, 128)));
+      const double least = highest(ref::least_stiffness(Interval(z, 128), Interval(beta, 128)));
       double found = 1;
       for (double x = z; x < 40; x *= 1.03) {
         // Of [[a, i c], [-i c, d]].

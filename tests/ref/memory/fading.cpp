@@ -3,6 +3,7 @@
 #include <nipref/ref/number/internal/complex_interval.hpp>
 
 #include "support/decimal.hpp"
+#include "support/intervals.hpp"
 #include "support/test.hpp"
 
 // Proves what contour_memory() says of its paths on a mesh of cells in interval arithmetic, and compares its values
@@ -16,14 +17,6 @@ namespace {
 constexpr mpfr_prec_t mesh_precision = 64;
 constexpr Symbol fading_kernels[] = {Symbol::normal, Symbol::I3, Symbol::I4, Symbol::I5};
 
-Interval cell(double lower, double upper) {
-  Interval result(mesh_precision);
-  mpfi_interv_d(result.get(), lower, upper);
-  return result;
-}
-
-double highest(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
-double lowest(const Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
 Interval size_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
 ComplexInterval multiple(long factor, const ComplexInterval& z) { return {factor * z.real, factor * z.imag}; }
 ComplexInterval plus_one(const ComplexInterval& z) { return {z.real + 1, z.imag}; }
@@ -109,8 +102,6 @@ double path_maximum(Symbol kernel, bool up) {
 
 Interval half_pi() { return Interval::pi(mesh_precision) / 2; }
 
-bool contains_zero(const Interval& x) { return mpfi_has_zero(x.get()) > 0; }
-
 }  // namespace
 
 // Beyond t = 6, where Re z > 110, D and the factors of G in brackets are 1 to 90 digits: there |G z' v| is, but for
@@ -142,7 +133,7 @@ TEST_CASE("memory by contour: neither path nor what its strip sweeps meets a roo
         const Interval height = up ? at.z.imag : -at.z.imag;
         if (highest(height) < lowest(half_pi())) return;
         const Exponentials of(at.z);
-        REQUIRE_FALSE((contains_zero(of.d.real) && contains_zero(of.d.imag)));
+        REQUIRE_FALSE((has_zero(of.d.real) && has_zero(of.d.imag)));
         ++cells;
       });
     }
@@ -267,10 +258,8 @@ namespace {
 
 /// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
 void check_same(const Interval& x, const Interval& y, double nats) {
-  Float width = zero_of_bits(64);
-  mpfi_diam_abs(raw(width), Interval(x - y).get());
-  CHECK(mpfr_get_d(raw(width), MPFR_RNDU) <= 5 * std::exp(-nats));
-  CHECK(contains_zero(x - y));
+  CHECK(width_of(x - y) <= 5 * std::exp(-nats));
+  CHECK(has_zero(x - y));
 }
 
 }  // namespace
@@ -300,7 +289,7 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
         const Interval best = contour_memory(kernel, exact(alpha), exact(rate), 75);
         for (const double nats : {1.0, 5.0, 20.0, 40.0}) {
           const Interval rough = contour_memory(kernel, exact(alpha), exact(rate), nats);
-          CHECK(contains_zero(rough - best));
+          CHECK(has_zero(rough - best));
         }
       }
     }

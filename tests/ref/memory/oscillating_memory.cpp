@@ -3,6 +3,7 @@
 #include <nipref/ref/memory/internal/oscillating_memory.hpp>
 
 #include "support/decimal.hpp"
+#include "support/intervals.hpp"
 #include "support/test.hpp"
 
 using namespace nipref::ref;
@@ -14,14 +15,6 @@ constexpr mpfr_prec_t bits = 200;
 
 ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
   return {Interval(exact(real), bits), Interval(exact(imaginary), bits)};
-}
-
-bool has_zero(const Interval& x) { return mpfi_has_zero(x.get()) > 0; }
-
-double width(const Interval& x) {
-  Float found = zero_of_bits(64);
-  mpfi_diam_abs(raw(found), x.get());
-  return mpfr_get_d(raw(found), MPFR_RNDU);
 }
 
 }  // namespace
@@ -36,7 +29,7 @@ TEST_CASE("memory of complex rates: on the real axis it is that of real ones") {
         const ComplexInterval found = oscillating_memory(kernel, exact(alpha), rate_of(rate, "0"), 50);
         CHECK(has_zero(found.real - steady_memory(kernel, exact(alpha), exact(rate), 50)));
         CHECK(has_zero(found.imag));
-        CHECK(width(found.real) <= 5 * std::exp(-50.0));
+        CHECK(width_of(found.real) <= 5 * std::exp(-50.0));
       }
     }
   }

@@ -11,14 +11,11 @@
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
+#include "support/intervals.hpp"
+
 using namespace nipref::ref;
 
 namespace {
-
-double upper_bound(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
-double lower_bound(const Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
-double width(const Interval& x) { return upper_bound(x - interval_of(middle_of(x))); }
-bool meet(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
 
 Interval load_of(double half_length, int digits, const NormalKernel& kernel) {
   const auto proof = proven_elastic(Exact(half_length), digits, kernel, 100);
@@ -67,19 +64,19 @@ TEST_CASE("a wrong kernel value in the 25th digit makes the proof fail, one know
   for (const double half_length : {1e-6, 0.5, 1.5}) {
     CAPTURE(half_length);
     const Interval truth = load_of(half_length, 30, I1_interval);
-    CHECK(width(truth) <= 1e-30 * upper_bound(truth));
+    CHECK(width_of(truth) <= 1e-30 * highest(truth));
     for (const int count : {0, 7, 16, 23, 29}) {
       CAPTURE(count);
       CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, error)), std::logic_error);
       CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, -error)), std::logic_error);
       const Interval wide = load_of(half_length, 30, wrong_once(count, either_side(error)));
       CHECK(meet(wide, truth));
-      CHECK(width(wide) > 1e4 * width(truth));
+      CHECK(width_of(wide) > 1e4 * width_of(truth));
     }
   }
   const auto radius = [&](const Interval& wrong) {
     SmoothKernel kernel(wrong_once(7, wrong), 40);
-    return upper_bound(columns_of(0.5, 30, kernel, Interval(0.5, working_bits())).back().radius);
+    return highest(columns_of(0.5, 30, kernel, Interval(0.5, working_bits())).back().radius);
   };
   CHECK_THROWS_AS(radius(error), std::logic_error);
   CHECK(radius(either_side(error)) > 1e4 * radius(Interval(64)));
@@ -110,7 +107,7 @@ TEST_CASE("the contact's quadratic form is at least what the proof takes for it,
     CAPTURE(half_length);
     const int n = size_for(half_length, 6);
     const auto systems = ChebyshevSystem::of_half_length(half_length, n, smooth, true);
-    const double bound = lower_bound(coercivity(Interval(half_length, 64)));
+    const double bound = lowest(coercivity(Interval(half_length, 64)));
     double least = 1, largest_part = 0;
     for (const int first : {1, 2}) {
       const auto form = symmetric_form(systems[static_cast<std::size_t>(first - 1)], first);
@@ -146,14 +143,14 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
     const double y = std::max(1.0, 2 - A / n), tau = std::asinh(y / A);
     const double C = 2 * A * std::cosh(tau) * (2 / (2 - y) + 4 / ((2 - y) * (2 - y)));
     const EntryBounds bounds = entry_bounds(Interval(A, 64), n);
-    CHECK(upper_bound(bounds.amplitude) == doctest::Approx(C).epsilon(1e-12));
-    CHECK(upper_bound(bounds.rate) == doctest::Approx(tau).epsilon(1e-12));
+    CHECK(highest(bounds.amplitude) == doctest::Approx(C).epsilon(1e-12));
+    CHECK(highest(bounds.rate) == doctest::Approx(tau).epsilon(1e-12));
     double lambda = 0;
     for (double z = 0.125; z < 2; z += 0.125) {
       const double k = 2 * z / A;
       lambda = std::fmax(lambda, (std::cosh(k) - 1) / (std::sinh(k) + k) * (1 - z * z / 4));
     }
-    if (A > 0.01) CHECK(lower_bound(coercivity(Interval(A, 64))) == doctest::Approx(lambda).epsilon(1e-12));
+    if (A > 0.01) CHECK(lowest(coercivity(Interval(A, 64))) == doctest::Approx(lambda).epsilon(1e-12));
     // Half a difference of two values of J, |J'| <= 2, whose arguments are rounded as the system rounds them.
     const WorkingDigits working(40);
     const Cosines cosines(2L * n, working_bits());
@@ -164,7 +161,7 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
         const auto place = [&](int k) -> Float { return Float(A) * middle_of(cosines(2L * k + 1)); };
         const Interval s = Interval(A, 300) * cosines(2L * i + 1), t = Interval(A, 300) * cosines(2L * j + 1);
         const auto off = [](const Float& rounded, const Interval& exact) {
-          return upper_bound(distance_from(rounded, exact));
+          return highest(distance_from(rounded, exact));
         };
         largest = std::max(largest, off(place(i) - place(j), s - t) + off(place(i) + place(j), s + t));
       }
@@ -194,7 +191,7 @@ TEST_CASE("what entries are folded onto one is at most what the proof takes for 
         }
       }
       const EntryBounds decay{Interval(1L, 64), Interval(tau, 64)};
-      const double taken = upper_bound(folded_entries(decay, points, points + parity));
+      const double taken = highest(folded_entries(decay, points, points + parity));
       CAPTURE(tau);
       CHECK(largest <= taken);
       CHECK(largest >= taken / 10);
@@ -213,8 +210,8 @@ TEST_CASE("what tails of sums are taken for is at least what their terms sum to,
         if ((m - first) % 2 == 0) by_twos += term;
         squares += static_cast<double>(m) * term;
       }
-      const double tails = upper_bound(tail(Interval(rate, 64), first)),
-                   of_squares = lower_bound(square_tail(Interval(rate, 64), first));
+      const double tails = highest(tail(Interval(rate, 64), first)),
+                   of_squares = lowest(square_tail(Interval(rate, 64), first));
       CHECK(tails >= by_twos * (1 - 1e-12));
       CHECK(tails <= 4 * by_twos);
       CHECK(of_squares == doctest::Approx(squares).epsilon(1e-12));
@@ -261,13 +258,13 @@ TEST_CASE(
     for (const int digits : {3, 8, 15}) {
       CAPTURE(digits);
       const auto rough = columns_of(half_length, size_for(half_length, digits), smooth, here);
-      CHECK(upper_bound(rough[0].radius) <= std::pow(10, -digits));
+      CHECK(highest(rough[0].radius) <= std::pow(10, -digits));
       for (std::size_t k = 0; k < truth.size(); ++k) {
-        CHECK(missed_by(rough[k], truth[k]) <= upper_bound(rough[k].radius) + upper_bound(truth[k].radius));
+        CHECK(missed_by(rough[k], truth[k]) <= highest(rough[k].radius) + highest(truth[k].radius));
         CHECK(static_cast<double>(abs(middle_of(truth[k].coefficients[1] - rough[k].coefficients[1]))) <=
-              upper_bound(rough[k].energy_radius) + upper_bound(truth[k].energy_radius));
+              highest(rough[k].energy_radius) + highest(truth[k].energy_radius));
         CHECK(meet(rough[k].constant, truth[k].constant));
-        CHECK(upper_bound(truth[k].radius) < 1e-30);
+        CHECK(highest(truth[k].radius) < 1e-30);
       }
     }
   }
@@ -282,8 +279,8 @@ TEST_CASE("what an expansion for one half length misses at another is in its rad
   const auto both = columns_of(here, size, smooth, hull(interval_of(here), interval_of(there)));
   for (std::size_t k = 0; k < truth.size(); ++k) {
     const double missed = missed_by(both[k], truth[k]);
-    CHECK(missed <= upper_bound(both[k].radius));
-    CHECK(missed >= 1e-4 * upper_bound(both[k].radius));
+    CHECK(missed <= highest(both[k].radius));
+    CHECK(missed >= 1e-4 * highest(both[k].radius));
     CHECK(meet(both[k].constant, truth[k].constant));
   }
 }
@@ -296,13 +293,13 @@ TEST_CASE("a place that may be inside or outside has results for both") {
   const SurfacePoint inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
   const auto covers = [&](const auto& result) {
     const Interval both = result(either);
-    CHECK(mpfi_is_inside(result(inside).get(), both.get()) != 0);
-    CHECK(mpfi_is_inside(result(outside).get(), both.get()) != 0);
-    CHECK(width(both) < 1e-7);
+    CHECK(is_inside(result(inside), both));
+    CHECK(is_inside(result(outside), both));
+    CHECK(width_of(both) < 1e-7);
   };
   covers([&](const SurfacePoint& place) { return contact.pressure(place); });
   covers([&](const SurfacePoint& place) { return *contact.normal(place); });
   covers([&](const SurfacePoint& place) { return *contact.tangential(place, beta); });
-  CHECK(upper_bound(contact.pressure(outside)) == 0);
-  CHECK(lower_bound(contact.pressure(inside)) > 0);
+  CHECK(highest(contact.pressure(outside)) == 0);
+  CHECK(lowest(contact.pressure(inside)) > 0);
 }

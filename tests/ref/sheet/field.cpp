@@ -3,6 +3,7 @@
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/ref/sheet/internal/field_integral.hpp>
 
+#include "support/intervals.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -14,12 +15,6 @@ TEST_SUITE_BEGIN("ref field inside the sheet");
 namespace {
 
 constexpr mpfr_prec_t bits = 64;
-
-Interval cell(double left, double right) {
-  Interval result(bits);
-  mpfi_interv_d(result.get(), left, right);
-  return result;
-}
 
 /// e^{-k z} for z = x + i field_line.
 ComplexInterval falling(double k, const Interval& x) {
@@ -39,7 +34,7 @@ double weight(double left, double right) {
   const Interval whole = magnitude(one - q * q + four_z * q);
   const Interval fourth = square(square(magnitude(z)));
   const Interval bound = 8 * fourth / whole * (1 / magnitude(one + q) + 1 / magnitude(one - q));
-  return mpfr_get_d(bound.upper(), MPFR_RNDU);
+  return highest(bound);
 }
 
 }  // namespace
@@ -62,7 +57,7 @@ TEST_CASE("the curvature of the field along the sheet is bounded by 160 over the
   for (double z = 0.01; z < 0.3; z += 1e-4) {
     const Interval x = cell(z, z + 1e-4), twice = 2 * x;
     const Interval left = twice * exp(twice) / (sinh(twice) + twice);
-    CHECK_UNARY(mpfr_get_d(left.upper(), MPFR_RNDU) <= 0.5 + 4 * z);
+    CHECK_UNARY(highest(left) <= 0.5 + 4 * z);
   }
   for (const double depth : {0.0, 0.5, -0.8, 0.95}) {
     const double from_face = 1 - std::fabs(depth), most = 160 / std::pow(from_face, 4);
@@ -92,21 +87,20 @@ TEST_CASE("the curvature of the field along the sheet is bounded by 160 over the
 }
 
 TEST_CASE("what the field's sum and series leave out is bounded by 25 and 1300") {
-  const auto upper = [](const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); };
   // The second parts times e^{3x}/x from x = 8 on, q = e^{-2x}: at most 8/((1 - q^2)(1 - q)).
   const Interval q = cell(0, std::exp(-16.0) * (1 + 1e-12)), second = 8 / ((1 - square(q)) * (1 - q));
-  CHECK(upper(second) <= 9.3);
-  CHECK(upper(4 * Interval(9.3, bits) / (2 - Interval(4L, bits) / 8)) <= field_sum_remainder);
+  CHECK(highest(second) <= 9.3);
+  CHECK(highest(4 * Interval(9.3, bits) / (2 - Interval(4L, bits) / 8)) <= field_sum_remainder);
   // e^x over |cosh z| at a root; |c_n| over |z_n|, y_n and y_n^2; and the sum beyond N, where alpha = 1 is the worst.
-  CHECK(upper(sqrt(1 / Interval(0.98, bits) + 1) + 1) <= 3.02);
-  CHECK(upper(Interval(3.02, bits) * Interval(1.61, bits) / 2) <= 2.5);
-  CHECK(upper(Interval(2.5, bits) * sqrt(Interval(2L, bits))) <= 5);
+  CHECK(highest(sqrt(1 / Interval(0.98, bits) + 1) + 1) <= 3.02);
+  CHECK(highest(Interval(3.02, bits) * Interval(1.61, bits) / 2) <= 2.5);
+  CHECK(highest(Interval(2.5, bits) * sqrt(Interval(2L, bits))) <= 5);
   for (long N = 1; N <= 100; ++N) {
     CAPTURE(N);
     Interval sum(bits);
     for (long n = N + 1; n <= N + 40; ++n)
       sum = sum + square(Interval(2 * n - 1, bits) / 2) * exp(-((n - N - 1) * Interval::pi(bits)));
-    CHECK(upper(80 * (square(Interval::pi(bits)) * sum)) <
+    CHECK(highest(80 * (square(Interval::pi(bits)) * sum)) <
           static_cast<double>(field_series_remainder * (N + 1) * (N + 1)));
   }
 }

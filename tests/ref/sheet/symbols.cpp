@@ -2,6 +2,7 @@
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
 #include "support/all_symbols.hpp"
+#include "support/intervals.hpp"
 #include "support/test.hpp"
 
 // Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
@@ -34,13 +35,6 @@ Box scaled(double factor, const Box& a) {
 }
 Box constant(double value) { return {Interval(value, precision), Interval(0L, precision)}; }
 Interval modulus(const Box& a) { return sqrt(square(a.re) + square(a.im)); }
-double upper(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
-
-Interval span(double lower, double upper_end) {
-  Interval result(precision);
-  mpfi_interv_d(result.get(), lower, upper_end);
-  return result;
-}
 
 /// e^{-k z} on a cell.
 Box exponential(double k, const Interval& x, const Interval& y) {
@@ -97,12 +91,12 @@ Interval falling_ratio(double k, double left, double right) {
     return x == 0 ? Interval(k, precision)
                   : -expm1(Interval(-k, precision) * Interval(x, precision)) / Interval(x, precision);
   };
-  return span(mpfr_get_d(at(right).lower(), MPFR_RNDD), upper(at(left)));
+  return cell(lowest(at(right)), highest(at(left)));
 }
 
 /// sup of min(1, x)^k |G| e^{r x} on a cell of the real axis, k the order of the pole at 0.
 Interval scaled_modulus_on_axis(Symbol symbol, double left, double right) {
-  const Interval x = span(left, right);
+  const Interval x = cell(left, right);
   const Interval e2 = exp(-(2 * x));
   const Interval q_over_x = falling_ratio(4, left, right) + 4 * e2;
   const Interval pole = right <= 1 ? Interval(1L, precision) : 1 / x;  // min(1, x)/x
@@ -125,7 +119,7 @@ Interval scaled_modulus_on_axis(Symbol symbol, double left, double right) {
   // normal = (tanh x - tanh(3x/4))/x - 2 tanh x/S: two parts of opposite sign. The first is at most
   // sech^2(3x/4)/4 <= e^{-3x/2} (mean value), the second times e^{3x/2} is 4 e^{-x/2} (1 - e2)/((1 + e2) Q).
   const Interval second = 4 * exp(-(x / 2)) * falling_ratio(2, left, right) / ((e2 + 1) * q_over_x);
-  return span(0, std::max(1.0, upper(second)));
+  return cell(0, std::max(1.0, highest(second)));
 }
 
 template <class Visit>
@@ -142,7 +136,7 @@ void over_mesh(Visit visit) {
 double amplitude(Symbol symbol) {
   double largest = 0;
   over_mesh([&](double left, double right) {
-    const double bound = upper(scaled_modulus_on_axis(symbol, left, right));
+    const double bound = highest(scaled_modulus_on_axis(symbol, left, right));
     largest = bound <= largest ? largest : bound;  // a NaN would stay
   });
   return largest;
@@ -152,10 +146,10 @@ double amplitude(Symbol symbol) {
 double integral_on(Symbol symbol, const Interval& y, int power) {
   double sum = 0;
   over_mesh([&](double left, double right) {
-    const Interval x = span(left, right);
+    const Interval x = cell(left, right);
     Interval value = scaled_modulus(symbol, x, y) * exp(-(Interval(bounds(symbol).decay, precision) * x));
     if (power == 1) value = value * modulus({x, y});
-    sum += 2 * upper(value) * (right - left) * (1 + 1e-12);
+    sum += 2 * highest(value) * (right - left) * (1 + 1e-12);
   });
   return sum + std::exp(-35.0);
 }

@@ -10,6 +10,7 @@
 #include <nipref/ref/viscoelastic_nip/internal/rolling_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 
+#include "support/intervals.hpp"
 #include "support/reference_values.hpp"
 
 using namespace nipref;
@@ -17,10 +18,6 @@ using namespace nipref;
 namespace {
 
 data::ViscoelasticNip nip_of(const data::ViscoelasticMaterial& material) { return {6, 0.5, material, 1}; }
-
-double half_width(const ref::Interval& x) {
-  return mpfi_get_d(ref::distance_from(ref::middle_of(x), x).get());
-}
 
 void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& theirs, double accuracy) {
   const auto near = [&](const ref::Estimate& a, double b) {
@@ -33,12 +30,13 @@ void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& thei
   CHECK(near(mine.load(), theirs.load()));
   CHECK(near(mine.peak_pressure(), theirs.peak_pressure()));
   CHECK(near(mine.rolling_resistance(), theirs.rolling_resistance()));
+  CHECK(near(mine.creep_ratio(), theirs.creep_ratio()));
 }
 
 }  // namespace
 
 TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
-  constexpr int nips = 6;  // 200 were run once
+  constexpr int nips = 4;  // 200 were run once
   std::mt19937_64 random(1);
   const auto between = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
@@ -97,11 +95,11 @@ TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is 
   const auto check = [&](const std::vector<ref::Interval>& other, const std::vector<ref::Interval>& all) {
     double largest_move = 0, largest_width = 0;
     for (std::size_t j = 0; j < truth.size(); ++j) {
-      CHECK(mpfi_is_inside(other[j].get(), truth[j].get()) == 0);
-      CHECK(mpfi_is_inside(truth[j].get(), all[j].get()) > 0);
-      CHECK(mpfi_is_inside(other[j].get(), all[j].get()) > 0);
+      CHECK(!is_inside(other[j], truth[j]));
+      CHECK(is_inside(truth[j], all[j]));
+      CHECK(is_inside(other[j], all[j]));
       largest_move = std::max(largest_move, moved(truth[j], other[j]));
-      largest_width = std::max(largest_width, half_width(all[j]));
+      largest_width = std::max(largest_width, width_of(all[j]) / 2);
     }
     CHECK(largest_width < 1e3 * largest_move);
   };

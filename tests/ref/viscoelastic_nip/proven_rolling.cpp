@@ -14,6 +14,7 @@
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
 
+#include "support/intervals.hpp"
 #include "support/reference_values.hpp"
 
 using namespace nipref;
@@ -21,10 +22,6 @@ using ref::Float;
 using ref::Interval;
 
 namespace {
-
-double upper_bound(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
-double radius_of(const Interval& x) { return upper_bound(ref::distance_from(ref::middle_of(x), x)); }
-bool meet(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
 
 /// The results of a contact that its proof gives.
 std::vector<Interval> results_of(const ref::ProvenContact& contact) {
@@ -94,10 +91,10 @@ TEST_CASE("ref rolling contact: an error of 1e-25 in a rate or a length is outsi
   for (std::size_t k = 0; k < truth.size(); ++k) {
     CAPTURE(k);
     CHECK_FALSE(meet(truth[k], other_rate[k]));
-    CHECK(mpfi_is_inside(truth[k].get(), wide[k].get()) > 0);
-    CHECK(mpfi_is_inside(other_rate[k].get(), wide[k].get()) > 0);
-    CHECK(radius_of(truth[k]) < 1e-30);
-    CHECK(radius_of(wide[k]) < 1e-21);
+    CHECK(is_inside(truth[k], wide[k]));
+    CHECK(is_inside(other_rate[k], wide[k]));
+    CHECK(width_of(truth[k]) < 1e-30);
+    CHECK(width_of(wide[k]) < 1e-21);
     CHECK_FALSE(meet(truth[k], other_length[k]));
   }
 }
@@ -110,7 +107,7 @@ TEST_CASE("ref rolling contact: an interval of lengths has the contacts of each"
       results_of(*ref::proven_rolling(memories, hull(ref::interval_of(here), ref::interval_of(there)), 30));
   for (const Float& A : {here, Float((here + there) / 2), there}) {
     const auto one = results_of(*ref::proven_rolling(memories, ref::interval_of(A), 30));
-    for (std::size_t k = 0; k < one.size(); ++k) CHECK(mpfi_is_inside(one[k].get(), all[k].get()) > 0);
+    for (std::size_t k = 0; k < one.size(); ++k) CHECK(is_inside(one[k], all[k]));
   }
 }
 
@@ -129,7 +126,7 @@ TEST_CASE("ref rolling contact: the proof's memory of the kernel is that of the 
   for (const char* const rate : {"0", "1e-3", "1", "50"}) {
     for (const double x : {1e-9, 0.01, 0.5, 3.0}) {
       const double M =
-          upper_bound(ref::steady_memory(ref::Symbol::normal, ref::Exact(x), ref::Exact::parse(rate), 40));
+          highest(ref::steady_memory(ref::Symbol::normal, ref::Exact(x), ref::Exact::parse(rate), 40));
       CHECK(std::fabs(M) <= 4);
     }
   }

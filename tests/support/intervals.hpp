@@ -1,0 +1,25 @@
+#pragma once
+#include <nipref/ref/number/interval.hpp>
+
+/// What tests ask of intervals.
+inline double highest(const nipref::ref::Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
+inline double lowest(const nipref::ref::Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
+inline double width_of(const nipref::ref::Interval& x) {
+  nipref::ref::Float found = nipref::ref::zero_of_bits(64);
+  mpfi_diam_abs(nipref::ref::raw(found), x.get());
+  return mpfr_get_d(nipref::ref::raw(found), MPFR_RNDU);
+}
+inline bool meet(const nipref::ref::Interval& x, const nipref::ref::Interval& y) {
+  return mpfi_cmp(x.get(), y.get()) == 0;
+}
+inline bool is_inside(const nipref::ref::Interval& part, const nipref::ref::Interval& whole) {
+  return mpfi_is_inside(part.get(), whole.get()) > 0;
+}
+inline bool has_zero(const nipref::ref::Interval& x) { return mpfi_has_zero(x.get()) > 0; }
+
+/// A cell of a mesh, to 64 bits.
+inline nipref::ref::Interval cell(double left, double right) {
+  nipref::ref::Interval result(64);
+  mpfi_interv_d(result.get(), left, right);
+  return result;
+}
