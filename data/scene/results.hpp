@@ -107,6 +107,7 @@ enum class ResultId {
   shear,
   normal_displacement,
   tangential_displacement,
+  transverse_displacement,
   surface_strain,
   slip,
   span,
@@ -130,6 +131,11 @@ struct SceneResult {
   Needs needs = Needs::nothing;
 
   [[nodiscard]] bool is_inside() const { return needs >= Needs::inside && needs <= Needs::inside_all; }
+
+  /// Whether its profile on a half-space is along the scene's line, else over directions.
+  [[nodiscard]] bool is_along_line() const {
+    return kind != SceneKind::half_space || id == ResultId::transverse_displacement;
+  }
 
   [[nodiscard]] bool is_of(SceneKind scene) const { return kind.value_or(scene) == scene; }
 };

@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+
 #include <nipref/fast/half_space/indenter.hpp>
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/number/estimate.hpp>
@@ -40,6 +42,13 @@ class EllipticContact {
   /// The pressure under a load of this contact at the distance x from the centre in the direction psi, 0 outside the
   /// contact; unit of stress. x must be finite and psi of unit length, else BadInput.
   [[nodiscard]] Estimate pressure(const EllipticLoad& load, Direction psi, double x) const;
+  /// The displacement of the surface, against what is far away, of a half-space with this response, which may be one of two
+  /// bodies: along x1, along x2 and into it, unit of length, at the distance x from the centre in the direction psi, inside
+  /// the contact or outside. Accuracy: that of the ellipse, times their size where the first two vanish. x must be finite,
+  /// else BadInput. (brock2012 17, with its kernels corrected, at x3 = 0)
+  [[nodiscard]] std::array<Estimate, 3> displacement(const EllipticLoad& load,
+                                                     const SurfaceResponse& half_space, Direction psi,
+                                                     double x) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(
       double approach) const;  ///< > 0, finite, unit of length, else BadInput
@@ -53,7 +62,7 @@ class EllipticContact {
 
   double major_length_, minor_length_;  ///< of the ellipse that has int K n n/w^3 dpsi = curvatures
   Direction major_;
-  double sum_;  ///< int K/w dpsi
+  double sum_;                                                                  ///< int K/w dpsi
   double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;  ///< relative
   double turn_ = 0;  ///< error of the major axis's angle
 };

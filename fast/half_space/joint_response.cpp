@@ -112,6 +112,13 @@ LineResponse JointResponse::operator()(Direction from_motion) const {
   return body_ ? in_contact(half_space, body_(from_motion)) : half_space;
 }
 
+SurfaceResponse JointResponse::of_half_space() const {
+  return [response = half_space_, evaluations = evaluations_](Direction from_motion) {
+    ++*evaluations;
+    return response(from_motion);
+  };
+}
+
 Estimate JointResponse::compliance(double degrees) const {
   return to_rounding((*this)(Direction::of_degrees(degrees)).compliance);
 }

@@ -16,6 +16,7 @@ class JointResponse {
   explicit JointResponse(const data::HalfSpaceProblem& problem);
 
   [[nodiscard]] LineResponse operator()(Direction from_motion) const;
+  [[nodiscard]] SurfaceResponse of_half_space() const;  ///< alone
   // Compliances, couplings and the smallest critical speed of this motion, unit of speed; the errors are of rounding.
   [[nodiscard]] Estimate compliance(double degrees) const;
   [[nodiscard]] Estimate coupling(double degrees) const;

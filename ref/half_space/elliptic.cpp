@@ -8,6 +8,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
+#include <nipref/ref/half_space/internal/displacement.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -20,6 +21,7 @@ struct Ellipse {
   Float p = 0, q = 0;
 
   [[nodiscard]] Float eta() const { return hypot(p, q); }
+  [[nodiscard]] Float alpha() const { return atan2(q, p) / 2; }
 };
 
 /// The square of the half-width along a line over a b, which is e^eta C^2 + e^-eta S^2 with C and S the cosine and
@@ -255,11 +257,7 @@ Estimate EllipticContact::axis_ratio() const {
 Estimate EllipticContact::orientation() const {
   const WorkingDigits scope(implementation_->working);
   const auto& [coarse, fine] = implementation_->levels;
-  const auto degrees = [](const Ellipse& ellipse) {
-    Float twice(0.0);
-    mpfr_atan2(raw(twice), raw(ellipse.q), raw(ellipse.p), MPFR_RNDN);
-    return Float(90 * twice / pi());
-  };
+  const auto degrees = [](const Ellipse& ellipse) { return Float(180 * ellipse.alpha() / pi()); };
   const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
   // The error of twice the angle, in radians; if it is not small, any angle is possible.
   const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
@@ -312,6 +310,28 @@ Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
   const Float change = std::max(Float(abs(at_working_precision(changed_by(off).value) - value)),
                                 Float(abs(at_working_precision(changed_by(-off).value) - value)));
   return {result.value, at_working_precision(result.error) + change, implementation_->digits};
+}
+
+std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_space, const Exact& degrees,
+                                                      const Exact& x) const {
+  const auto& [load, curvature, digits, working, exponent, levels] = *implementation_;
+  const WorkingDigits scope(working);
+  const WorkingSurface lines(half_space, working, exponent);
+  const PeakOfCompliance peak = peak_of_compliance(half_space);
+  const Float psi = to_float(degrees) * pi() / 180;
+  const auto by_rule = [&](const Level& level, int digits_of_rule) {
+    const Float scale = implementation_->scale(level), root = exp(Float(level.ellipse.eta() / 2));
+    const Float a = scale * root, b = scale / root, pressure = scale * 2 * curvature / level.moment;
+    return displacement_under({a, b, level.ellipse.alpha(), pressure}, lines, peak, psi, to_float(x),
+                              digits_of_rule);
+  };
+  const auto fine = by_rule(levels.fine, working), coarse = by_rule(levels.coarse, digits);
+  // The rounding is that of a displacement's largest component, as the others may vanish.
+  const Float rounding = tolerance(digits + 6) * (abs(fine[0]) + abs(fine[1]) + abs(fine[2]));
+  const auto estimate = [&](std::size_t i) -> Estimate {
+    return {fine[i], abs(fine[i] - coarse[i]) + rounding, digits};
+  };
+  return {estimate(0), estimate(1), estimate(2)};
 }
 
 }  // namespace nipref::ref

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <memory>
 
 #include <nipref/ref/half_space/indenter.hpp>
@@ -43,6 +44,10 @@ class EllipticContact {
   [[nodiscard]] Estimate peak_pressure() const;
   /// The pressure at x on a line, 0 outside the contact.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
+  /// The displacement at x on a line of the surface of a half-space, which may be one of two bodies, against what is far
+  /// away: along the motion, across it and into the half-space, unit of length.
+  [[nodiscard]] std::array<Estimate, 3> displacement(const SurfaceAnswer& half_space, const Exact& degrees,
+                                                     const Exact& x) const;
 
  private:
   struct Implementation;

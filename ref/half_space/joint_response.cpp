@@ -66,12 +66,18 @@ LineResponse JointResponse::along(const Surface& surface, const Exact& from_moti
                        SurfaceDirection::of_degrees(psi), digits);
 }
 
+SurfaceAnswer JointResponse::of_half_space() const {
+  return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
+    const LineResponse line = surface.along(surface.half_space_, degrees, digits);
+    return {line.compliance.value, line.coupling.value,         line.coupling_across.value,
+            line.in_line.value,    line.shear_compliance.value, line.shear_compliance_across.value};
+  };
+}
+
 SurfaceAnswer JointResponse::answer() const {
+  if (!body_) return of_half_space();
   return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
     const LineResponse below = surface.along(surface.half_space_, degrees, digits);
-    if (!surface.body_)
-      return {below.compliance.value, below.coupling.value,         below.coupling_across.value,
-              below.in_line.value,    below.shear_compliance.value, below.shear_compliance_across.value};
     const LineResponse above = surface.along(*surface.body_, degrees, digits);
     return {joined(below.compliance.value, above.compliance.value, 1),
             joined(below.coupling.value, above.coupling.value, -1),

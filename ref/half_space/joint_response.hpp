@@ -20,7 +20,9 @@ class JointResponse {
   /// lines are scanned, which takes seconds.
   void check_subcritical() const;
 
-  [[nodiscard]] SurfaceAnswer answer() const;  ///< to as many digits as it is asked for
+  // To as many digits as they are asked for: of both bodies, and of the half-space alone.
+  [[nodiscard]] SurfaceAnswer answer() const;
+  [[nodiscard]] SurfaceAnswer of_half_space() const;
   /// The error bounds are proven.
   [[nodiscard]] Enclosure compliance(double degrees) const;
   [[nodiscard]] Enclosure coupling(double degrees) const;

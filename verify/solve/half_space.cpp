@@ -1,4 +1,7 @@
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -65,6 +68,10 @@ class LoadedEllipse {
   [[nodiscard]] fast::Estimate peak_pressure() const { return load_.peak_pressure; }
   [[nodiscard]] fast::Estimate pressure(Direction psi, double x) const {
     return contact_.pressure(load_, psi, x);
+  }
+  [[nodiscard]] std::array<fast::Estimate, 3> displacement(const fast::SurfaceResponse& half_space,
+                                                           Direction psi, double x) const {
+    return contact_.displacement(load_, half_space, psi, x);
   }
   [[nodiscard]] fast::Estimate axis_ratio() const { return contact_.axis_ratio(); }
   [[nodiscard]] fast::Estimate approach() const { return load_.approach; }
@@ -147,6 +154,7 @@ struct BodyOnHalfSpace {
   int digits;  ///< the reference's
   Contact (*make)(const Surface&, const Problem&, int digits);
   std::optional<Contact> made = {};
+  std::map<double, std::array<Number, 3>> displacements = {};  ///< at x on the scene's line
 
   const Contact& contact() {
     if (!made) made = make(surface, problem, digits);
@@ -171,6 +179,16 @@ struct BodyOnHalfSpace {
     if constexpr (requires { contact().shear(Path::line(x), Position(x)); })
       return contact().shear(Path::line(*problem.line), Position(x));
     return by_friction(pressure(x));
+  }
+  /// The displacement along the motion, across it and into the half-space.
+  Number displacement(double x, std::size_t component) {
+    auto known = displacements.find(x);
+    if (known == displacements.end()) {
+      const auto line = Path::line(*problem.line);
+      known =
+          displacements.emplace(x, contact().displacement(surface.of_half_space(), line, Position(x))).first;
+    }
+    return known->second[component];
   }
   /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
   Number end(const typename Path::Line& psi) {
@@ -235,6 +253,9 @@ std::unique_ptr<SolvedContact<typename Path::Number>> solved(const Surface& surf
         [](Body& one, double psi) { return one.contact().compressed_radius(Path::line(psi)); });
   }
   if constexpr (requires(const Contact& one) { one.axis_ratio(); }) {
+    set(ResultId::tangential_displacement, [](Body& one, double x) { return one.displacement(x, 0); });
+    set(ResultId::transverse_displacement, [](Body& one, double x) { return one.displacement(x, 1); });
+    set(ResultId::normal_displacement, [](Body& one, double x) { return one.displacement(x, 2); });
     set(ResultId::axis_ratio, [](Body& one) { return one.contact().axis_ratio(); });
     set(ResultId::approach, [](Body& one) { return one.contact().approach(); });
     set(ResultId::orientation,

@@ -71,7 +71,7 @@ Json place_json(const SceneSolution<Number>& solution, const data::SceneResult& 
   if (depth) {
     text = fmt::format("  Y = {:<20} ", *position);
   } else if (position) {
-    text = fmt::format("{} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y", *position);
+    text = fmt::format("{} = {:<22} ", what.is_along_line() ? "Y" : "psi", *position);
   }
   const bool is_first = depth && i % solution.field.positions.size() == 0;
   return {{"place", text}, {"next_depth", is_first ? Json(fmt::format("{}", *depth)) : Json()}};

@@ -96,8 +96,12 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult&
     return std::ranges::find(ids, result.id) != ids.end();
   };
   if (problem.rule != ContourRule::exact &&
-      is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach}))
-    origin.refuse(key, result.name, "must be wanted of the exact method only: the other does not define it");
+      is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach,
+                 ResultId::normal_displacement, ResultId::tangential_displacement,
+                 ResultId::transverse_displacement}))
+    origin.refuse(
+        key, result.name,
+        "must be wanted of the exact method only: the others fit the body line by line, which does not define it");
   if (problem.rule == ContourRule::similar_contour && result.id == ResultId::peak_pressure)
     origin.refuse(key, result.name,
                   "must be left out with similar-contour: each line has its own, peak_on_line");
@@ -105,11 +109,10 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult&
       is_one_of({ResultId::creep, ResultId::compressed_radius}))
     origin.refuse(key, result.name, "must be wanted of a rolling sphere only");
   if (!problem.profile || result.shape != Shape::profile) return;
-  const bool is_on_line = is_one_of({ResultId::pressure, ResultId::shear});
-  if (is_on_line && !problem.line)
+  if (result.is_along_line() && !problem.line)
     origin.refuse(key, result.name,
                   "must be wanted with profile.direction, the angle of its line from the motion");
-  if (!is_on_line && problem.line)
+  if (!result.is_along_line() && problem.line)
     origin.refuse(key, result.name, "must be wanted without profile.direction: it belongs to whole lines");
 }
 

@@ -38,7 +38,7 @@ struct UnitKey {
 using UnitNodes = std::vector<UnitNode>;
 
 /// The nodes and weights to the working precision, which is part of the key.
-UnitNodes unit_nodes(const UnitKey& key) {
+UnitNodes made_nodes(const UnitKey& key) {
   const Float step = Float(1) / (key.digits + 20) * 2;
   // The last node: from here on the weights are below 10^-digits even times an algebraic singularity at the end.
   const int last =
@@ -117,10 +117,14 @@ bool is_settled(const Float& change, const Float& value, int digits) {
   return change <= tolerance(digits) * at_most_1(value) / 10;
 }
 
+std::shared_ptr<const UnitNodes> unit_nodes(int digits) {
+  static Cache<UnitKey, UnitNodes> kept(made_nodes, size_of_nodes, std::size_t{1} << 26);
+  return kept.at({digits, working_bits()});
+}
+
 Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f) {
-  static Cache<UnitKey, UnitNodes> kept(unit_nodes, size_of_nodes, std::size_t{1} << 26);
-  const auto nodes = kept.at({digits, working_bits()});
   Float sum = 0;
+  const auto nodes = unit_nodes(digits);
   for (const UnitNode& node : *nodes) sum += f(node) * node.weight;
   return sum;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include <nipref/ref/half_space/indenter.hpp>
@@ -106,6 +107,9 @@ struct UnitNode {
   Float log_right;
   Float weight;
 };
+
+/// The nodes and weights of unit_integral().
+std::shared_ptr<const std::vector<UnitNode>> unit_nodes(int digits);
 
 /// int_0^1 f dx for f with algebraic singularities at the ends.
 Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f);

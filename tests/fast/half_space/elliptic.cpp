@@ -4,6 +4,7 @@
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/half_space.hpp"
 #include "support/test.hpp"
@@ -15,6 +16,7 @@ using fast::EllipticLoad;
 using fast::Indenter;
 using fast::LineResponse;
 using fast::SurfaceResponse;
+using std::numbers::pi;
 using test::any_poisson;
 using test::isotropic;
 
@@ -126,4 +128,86 @@ TEST_CASE("elliptic: bad input is one line that names it") {
   CHECK_THROWS_AS(static_cast<void>(contact.for_force(0)), data::BadInput);
   CHECK_THROWS_AS(static_cast<void>(contact.for_approach(nan)), data::BadInput);
   CHECK_THROWS_AS(static_cast<void>(contact.radius_ratio({nan, 1})), data::BadInput);
+}
+
+TEST_CASE("elliptic: under a sphere at rest the surface is displaced as Hertz and Johnson have it") {
+  // (Johnson, Contact Mechanics, 3.41 to 3.42) with mu = 1, r over a
+  const SurfaceResponse response = isotropic(any_poisson, 0);
+  const EllipticContact contact(response, Indenter::sphere(7));
+  const EllipticLoad load = contact.for_force(0.3);
+  const double unit = load.peak_pressure.value * load.semi_major.value;
+  for (const double r : {0., 1e-8, 0.4, 0.999999, 1., 1.000001, 2.5, 1e7}) {
+    CAPTURE(r);
+    const double near =
+        r <= 1 ? pi * (2 - r * r) / 8 : ((2 - r * r) * std::asin(1 / r) + std::sqrt((r - 1) * (r + 1))) / 4;
+    const double into = r < 100 ? near : 1 / (3 * r);  // as under a point load
+    const double inward = r == 0 ? 0 : (r < 1 ? -std::expm1(1.5 * std::log1p(-r * r)) : 1) / (6 * r);
+    const auto [along, across, normal] =
+        contact.displacement(load, response, Direction::of_degrees(120), r * load.semi_major.value);
+    const double shift = -(1 - 2 * any_poisson) * unit * inward;
+    CHECK(normal.value == approx((1 - any_poisson) * unit * into, 1e-11));
+    CHECK(std::fabs(along.value + shift / 2) <= along.error + 1e-12 * std::fabs(shift));
+    CHECK(std::fabs(across.value - shift * std::sqrt(0.75)) <= across.error + 1e-12 * std::fabs(shift));
+    CHECK(normal.error < 2e-13 * normal.value);
+    CHECK(along.error < 2e-12 * normal.value);
+  }
+  CHECK_THROWS_WITH_AS((void)contact.displacement(load, response, {1, 0}, INFINITY),
+                       doctest::Contains("x = inf"), data::BadInput);
+}
+
+TEST_CASE("elliptic: a slender body's surface has its shape in the contact, next to the critical speed too") {
+  for (const double gap : {1., 1e-2, 1e-6}) {
+    const double speed = (1 - gap) * fast::isotropic_rayleigh_speed(any_poisson);
+    const SurfaceResponse response = [speed](Direction psi) {
+      return fast::isotropic_response({1, any_poisson, 1}, speed, psi);
+    };
+    for (const Indenter body : {Indenter{1, 1}, Indenter{1, 1e-4}, Indenter{1e-4, 1}}) {
+      const EllipticContact contact(response, body);
+      const EllipticLoad load = contact.for_force(1e-4);
+      for (const double degrees : {0., 0.1, 35., 90.}) {
+        const Direction psi = Direction::of_degrees(degrees);
+        const double x = 0.9 * contact.radius_ratio(psi).value * load.semi_major.value;
+        const auto normal = contact.displacement(load, response, psi, x)[2];
+        const double truth = load.approach.value - body.curvature(psi) * x * x / 2;
+        CHECK(std::fabs(normal.value - truth) <= normal.error + load.approach.error);
+        CHECK(normal.error < 1e-12 * load.approach.value);
+      }
+    }
+  }
+}
+
+TEST_CASE("elliptic: both paths displace a surface without any symmetry alike") {
+  const auto entries = [](auto c, auto s, auto line) {
+    line.compliance = 2 + c * c + c * s / 2;
+    line.coupling = c * c / 2 - c * s / 3 - s * s / 4;
+    line.coupling_across = c * s + s * s / 5;
+    line.shear_compliance = c / 3 - s * s * s / 2;
+    line.shear_compliance_across = c * c * c / 4 + s / 6;
+    return line;
+  };
+  const SurfaceResponse in_double = [&](Direction psi) {
+    return entries(psi.cosine, psi.sine, LineResponse{});
+  };
+  const ref::SurfaceAnswer exactly = [&](const ref::Exact& degrees, int digits) {
+    const ref::WorkingDigits working(digits + 20);
+    const ref::Float angle = ref::to_float(degrees) * ref::pi() / 180, none = 0;
+    return entries(ref::Float(cos(angle)), ref::Float(sin(angle)), ref::LineAnswer{none, none, none, none});
+  };
+  const EllipticContact fast_contact(in_double, {3, 1});
+  const EllipticLoad load = fast_contact.for_force(1);
+  const ref::EllipticContact contact(exactly, {ref::Exact(3.0), ref::Exact(1.0)}, data::GivenNormalForce{1},
+                                     18);
+  for (const auto& [degrees, share] : {std::pair(0., 0.5), std::pair(70., 0.999), std::pair(-40., 1.01),
+                                       std::pair(10., -300.), std::pair(0., 0.)}) {
+    CAPTURE(degrees);
+    const double x = share * load.semi_major.value;
+    const auto found = fast_contact.displacement(load, in_double, Direction::of_degrees(degrees), x);
+    const auto truth = contact.displacement(exactly, ref::Exact(degrees), ref::Exact(x));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      CAPTURE(i);
+      CHECK(mpfr_get_d(ref::raw(truth[i].error), MPFR_RNDU) < 1e-16 * std::fabs(found[2].value));
+      CHECK(std::fabs(truth[i].error_of(found[i].value)) <= found[i].error);
+      CHECK(found[i].error < 1e-12 * std::fabs(found[2].value));
+    }
+  }
 }

@@ -63,3 +63,21 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
   };
   refused(no_number, Exact(1.0), "surface = nan");
 }
+
+TEST_CASE("the reference's surface at rest is displaced as Hertz and Johnson have it") {
+  // (Johnson, Contact Mechanics, 3.41 to 3.42) with mu = 1, nu = 1/4
+  const auto surface = isotropic_surface(0.25, 1e-30);
+  const ref::EllipticContact contact(surface, ref::Indenter::of_radii(2, 2), data::GivenSpan{0.2}, 18);
+  const double a = 0.1, unit = contact.peak_pressure().to_double() * a;
+  for (const double r : {0.0, 0.4, 0.99, 2.5}) {
+    CAPTURE(r);
+    const double into = r <= 1 ? std::numbers::pi * (2 - r * r) / 8
+                               : ((2 - r * r) * std::asin(1 / r) + std::sqrt(r * r - 1)) / 4;
+    const double inward = r == 0 ? 0 : (r < 1 ? 1 - std::pow(1 - r * r, 1.5) : 1) / (6 * r);
+    const auto [along, across, normal] = contact.displacement(surface, Exact(90.0), Exact(r * a));
+    CHECK(normal.to_double() == doctest::Approx(0.75 * unit * into).epsilon(1e-13));
+    CHECK(across.to_double() == doctest::Approx(-0.5 * unit * inward).epsilon(1e-13));
+    CHECK(std::fabs(along.to_double()) <= 1e-20 * unit);
+    CHECK(mpfr_get_d(ref::raw(normal.error), MPFR_RNDU) < 1e-18 * normal.to_double());
+  }
+}

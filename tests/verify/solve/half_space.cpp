@@ -117,6 +117,29 @@ TEST_CASE("without friction the pressures of all methods are even, without a cen
   }
 }
 
+TEST_CASE("the surface has the die's shape in the contact, with the sphere's also if that yields") {
+  const auto at = [&](const std::string& body, const std::string& end, const std::string& motion) {
+    return solved(wanting(R"("approach", "normal_displacement", "transverse_displacement")") + isotropic +
+                  body + motion + load + exact + "[profile]\ndirection = 90.0\npositions = " + end);
+  };
+  const std::string places = "[-0.03, 0.0, 0.02]\n";
+  const auto under_die = at(die, places, sliding("0.9"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = under_die.positions[i];
+    CHECK(under_die.profile("normal_displacement")[i].value ==
+          approx(under_die["approach"].value - x * x / 2, 1e-12));
+  }
+  // At rest the share of the half-space is that of its compliance (1 - nu)/mu, here 0.25 to 0.25 + 0.35.
+  const auto under_sphere =
+      at("[sphere]\nradius = 1.0\nshear = 2.0\npoisson = 0.3\ndensity = 1.0\n", places, sliding("0.0"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double x = under_sphere.positions[i];
+    CHECK(under_sphere.profile("normal_displacement")[i].value ==
+          approx(0.25 / 0.6 * (under_sphere["approach"].value - x * x / 2), 1e-12));
+  }
+  CHECK(under_sphere.profile("transverse_displacement")[2].value < 0);  // the surface is drawn to the centre
+}
+
 TEST_CASE("a rolling sphere's creep and compressed radius, and tractions that end there") {
   const std::string fast_rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 1.1\n";
   const std::string small = "[contact]\nspan_along = 1e-6\n";

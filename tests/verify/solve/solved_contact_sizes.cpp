@@ -26,12 +26,13 @@ double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
   return verify::result_size(nip, id, y, accuracy);
 }
 
-/// Of a contact on a half-space whose pressure and span are 2, and its compliance 3.
+/// Of a contact on a half-space whose pressure and span are 2, its compliance 3, and its depth at the centre 7.
 double size_on_half_space(ResultId id) {
   verify::SolvedContact<fast::Estimate> contact;
   contact.ends = [] { return verify::ContactEnds{-1, 1}; };
   for (const ResultId two : {ResultId::peak_pressure, ResultId::span_along})
     contact.set(two, [] { return fast::Estimate{2, 0}; });
+  contact.set(ResultId::normal_displacement, [](double) { return fast::Estimate{7, 0}; });
   contact.set(ResultId::compliance, [](double) { return fast::Estimate{3, 0}; });
   return verify::result_size(contact, id, 0, 1e-6);
 }
@@ -58,6 +59,8 @@ TEST_CASE("what may be 0 is measured by the size of its kind, everything else by
   CHECK(size_on_half_space(orientation) * std::acos(-1) == doctest::Approx(180));
   CHECK(size_on_half_space(coupling) == 3);
   CHECK(size_on_half_space(compliance) == 0);
+  for (const ResultId displacement : {normal_displacement, tangential_displacement, transverse_displacement})
+    CHECK(size_on_half_space(displacement) == 7);
   for (const ResultId two : {pressure, shear, centre_along, centre_across})
     CHECK(size_on_half_space(two) == 2);
 }

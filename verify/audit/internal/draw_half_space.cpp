@@ -112,6 +112,22 @@ std::vector<ResultId> results_of(data::ContourRule rule, Body body) {
   return wanted;
 }
 
+/// Replaces the directions by places on a line, in the contact and outside it: half of the span along the motion is about
+/// `half`.
+void set_line(Random& random, data::ContourRule rule, double half, DrawnScene& drawn) {
+  auto wanted = drawn.wanted();
+  std::erase_if(wanted, [](ResultId id) { return data::scene_result(id).shape == data::Shape::profile; });
+  wanted.insert(wanted.end(), {ResultId::pressure, ResultId::shear});
+  if (rule == data::ContourRule::exact)
+    wanted.insert(wanted.end(), {ResultId::normal_displacement, ResultId::tangential_displacement,
+                                 ResultId::transverse_displacement});
+  drawn.set_wanted(wanted);
+  drawn.set("profile.direction", random.uniform(-90, 90));
+  drawn.set("profile.positions",
+            std::vector{0.0, half * random.uniform(-1, 1), -half * random.log_uniform(1e-6, 1),
+                        half * random.log_uniform(1, 10), -half * random.log_uniform(1, 1e3)});
+}
+
 }  // namespace
 
 DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule) {
@@ -136,12 +152,14 @@ DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule)
   drawn.set("wanted", results_of(rule, body));
   const double angle = random.uniform(-90, 90);
   drawn.set("profile.positions", std::vector<double>{0, 90, angle, -angle, random.uniform(-90, 90)});
-  if (random.chance(0.5)) {
-    drawn.set("contact.span_along", radius * random.log_uniform(1e-6, 1));
+  const bool span_given = random.chance(0.5);
+  const double half = radius * (span_given ? random.log_uniform(1e-6, 1) / 2 : random.log_uniform(1e-6, 0.3));
+  if (span_given) {
+    drawn.set("contact.span_along", 2 * half);
   } else {
-    const double half = radius * random.log_uniform(1e-6, 0.3);
     drawn.set("load.normal_force", stiffness(drawn) * half * half * half / radius);
   }
+  if (random.chance(0.3)) set_line(random, rule, half, drawn);
   const std::string motion = body == Body::rolling_sphere ? "rolling" : "sliding";
   drawn.set(motion + ".speed", 0.0);
   if (body != Body::rolling_sphere) {

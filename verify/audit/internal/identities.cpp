@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -78,7 +79,8 @@ std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
                     return rounded(number.value / factor, number.error / factor);
                   }};
   for (auto& [key, value] : variant.scene.keys()) {
-    if (key == "profile.positions" && is_half_space(drawn)) continue;  // degrees
+    if (key == "profile.positions" && is_half_space(drawn) && !drawn.has("profile.direction"))
+      continue;  // degrees
     if (!multiply(value, units, *data::find_scene_key(key))) return {};
   }
   return variant;
@@ -141,17 +143,19 @@ std::vector<double> mirrored_stiffness(std::vector<double> upper) {
 
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
   if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
-  Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
-                    const bool is_odd = what.id == data::ResultId::shear ||
-                                        what.id == data::ResultId::tangential_displacement ||
-                                        what.id == data::ResultId::stress_shear ||
-                                        what.id == data::ResultId::displacement_along ||
-                                        what.id == data::ResultId::orientation ||
-                                        what.id == data::ResultId::centre_across;
+  const std::vector<ResultId> odd =
+      is_half_space(drawn)
+          ? std::vector{ResultId::transverse_displacement, ResultId::orientation, ResultId::centre_across}
+          : std::vector{ResultId::shear, ResultId::tangential_displacement, ResultId::stress_shear,
+                        ResultId::displacement_along};
+  Variant variant{"mirror", drawn, [odd](const data::SceneResult& what, const Estimate& number) {
+                    const bool is_odd = std::ranges::find(odd, what.id) != odd.end();
                     return Estimate{is_odd ? -number.value : number.value, number.error};
                   }};
+  const bool on_line = drawn.has("profile.direction");
+  if (on_line) variant.scene.set("profile.direction", -drawn.number("profile.direction"));
   for (const char* const places : {"profile.positions", "field.positions"})
-    if (drawn.has(places)) variant.scene.set(places, negated(drawn.numbers(places)));
+    if (drawn.has(places) && !on_line) variant.scene.set(places, negated(drawn.numbers(places)));
   if (drawn.has("sliding.direction"))
     variant.scene.set("sliding.direction", -drawn.number("sliding.direction"));
   if (drawn.has("half_space.stiffness"))

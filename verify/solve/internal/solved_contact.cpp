@@ -127,6 +127,7 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
   const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;
   const double flat_maximum = (1e-6 + 10 * std::sqrt(accuracy)) / accuracy;
   const double rounding_of_slope = slope * std::min(1.0, 1e-14 / accuracy);
+  const auto indentation = [&] { return value_of(contact.at(ResultId::normal_displacement, 0)); };
   const auto growth = [&] { return growth_next_to_end(y, ends, accuracy); };
   const auto pressure = [&] {
     return value_of(is_nip ? contact.at(ResultId::pressure, 0) : contact.number(ResultId::peak_pressure));
@@ -141,13 +142,13 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
     case Scale::hundred_half_contacts:
       return 100 * half;
     case Scale::roller_rise:
-      return half * slope / 2;
+      return is_nip ? half * slope / 2 : indentation();
     case Scale::creep:
       return slope / 2;
     case Scale::creep_next_to_end:
       return slope / 2 * growth();
     case Scale::distance_times_creep:
-      return slope / 2 * std::min(std::fabs(y), half);
+      return is_nip ? slope / 2 * std::min(std::fabs(y), half) : indentation();
     case Scale::pressure:
       return pressure() * growth();
     case Scale::shear:
