@@ -19,11 +19,11 @@ struct GivenContact;
 ///
 /// It is made by converged_for_length or converged_for_load for an elastic nip without or with full friction
 /// (elastic_nip/converged.hpp), or for a viscoelastic one in steady frictionless rolling (viscoelastic_nip/converged.hpp).
-/// Up to L/B = 3 the tractions are one expansion over the whole contact, beyond on panels that double from both ends
-/// (nip/internal/tractions.hpp). The number of terms follows from the accuracy asked. Every result is computed when it is
-/// asked for, and comes with an estimate of its error that covers what the expansions leave out and what rounding does
-/// (nip/internal/solution.hpp); with a given load also what that does to the length. Where rounding allows less than was
-/// asked (very thin sheets with full friction), the estimate says so.
+/// Up to L/B = 12, or up to 4 where more than ten digits are asked, the tractions are one expansion over the whole contact,
+/// beyond on panels that double from both ends (nip/internal/tractions.hpp). The number of terms follows from the accuracy
+/// asked. Every result is computed when it is asked for, and comes with an estimate of its error that covers what the
+/// expansions leave out and what rounding does (nip/internal/solution.hpp); with a given load also what that does to the
+/// length. Where rounding allows less than was asked (very thin sheets with full friction), the estimate says so.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
 /// any finite value, unit of length; otherwise BadInput. The contact of an elastic sheet is symmetric about Y = 0.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
 #include <nipref/fast/nip/internal/frictionless_kernel.hpp>
@@ -123,9 +124,11 @@ Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& p
   const std::vector<double> points = tractions.matching_points();
   const int each = grips_ ? 2 : 1;
   const auto rows = static_cast<Eigen::Index>(points.size()) * each;
-  Equations equations{tractions.matching_rows(matching(kernels), tolerance),
+  Tractions::MatchingRows of_tractions = tractions.matching_rows(matching(kernels), tolerance);
+  Equations equations{std::move(of_tractions.rows),
                       Eigen::MatrixXd::Zero(rows, each),
                       Eigen::VectorXd::Zero(rows),
+                      std::move(of_tractions.sizes),
                       {},
                       {},
                       {}};

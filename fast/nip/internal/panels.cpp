@@ -10,8 +10,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// One expansion over the whole contact needs fewer terms than panels, but wider ones cost more.
-constexpr double longest_whole = Tractions::widest_with_logarithm / 2;
+/// One expansion over the whole contact needs fewer terms than panels. In a wide one the logarithm is much larger than the
+/// kernel and cancels, so that the last digits need panels.
+constexpr double longest_whole = 12, longest_whole_for_last_digits = 4, nats_of_last_digits = 25;
 /// Radians and nats over the whole contact that its one expansion holds.
 constexpr double most_over_whole = 8;
 /// Of the first panel, half-thicknesses.
@@ -69,7 +70,8 @@ class Layout {
   static constexpr int most_panels = 100;
 
   [[nodiscard]] bool is_one() const {
-    return half_length_ <= longest_whole && std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
+    const double most = resolution_.nats < nats_of_last_digits ? longest_whole : longest_whole_for_last_digits;
+    return half_length_ <= most && std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
              return std::abs(rate) * 2 * half_length_ < most_over_whole;
            });
   }

@@ -45,6 +45,8 @@ Solution::Solution(Tractions tractions, const Equations& equations)
   if (layers_.size() > 0)
     coefficients_.tail(layers_.rows()) = layers_.leftCols(unknowns) * unknowns_ + layers_.col(unknowns);
   unit_ = (equations.memories > 0 ? 2 : 1) * unit_roundoff;
+  matrix.leftCols(terms) =
+      matrix.leftCols(terms).cwiseAbs().cwiseMax(equations.size_on_tractions(Eigen::all, solved_));
   if (equations.size_right.size() > 0) {
     matrix.rightCols(unknowns) = matrix.rightCols(unknowns).cwiseAbs().cwiseMax(equations.size_on_unknowns);
     right = right.cwiseAbs().cwiseMax(equations.size_right);

@@ -13,7 +13,8 @@ struct Equations {
   Eigen::MatrixXd on_tractions;  ///< columns of Tractions
   Eigen::MatrixXd on_unknowns;
   Eigen::VectorXd right;
-  /// Sizes of what cancels in the numbers of on_unknowns and right; empty where nothing does.
+  /// Sizes of what cancels in these numbers; of the last two empty where nothing does.
+  Eigen::MatrixXd size_on_tractions;
   Eigen::MatrixXd size_on_unknowns;
   Eigen::VectorXd size_right;
   /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.

@@ -62,13 +62,10 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, int d
   return rules.at({tolerance, 8 * ((degree + 7) / 8)});
 }
 
-/// Points of a product rule: as many as the wanted nats need if each gives so many, a multiple of four so that few rules are
-/// kept; and the most that are worth their cost.
-constexpr int fewest_points_of_rule = 4, most_points_of_rule = 64;
-
+/// Points of a product rule: as many as the wanted nats need if each gives so many, in steps so that few rules are kept.
 int points_of_rule(double nats_a_point, double nats) {
-  const double points = 4 * std::ceil((1 + nats / nats_a_point) / 4);
-  return static_cast<int>(std::clamp<double>(points, fewest_points_of_rule, most_points_of_rule + 1));
+  const double points = std::min(1 + nats / nats_a_point, 1e6), step = points < 64 ? 4 : 32;
+  return static_cast<int>(step * std::ceil(points / step));
 }
 
 Eigen::ArrayXd array(const std::vector<double>& values) {
@@ -191,8 +188,9 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
   // e^(2.1 gap) as large as on the panel.
   const double fall = internal::log_of_ellipse(1 + 2 * gap / width);
+  constexpr int most_points = 64;
   const int points = points_of_rule(fall, -std::log(tolerance) + 2.1 * gap);
-  if (points > most_points_of_rule) return false;
+  if (points > most_points) return false;
 
   const auto rule = product_rule(basis(panel), points, degrees(panel));
   const double sign = (mirrored != place.trailing) ? -1 : 1;
@@ -205,11 +203,13 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
 }
 
 /// The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
-bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double tolerance,
-                              Eigen::Ref<Eigen::MatrixXd> rows) const {
+bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double tolerance, Eigen::Index first,
+                              MatchingRows& result) const {
+  // In much wider panels the logarithm is so much larger than the kernel that it cancels.
+  constexpr double widest = 24;
   const Panel& panel = panels_[p];
   const double width = panel.width();
-  if (width > widest_with_logarithm) return false;
+  if (width > widest) return false;
   const PanelBasis basis = this->basis(panel);
   const MatchingPoints points = points_of(panel);
   const auto rule = product_rule(
@@ -227,15 +227,23 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
     if ((rule->weight.*part).size() == 0) return;
     const Degrees degrees = degrees_of(p, component);
     const auto integrals = [&](const PanelBasis::Rows& all) { return degrees.columns(all.*part, count); };
-    const double of_logarithm = kernel.logarithm(functional, of), of_jump = kernel.jump(functional, of);
-    Eigen::MatrixXd sum =
-        values.row(functional).reshaped(nodes, points.points).transpose() * integrals(rule->weight);
-    if (of_logarithm != 0)
-      sum -= of_logarithm / std::numbers::pi *
-             (integrals(singular->logarithm).rowwise() + log_width * integrals(singular->one).row(0));
-    if (of_jump != 0) sum += of_jump * integrals(singular->sign);
-    rows(Eigen::seqN(functional, points.points, kernel.whole.functionals),
-         Eigen::seqN(column(p, component), count)) += sign * degrees.sign * width * sum;
+    const double of_logarithm = -kernel.logarithm(functional, of) / std::numbers::pi,
+                 of_jump = kernel.jump(functional, of);
+    const auto rows = Eigen::seqN(first + functional, points.points, kernel.whole.functionals);
+    const auto columns = Eigen::seqN(column(p, component), count);
+    const auto add_part = [&](double factor, const Eigen::MatrixXd& integral) {
+      result.rows(rows, columns) += factor * integral;
+      result.sizes(rows, columns) += std::fabs(factor) * integral.cwiseAbs();
+    };
+    const double scale = sign * degrees.sign * width;
+    add_part(scale,
+             values.row(functional).reshaped(nodes, points.points).transpose() * integrals(rule->weight));
+    if (of_logarithm != 0) {
+      add_part(scale * of_logarithm, integrals(singular->logarithm));
+      add_part(scale * of_logarithm * log_width,
+               integrals(singular->one).row(0).replicate(points.points, 1));
+    }
+    if (of_jump != 0) add_part(scale * of_jump, integrals(singular->sign));
   };
   for (Eigen::Index i = 0; i < kernel.whole.functionals; ++i) {
     add(on_p, i, 0, 1, 0, &PanelBasis::Rows::real);
@@ -321,18 +329,18 @@ Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places,
   return result;
 }
 
-Eigen::MatrixXd Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {
+Tractions::MatchingRows Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {
   const std::vector<double> points = matching_points();
   const int functionals = kernel.whole.functionals;
-  Eigen::MatrixXd result =
+  const Eigen::MatrixXd none =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()) * functionals, columns_);
+  MatchingRows result{none, none};
   Eigen::Index row = 0;
   for (std::size_t p = 0, at = 0; p < panels_.size(); ++p) {
-    const int count = points_of(panels_[p]).points;
-    const bool is_done = add_own_panel(p, kernel, tolerance, result.middleRows(row, count * functionals));
-    for (int i = 0; i < count; ++i, row += functionals)
+    const bool is_done = add_own_panel(p, kernel, tolerance, row, result);
+    for (int i = 0; i < points_of(panels_[p]).points; ++i, row += functionals)
       add_place({points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,
-                result.middleRows(row, functionals));
+                result.rows.middleRows(row, functionals));
   }
   return result;
 }

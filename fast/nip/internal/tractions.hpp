@@ -41,10 +41,6 @@ class Tractions {
   /// leaving them out is.
   static constexpr int left_out = 2;
 
-  /// Of the panels whose own logarithm is integrated in closed form: in wider ones it is much larger than the kernel, and
-  /// cancels.
-  static constexpr double widest_with_logarithm = 3;
-
   [[nodiscard]] double half_length() const { return half_length_; }
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
   [[nodiscard]] std::vector<std::complex<double>> layer_rates() const;
@@ -81,7 +77,10 @@ class Tractions {
                                                       double tolerance) const;
   /// The same at the matching points: those of the panels, as many as terms, and one more at the end.
   [[nodiscard]] std::vector<double> matching_points() const;
-  [[nodiscard]] Eigen::MatrixXd matching_rows(const SplitKernel& kernel, double tolerance) const;
+  struct MatchingRows {
+    Eigen::MatrixXd rows, sizes;  ///< sizes of the parts that cancel in the rows' numbers, 0 where none do
+  };
+  [[nodiscard]] MatchingRows matching_rows(const SplitKernel& kernel, double tolerance) const;
   /// Re g and Im g at 0 <= e <= A: two rows of columns; and their values for given coefficients of all columns.
   [[nodiscard]] Eigen::MatrixXd values(double e) const;
   [[nodiscard]] std::complex<double> value(double e, const Eigen::VectorXd& coefficients) const;
@@ -154,9 +153,10 @@ class Tractions {
   /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
   bool add_by_product_rule(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
                            double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
-  /// Adds a panel to the rows of its matching points; false where that needs a rule for singular kernels.
-  bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance,
-                     Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Adds a panel to `count` rows from `first` on, those of its matching points; false where that needs a rule for singular
+  /// kernels.
+  bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance, Eigen::Index first,
+                     MatchingRows& result) const;
   /// Adds the layers, which are on the leading half.
   void add_layers(const Place& place, const Kernel& kernel, double tolerance,
                   Eigen::Ref<Eigen::MatrixXd> rows) const;

@@ -222,7 +222,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   const Tractions tractions(half_length, fitted, true, 0.5, layers);
   const std::vector<double> points = tractions.matching_points();
   const Tractions::SplitKernel elastic = frictionless_kernel(kernels);
-  const Eigen::MatrixXd ahead = tractions.matching_rows(elastic, tolerance);
+  const auto [ahead, sizes] = tractions.matching_rows(elastic, tolerance);
 
   const auto matching = 2 * static_cast<Eigen::Index>(points.size());
   const auto unknowns =
@@ -231,6 +231,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   Equations equations{Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
                       Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
                       Eigen::VectorXd::Zero(matching + unknowns - 2),
+                      Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
                       Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
                       Eigen::VectorXd::Zero(matching + unknowns - 2),
                       Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};
@@ -241,9 +242,11 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
     const auto at = static_cast<Eigen::Index>(i), row = 2 * at;
     for (std::size_t p = 0; p < fitted.size(); ++p) {
       const int terms = fitted[p].terms + Tractions::left_out;
-      for (const int component : {0, 1})
-        equations.on_tractions.row(row + component).segment(tractions.column(p, component), terms) =
-            ahead.row(at).segment(tractions.column(p, component), terms);
+      for (const int component : {0, 1}) {
+        const auto columns = Eigen::seqN(tractions.column(p, component), terms);
+        equations.on_tractions(row + component, columns) = ahead(at, columns);
+        equations.size_on_tractions(row + component, columns) = sizes(at, columns);
+      }
     }
     if (of_layers > 0) {
       const auto here = ahead.row(at).tail(of_layers);
