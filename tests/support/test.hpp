@@ -41,3 +41,6 @@ inline bool contains(std::string_view text, std::string_view part) {
 inline doctest::Approx approx(double value, double relative) {
   return doctest::Approx(value).scale(0).epsilon(relative);
 }
+
+/// Whether .ci/thorough asks for the whole of sweeps of which a part stands for all else.
+inline bool is_thorough() { return std::getenv("NIPREF_THOROUGH") != nullptr; }

@@ -108,23 +108,6 @@ TEST_CASE("what is no finding about the quantity is not read") {
   CHECK_THROWS_AS(static_cast<void>(work.read_findings(Json::object())), JsonMisfit);
 }
 
-TEST_CASE("random scenes in blocks are those of one run") {
-  constexpr std::size_t count = 45;
-  SceneSolvers solvers;  // quick ones
-  solvers.fast = [](const nipref::data::Scene& scene) -> SceneSolution<nipref::fast::Estimate> {
-    throw nipref::data::BadInput("scene", scene.title, "must be another");
-  };
-  ScenesWork forward(count, "blocks", 20, solvers), backward(count, "blocks", 20, solvers);
-  REQUIRE(forward.blocks() == 3);
-  for (const std::size_t block : {0U, 1U, 2U}) forward.add(block, forward.found_in(block, {}));
-  for (const std::size_t block : {2U, 1U, 0U}) backward.add(block, sent(backward, block));
-  const auto told = [](const std::vector<SceneTally>& tallies) {
-    return scene_tally_json(tallies).without("times").text();
-  };
-  CHECK(told(forward.result()) == told(backward.result()));
-  CHECK(told(forward.result()) == told(without_empty(tally(audit_scenes(0, count, "blocks", {}, solvers)))));
-}
-
 TEST_CASE("hard cases of contacts are told to the last bit") {
   HardCasesWork work;
   work.add(1, sent(work, 1));

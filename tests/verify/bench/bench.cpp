@@ -48,31 +48,24 @@ TEST_CASE("the distance of two decimal texts keeps what a double would lose") {
   CHECK(verify::decimal_distance("1e-3", "0.001") == 0);
 }
 
-TEST_CASE("the stopwatch plans its rounds by a run that finds what the first one has built") {
+TEST_CASE(
+    "the stopwatch plans by a run that finds what the first has built, and asks for no more than there is") {
   int runs = 0;
-  const verify::Contender contender{[&](std::size_t) {
-                                      if (++runs == 1)
-                                        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-                                    },
-                                    1, 1};
-  verify::time_interleaved({contender}, 3, 1e-3);
+  const verify::Contender slow_at_first{[&](std::size_t) {
+                                          if (++runs == 1)
+                                            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                        },
+                                        1, 1};
+  verify::time_interleaved({slow_at_first}, 3, 1e-3);
   CHECK(runs > 20);
-}
-
-TEST_CASE("the stopwatch never asks for more evaluations than there are, nor for fewer than the least") {
-  std::size_t largest = 0;
-  std::size_t smallest = 1000;
-  const verify::Contender contender{[&](std::size_t count) {
-                                      largest = std::max(largest, count);
-                                      smallest = std::min(smallest, count);
-                                    },
-                                    8, 100};
+  std::set<std::size_t> counts;
+  const verify::Contender contender{[&](std::size_t count) { counts.insert(count); }, 8, 100};
   const auto timings = verify::time_interleaved({contender}, 3, 1e-4);
   REQUIRE(timings.size() == 1);
   CHECK(timings[0].count == 100);
   CHECK(timings[0].seconds >= 0);
-  CHECK(largest == 100);
-  CHECK(smallest == 8);
+  CHECK(*counts.begin() == 8);
+  CHECK(*counts.rbegin() == 100);
 }
 
 TEST_CASE("a ratio is met only by a number") {
@@ -147,18 +140,6 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
   CHECK(seen.size() >= 6 * 400);  // in each of the six ranges
 }
 
-TEST_CASE("the bench's JSON has the agreed shape") {
-  const verify::BenchReport report{
-      {{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13, 0.25, 0.375}},
-      {{"what", 2, 3}}};
-  const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).for_machines().text());
-  REQUIRE(json["rows"].size() == 1);
-  const auto expected = nlohmann::ordered_json::parse(
-      R"({"quantity":"I1","range":"alpha in [1e-6,1e-3]","method":"fast full","max_error_ulp":0.5,"max_relative_error":1e-16,
-          "mean_error_ulp":0.25,"percentile_99_9_ulp":0.375,"times":{"nanoseconds":12.5,"quartiles":[12.0,13.0],"ratio":1.0,"pareto_optimal":false}})");
-  CHECK(json["rows"][0] == expected);
-}
-
 TEST_CASE("a way is marked if none beats it, and ways to other values do not matter") {
   const auto row = [](const char* method, double time, std::optional<double> error,
                       const char* arguments = "all") {
@@ -182,15 +163,6 @@ std::string bench_text(const verify::BenchReport& report) {
 }
 
 }  // namespace
-
-TEST_CASE("what the bench did not compare is a dash and null") {
-  const verify::BenchReport report{{{"half-space", "axis in plane", "fast exact ellipse", 250, {}, {}, {}}},
-                                   {}};
-  const auto row = nlohmann::json::parse(verify::bench_json(report).text())["rows"][0];
-  CHECK(row.at("max_error_ulp").is_null());
-  CHECK(row.at("max_relative_error").is_null());
-  CHECK(contains(bench_text(report), "      -        -        -\n"));
-}
 
 TEST_CASE("a missed ratio of times fails a run only where it is strict, one of errors always") {
   const verify::BenchRatio kept{"time", 2, 1}, slow{"time", 1, 2}, coarse{"error", 1, 2, true};

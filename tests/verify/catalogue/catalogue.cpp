@@ -75,7 +75,8 @@ TEST_CASE("both paths agree within the promise at random points, and what is pro
   for (const Quantity& quantity : verify::catalogue()) {
     verify::Random random("test " + quantity.drawn_for());
     // Fewer where the reference is slow.
-    const std::size_t points = std::min<std::size_t>(quantity.is_costly ? 10 : 40, quantity.audit_points / 3);
+    const std::size_t most = (quantity.is_costly ? 12U : 45U) / (is_thorough() ? 1U : 3U);
+    const std::size_t points = std::min(most, quantity.audit_points / 3);
     for (const Point& point : verify::random_points(quantity, {}, points, random)) {
       CAPTURE(quantity.name);
       CAPTURE(point.front());
@@ -120,7 +121,7 @@ TEST_CASE("samples stay in the domains") {
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     verify::Random random("domain " + quantity.drawn_for());
-    const std::size_t count = quantity.is_costly ? 20 : 500;
+    const std::size_t count = (quantity.is_costly ? 20U : 500U) / (is_thorough() ? 1U : 2U);
     std::vector<Point> points = verify::random_points(quantity, {}, count, random);
     for (const Point& start : verify::dense_points(quantity, {}, count, random)) {
       points.push_back(start);
@@ -164,26 +165,17 @@ TEST_CASE("random numbers are reproducible and of the range asked for") {
   CHECK(equal < 5);
 }
 
-TEST_CASE("arguments are matched by name") {
+TEST_CASE(
+    "arguments are matched by name, a point's numbers are found by it, and what fits no double is for ref only") {
   const Quantity& vs = verify::find_quantity("vs");
   const auto parsed = verify::parse_arguments(vs, {{"poisson", "0.25"}, {"eta", "0x1p-1"}, {"alpha", "0.1"}});
   CHECK(parsed.text == std::vector<std::string>{"0.1", "0x1p-1", "1", "0.25"});
-  CHECK(parsed.nearest(vs) == Point{0.1, 0.5, 1, 0.25});
-}
-
-TEST_CASE("a point gives its numbers by the names of the arguments, and no number for any other name") {
-  const Point numbers{0.1, 0.5, 1, 0.25};
-  const verify::NamedPoint point(verify::find_quantity("vs").arguments, numbers);
+  const Point numbers = parsed.nearest(vs);
+  CHECK(numbers == Point{0.1, 0.5, 1, 0.25});
+  const verify::NamedPoint point(vs.arguments, numbers);
   CHECK(point["eta"] == 0.5);
-  CHECK(point["poisson"] == 0.25);
   CHECK_THROWS_AS(point["poison"], std::logic_error);
-}
-
-TEST_CASE("arguments that do not fit a double are for ref only") {
   const Quantity& I3 = verify::find_quantity("I3");
-  for (const char* text : {"1e400", "-1e400", "1e-400"}) {
-    CAPTURE(text);
-    const auto parsed = verify::parse_arguments(I3, {{"alpha", text}});
-    CHECK_THROWS_AS(parsed.nearest(I3), data::BadInput);
-  }
+  for (const char* text : {"1e400", "-1e400", "1e-400"})
+    CHECK_THROWS_AS(verify::parse_arguments(I3, {{"alpha", text}}).nearest(I3), data::BadInput);
 }

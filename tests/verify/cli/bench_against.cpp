@@ -1,6 +1,5 @@
 #include <nipref/verify/cli/report_parts.hpp>
 
-#include "support/run_nipref.hpp"
 #include "support/test.hpp"
 
 using nipref::verify::AgainstRow;

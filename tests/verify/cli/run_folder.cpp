@@ -91,24 +91,6 @@ TEST_CASE(
   CHECK(done <= 10 + kills);
 }
 
-TEST_CASE("a run may go on in another number of shards, and be merged from several folders") {
-  const ScratchFolder first, second;
-  Process of_two, of_three;
-  of_two.run(first.path(), {0, 2}, 10);
-  CHECK(of_two.done == 5);
-  of_three.run(first.path(), {0, 3}, 10);
-  CHECK(of_three.done == 2);  // 3 and 9: 0 and 6 are there
-  Process elsewhere;
-  elsewhere.run(second.path(), {1, 2}, 10);
-  Process merging;
-  for (const auto* folder : {&second, &first})
-    verify::read_blocks(folder->path(), merging.works, merging.there);
-  CHECK(merging.there.gaps() == "");
-  const ScratchFolder alone;
-  Process().run(alone.path(), {}, 10);
-  CHECK(verify::audit_row_json(merging.work.result()).text() == merged(alone.path()));
-}
-
 TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   const ScratchFolder folder;
   Process process;
@@ -165,6 +147,9 @@ TEST_CASE(
   CHECK(run(audit + "--shard 2/2 --out " + run_folder).status == 0);
   check_call_refused("merge " + run_folder,
                      "must have all its blocks: without I3 block 0, I3 block 2, root.re block 0");
+  const std::string elsewhere = "'" + (folder.path() / "elsewhere").string() + "'";
+  CHECK(run(audit + "--shard 1/2 --out " + elsewhere).status == 0);
+  CHECK(run("merge --json --no-times " + run_folder + " " + elsewhere).out == alone.out);
   const Outcome shard = run(audit + "--shard 1/2 --json --out " + run_folder);
   const auto told = nlohmann::json::parse(shard.out);
   CHECK(answer_schema().misfit(told, "audit_shard") == "");

@@ -11,19 +11,12 @@ TEST_CASE("SHA-256 of the standard's own examples") {
   CHECK(verify::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
-TEST_CASE("checksums are read as they are written, and as sha256sum writes them") {
+TEST_CASE("checksums are read as they are written, and what are none are refused") {
   const GoldenFolder folder;
   verify::Checksums sums;
   sums.set("I1.csv", "abc");
-  sums.set("I2.csv", "");
   std::ofstream(folder.file("SHA256SUMS")) << sums.text();
   CHECK(verify::Checksums::of(folder.path()).by_name() == sums.by_name());
-  std::ofstream(folder.file("I1.csv")) << "abc";
-  std::ofstream(folder.file("I2.csv")) << "";
-  const std::string command = "cd '" + folder.path().string() + "' && sha256sum -c ";
-  CHECK(std::system((command + "SHA256SUMS >/dev/null 2>&1").c_str()) == 0);
-  std::ofstream(folder.file("I2.csv")) << "x";
-  CHECK(std::system((command + "SHA256SUMS >/dev/null 2>&1").c_str()) != 0);
   CHECK(verify::Checksums::of("/nowhere").by_name().empty());
   std::ofstream(folder.file("SHA256SUMS")) << "abc  I1.csv\n";
   CHECK_THROWS_AS(verify::Checksums::of(folder.path()), data::BadInput);

@@ -1,10 +1,7 @@
 // The replay of the tables of the two papers on half-spaces: what made each cell, and what is right.
-#include <nlohmann/json.hpp>
-
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
@@ -149,26 +146,4 @@ TEST_CASE("the rule of verdicts") {
   // Printed 1.21, which is 1.2100: two decimals are no licence for the corrected value.
   const data::Table in_plane = data::load_table_by_id("brock2013-3");
   CHECK(verdict(in_plane, 5, "c=0.1", 1.206, 0.5, "") == Verdict::unexplained);
-}
-
-TEST_CASE("tables verb: the five tables with their numbers") {
-  std::ostringstream out;
-  std::vector<std::string> ids;
-  for (const verify::HalfSpaceTable& table : verify::half_space_tables()) ids.emplace_back(table.id);
-  CHECK(verify::tables_verb({.verb = "tables", .words = ids, .json = true}, out) == 0);
-  const auto json = nlohmann::json::parse(out.str());
-  CHECK(json["summary"]["cells"] == 94);
-  CHECK(json["summary"]["match"] == 45);
-  CHECK(json["summary"]["likely_misprint"] == 1);
-  CHECK(json["summary"]["seed_error"] == 38);
-  CHECK(json["summary"]["unexplained"] == 10);
-  const auto& first = json["tables"][2]["cells"][0];
-  CHECK(first["row"]["gamma"] == "0.1");
-  CHECK(first["printed"] == "0.5333");
-  CHECK(first["read_as"] == "0.5333");
-  CHECK(first["replayed"] == 0.533295);
-  CHECK(first["corrected"] == 0.996368);
-  CHECK(first["verdict"] == "seed-error");
-  CHECK(first.contains("exact"));
-  CHECK(json["tables"][2]["costs"]["formula"]["c=0.05"]["mean"].get<double>() == Approx(0.466).epsilon(0.01));
 }

@@ -4,7 +4,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
@@ -36,23 +35,11 @@ TEST_CASE("the matching rule: intervals meet or they do not") {
 }
 
 TEST_CASE("matches with a lost digit are counted apart") {
-  const auto json = nlohmann::json::parse(verify::tables_json({replayed("thesis-XIII")}).text());
-  CHECK(json["summary"]["with_lost_digit"] == 4);
+  const verify::Replay& replay = replayed("thesis-XIII");
+  CHECK(verify::tables_json({replay}).at("summary").at("with_lost_digit").as_count() == 4);
   for (const std::size_t row : {1u, 2u, 5u, 7u}) {
-    CHECK(replayed("thesis-XIII").table.cell(row, "p_max").has_lost_digit());
-    CHECK(cell_of(replayed("thesis-XIII"), row, "p_max").verdict == Verdict::match);
-  }
-}
-
-TEST_CASE("Table VII: every cell matches, but for a length that is misprinted") {
-  const verify::Replay& replay = replayed("thesis-VII");
-  CHECK(replay.count(Verdict::input) == 8);
-  CHECK(replay.cells.size() == 72);
-  for (const verify::ReplayedCell& replayed : replay.cells) {
-    if (replayed.verdict == Verdict::input) continue;
-    CAPTURE(replayed.row);
-    CAPTURE(replayed.column);
-    CHECK(replayed.verdict == Verdict::match);
+    CHECK(replay.table.cell(row, "p_max").has_lost_digit());
+    CHECK(cell_of(replay, row, "p_max").verdict == Verdict::match);
   }
 }
 
@@ -94,24 +81,6 @@ TEST_CASE(
   }
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0.2, 0.3}}}, 1) == 1);
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0, 0.2}}}, 1) == doctest::Approx(0.3));
-}
-
-TEST_CASE("a reading that rests on the replay is judged by its chance: of none it is below 1 %") {
-  std::size_t judged = 0;
-  for (const std::string& id : verify::replayable_tables()) {
-    const verify::Replay& replay = replayed(id);
-    for (const verify::ReplayedCell& cell : replay.cells) {
-      if (!replay.table.cell(cell.row, cell.column).rests_on_replay()) continue;
-      CAPTURE(id);
-      CAPTURE(cell.row);
-      CHECK(cell.verdict != Verdict::misprint);
-      CHECK(contains(cell.note, "by chance in"));
-      ++judged;
-    }
-  }
-  CHECK(judged == 10);
-  CHECK(cell_of(replayed("thesis-XXV"), 6, "L1").verdict == Verdict::likely_misprint);
-  CHECK(cell_of(replayed("thesis-XXV"), 0, "d0").verdict == Verdict::unexplained);
 }
 
 TEST_CASE(
@@ -210,19 +179,20 @@ TEST_CASE("where L is not printed the row is replayed from L/B, which then count
 }
 
 TEST_CASE("the notes of missed cells say what would meet them") {
-  const auto note = [](const std::string& id, std::size_t row, const std::string& column) {
-    return cell_of(replayed(id), row, column).note;
+  struct Noted {
+    const char *id, *column, *says;
+    std::size_t row;
   };
-  const auto says = [](const std::string& text, const std::string& part) {
-    CAPTURE(text);
-    CHECK(contains(text, part));
-  };
-  says(note("thesis-VI", 7, "p_max"), "one digit from 6768");
-  says(note("thesis-IV", 6, "q_max"), "not the largest: element 3 of 3 has 55.03");
-  says(note("thesis-V", 2, "q_max"), "that of element 3 of 5, 34.1473");
-  says(note("thesis-III", 2, "p_max"), "844.185 for 848.185, one digit");
-  says(note("thesis-III", 5, "q_max"), "or creep = -20.826");
-  says(note("thesis-III", 5, "q_max"), "no other number of elements");
+  for (const auto& [id, column, says, row] :
+       {Noted{"thesis-VI", "p_max", "one digit from 6768", 7},
+        {"thesis-IV", "q_max", "not the largest: element 3 of 3 has 55.03", 6},
+        {"thesis-V", "q_max", "that of element 3 of 5, 34.1473", 2},
+        {"thesis-III", "p_max", "844.185 for 848.185, one digit", 2},
+        {"thesis-III", "q_max", "or creep = -20.826", 5},
+        {"thesis-III", "q_max", "no other number of elements", 5}}) {
+    CAPTURE(says);
+    CHECK(contains(cell_of(replayed(id), row, column).note, says));
+  }
 }
 
 TEST_CASE("corrected: the continuous contact at the stated load, which thick sheets are a sixth short of") {
@@ -230,20 +200,12 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   verify::correct(replay);
   const data::ElasticNip nip = verify::nip_of_the_tables(replay.table);
   const auto truth = fast::converged_for_load(nip, data::Friction::none, 25.0, 1e-10);
-  for (const verify::ReplayedCell& replayed : replay.cells) {
-    REQUIRE(replayed.corrected);
-    if (replayed.row != 0) continue;
-    if (replayed.column == "L") {
-      CHECK(*replayed.corrected == approx(truth.contact_length().value, 1e-8));
-    }
-    if (replayed.column == "creep") {
-      CHECK(*replayed.corrected == approx(truth.creep_ratio().value, 1e-7));
-    }
-    if (replayed.column == "d1/d0") {
-      CHECK(*replayed.corrected ==
-            approx(truth.leading_displacement().value / truth.indentation().value, 1e-8));
-    }
-  }
+  for (const verify::ReplayedCell& replayed : replay.cells) REQUIRE(replayed.corrected);
+  for (const auto& [column, value] :
+       {std::pair{"L", truth.contact_length().value},
+        {"creep", truth.creep_ratio().value},
+        {"d1/d0", truth.leading_displacement().value / truth.indentation().value}})
+    CHECK(*cell_of(replay, 0, column).corrected == approx(value, 1e-7));
   REQUIRE(replay.costs.size() == 1);
   REQUIRE(replay.costs[0].columns.size() == 3);
   const verify::ColumnDeviation& length = replay.costs[0].columns[0];
@@ -281,45 +243,4 @@ TEST_CASE("corrected with full friction has the shear and the creep of its own")
   }
   CHECK(differs);
   CHECK(json["tables"][0]["costs"]["discretisation"]["p_max"]["mean"].get<double>() > 0);
-}
-
-TEST_CASE("JSON of the replay has the shape that tools rely on") {
-  const auto json = nlohmann::json::parse(verify::tables_json({replayed("thesis-VII")}).text());
-  CHECK(json["tables"][0]["id"] == "thesis-VII");
-  const auto& first = json["tables"][0]["cells"][1];
-  CHECK(first["row"]["W"] == "25");
-  CHECK(first["column"] == "d0");
-  CHECK(first["printed"] == "342");
-  CHECK(first["read_as"] == "342");
-  CHECK(first["verdict"] == "match");
-  for (const char* not_computed : {"corrected", "corrected_with_seed_material", "exact"})
-    CHECK(first.at(not_computed).is_null());
-  const auto& summary = json["summary"];
-  CHECK(summary["cells"] == 64);
-  CHECK(summary["match"].get<int>() + summary["misprint"].get<int>() + summary["seed_error"].get<int>() +
-            summary["unexplained"].get<int>() ==
-        64);
-}
-
-TEST_CASE("tables verb: list, replay, refusal") {
-  const auto tables = [](std::vector<std::string> ids, std::set<std::string> flags, std::ostream& out) {
-    return verify::tables_verb(
-        {.verb = "tables", .words = std::move(ids), .flags = flags, .json = flags.contains("json")}, out);
-  };
-  std::ostringstream list;
-  CHECK(tables({}, {"list", "json"}, list) == 0);
-  const auto json = nlohmann::json::parse(list.str());
-  CHECK(json["listed"].size() == 29);
-  std::size_t rows = 0;
-  for (const auto& table : json["listed"]) {
-    if (table["id"].get<std::string>().starts_with("thesis")) rows += table["rows"].get<std::size_t>();
-  }
-  CHECK(rows == 224);
-  std::ostringstream replay;
-  CHECK(tables({"thesis-VII"}, {}, replay) == 0);
-  std::ostringstream third;
-  CHECK(tables({"thesis-III"}, {}, third) == 0);
-  std::ostringstream nothing;
-  CHECK_THROWS_AS(tables({"thesis-C"}, {}, nothing), data::BadInput);
-  CHECK(nothing.str().empty());
 }

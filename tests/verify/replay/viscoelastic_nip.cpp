@@ -22,57 +22,21 @@ std::size_t legible(const Replay& replay) {
   }));
 }
 
-const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5, 20.0}}}}, 1};
-
 }  // namespace
 
 TEST_CASE(
     "Tables XI to XXVI, replayed once: 94 in 100 legible cells are met, and the known misses are misses, all of them "
     "and the only ones") {
-  SUBCASE("Tables XI to XXVI: 94 in 100 legible cells are met, of each table 96 or more are explained") {
-    struct Bound {
-      std::string_view id;
-      double explained;  // of its legible cells
-    };
+  SUBCASE("Tables XI to XXVI: 94 in 100 legible cells are met, and the others explained or noted") {
     std::size_t all_met = 0, all_legible = 0;
-    for (const Bound& bound : {Bound{"thesis-XI", 0.99},
-                               {"thesis-XII", 0.92},
-                               {"thesis-XIII", 0.89},
-                               {"thesis-XIV", 0.92},
-                               {"thesis-XV", 0.94},
-                               {"thesis-XVI", 0.95},
-                               {"thesis-XVII", 0.94},
-                               {"thesis-XVIII", 0.92},
-                               {"thesis-XIX", 0.94},
-                               {"thesis-XX", 0.95},
-                               {"thesis-XXI", 0.93},
-                               {"thesis-XXII", 0.91},
-                               {"thesis-XXIII", 0.90},
-                               {"thesis-XXIV", 0.91},
-                               {"thesis-XXV", 0.84},
-                               {"thesis-XXVI", 0.88}}) {
-      CAPTURE(bound.id);
-      const Replay& replay = replayed(std::string(bound.id));
-      const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
-      const std::size_t explained = met + replay.count(Verdict::seed_error);
-      CHECK(static_cast<double>(explained) >= bound.explained * static_cast<double>(legible(replay)));
-      all_met += met;
+    for (const verify::ViscoelasticTable& how : verify::viscoelastic_tables()) {
+      const Replay& replay = replayed(std::string(how.id));
+      all_met += replay.count(Verdict::match) + replay.count(Verdict::misprint);
       all_legible += legible(replay);
+      for (const ReplayedCell& cell : replay.cells)
+        CHECK((cell.verdict == Verdict::match || cell.verdict == Verdict::input || !cell.note.empty()));
     }
     CHECK(static_cast<double>(all_met) >= 0.94 * static_cast<double>(all_legible));
-  }
-  SUBCASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
-    for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
-      CAPTURE(id);
-      const Replay& replay = replayed(id);
-      const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
-      CHECK(static_cast<double>(met) >= 0.9 * static_cast<double>(legible(replay)));
-      CHECK(static_cast<double>(met + replay.count(Verdict::seed_error)) >=
-            0.94 * static_cast<double>(legible(replay)));
-      for (const ReplayedCell& cell : replay.cells) {
-        if (cell.verdict != Verdict::match) CHECK_FALSE(cell.note.empty());
-      }
-    }
   }
   SUBCASE("the notes' rows come out to their printed digits") {
     const Replay& replay = replayed("thesis-XV");
@@ -124,71 +88,88 @@ TEST_CASE(
     }
     CHECK(known == misses.size());
   }
-}
-
-TEST_CASE(
-    "the thesis's printed lengths are cut: misses ask for longer ones, none for shorter ones, also where the row's other "
-    "length reaches beyond") {
-  std::size_t longer = 0, shorter = 0, longer_by_other = 0, shorter_by_other = 0;
-  for (const verify::ViscoelasticTable& how : verify::viscoelastic_tables()) {
-    const Replay& replay = replayed(std::string(how.id));
-    for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
-      const auto rolling = verify::viscoelastic_nip_of_the_tables(replay.table, row, false);
-      auto method = verify::viscoelastic_method(how);
-      const auto input = verify::viscoelastic_row_input(replay.table, row, rolling, method);
-      method.trailing_elements = input.trailing_elements;
-      const auto [low, high] = input.leading_length;
-      const auto meets = [&](const char* column, const data::Interval& length) {
-        const data::TableCell& cell = replay.table.cell(row, column);
-        return !cell.is_doubtful() &&
-               verify::assess(cell, verify::replay_viscoelastic_row(rolling, method, length).range(column)) !=
-                   Verdict::unexplained;
-      };
-      const auto meets_beyond = [&](const char* column, bool above) {
-        const data::Interval length = above ? data::Interval{high, std::max(high, input.narrowest.upper)}
-                                            : data::Interval{std::min(low, input.narrowest.lower), low};
-        return length.upper > length.lower && meets(column, length);
-      };
-      for (const char* column : {"d0", "d1", "d2", "creep", "p_max", "muR"}) {
-        if (meets(column, input.leading_length)) continue;
-        longer_by_other += meets_beyond(column, true) ? 1U : 0U;
-        shorter_by_other += meets_beyond(column, false) ? 1U : 0U;
-        if (column[0] != 'd') continue;
-        longer += meets(column, {high, high * (1 + 0x1p-20)}) ? 1U : 0U;
-        shorter += meets(column, {low * (1 - 0x1p-20), low}) ? 1U : 0U;
+  SUBCASE("a reading that rests on the replay is judged by its chance: of none it is below 1 %") {
+    std::size_t judged = 0;
+    for (const std::string& id : verify::replayable_tables()) {
+      const verify::Replay& replay = replayed(id);
+      for (const verify::ReplayedCell& cell : replay.cells) {
+        if (!replay.table.cell(cell.row, cell.column).rests_on_replay()) continue;
+        CAPTURE(id);
+        CAPTURE(cell.row);
+        CHECK(cell.verdict != Verdict::misprint);
+        CHECK(contains(cell.note, "by chance in"));
+        ++judged;
       }
     }
+    CHECK(judged == 10);
+    CHECK(cell_of(replayed("thesis-XXV"), 6, "L1").verdict == Verdict::likely_misprint);
+    CHECK(cell_of(replayed("thesis-XXV"), 0, "d0").verdict == Verdict::unexplained);
   }
-  CHECK(longer == 12);
-  CHECK(shorter == 0);
-  CHECK(longer_by_other == 14);
-  CHECK(shorter_by_other == 0);
+  SUBCASE(
+      "the thesis's printed lengths are cut: misses ask for longer ones, none for shorter ones, also where the row's other "
+      "length reaches beyond") {
+    std::size_t longer = 0, shorter = 0, longer_by_other = 0, shorter_by_other = 0;
+    for (const verify::ViscoelasticTable& how : verify::viscoelastic_tables()) {
+      const Replay& replay = replayed(std::string(how.id));
+      for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+        const auto rolling = verify::viscoelastic_nip_of_the_tables(replay.table, row, false);
+        auto method = verify::viscoelastic_method(how);
+        const auto input = verify::viscoelastic_row_input(replay.table, row, rolling, method);
+        method.trailing_elements = input.trailing_elements;
+        const auto [low, high] = input.leading_length;
+        const auto meets = [&](const char* column, const data::Interval& length) {
+          const data::TableCell& cell = replay.table.cell(row, column);
+          return !cell.is_doubtful() &&
+                 verify::assess(cell,
+                                verify::replay_viscoelastic_row(rolling, method, length).range(column)) !=
+                     Verdict::unexplained;
+        };
+        const auto meets_beyond = [&](const char* column, bool above) {
+          const data::Interval length = above ? data::Interval{high, std::max(high, input.narrowest.upper)}
+                                              : data::Interval{std::min(low, input.narrowest.lower), low};
+          return length.upper > length.lower && meets(column, length);
+        };
+        for (const char* column : {"d0", "d1", "d2", "creep", "p_max", "muR"}) {
+          if (meets(column, input.leading_length)) continue;
+          longer_by_other += meets_beyond(column, true) ? 1U : 0U;
+          shorter_by_other += meets_beyond(column, false) ? 1U : 0U;
+          if (column[0] != 'd') continue;
+          longer += meets(column, {high, high * (1 + 0x1p-20)}) ? 1U : 0U;
+          shorter += meets(column, {low * (1 - 0x1p-20), low}) ? 1U : 0U;
+        }
+      }
+    }
+    CHECK(longer == 12);
+    CHECK(shorter == 0);
+    CHECK(longer_by_other == 14);
+    CHECK(shorter_by_other == 0);
+  }
 }
 
 TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the odd rows confirm it") {
-  const auto misses = [](double smallest_term, std::size_t parity) {
-    std::size_t sum = 0;
-    for (const char* id : {"thesis-XXI", "thesis-XXII", "thesis-XXIV", "thesis-XXV", "thesis-XXVI"}) {
+  // Two of the tables tell it by day, all five that have such rows in .ci/thorough.
+  std::vector<const char*> ids{"thesis-XXIV", "thesis-XXVI"};
+  if (is_thorough()) ids.insert(ids.end(), {"thesis-XXI", "thesis-XXII", "thesis-XXV"});
+  const auto misses = [&](double smallest_term) {
+    std::array<std::size_t, 2> of_parity{};
+    for (const char* id : ids) {
       verify::ViscoelasticTable how = *verify::find_viscoelastic_table(id);
       how.smallest_term = smallest_term;
       const Replay replay = verify::replay_viscoelastic(data::load_table_by_id(id), how);
-      sum += static_cast<std::size_t>(std::ranges::count_if(replay.cells, [&](const ReplayedCell& cell) {
-        return cell.verdict == Verdict::unexplained && cell.row % 2 == parity &&
-               replay.table.cell(cell.row, cell.column).is_readable();
-      }));
+      for (const ReplayedCell& cell : replay.cells) {
+        if (cell.verdict == Verdict::unexplained && replay.table.cell(cell.row, cell.column).is_readable())
+          ++of_parity[cell.row % 2];
+      }
     }
-    return sum;
+    return of_parity;
   };
-  const std::array<double, 4> candidates{0, 0.5e-8, 1e-8, 2e-8};
-  std::array<std::size_t, 4> even{}, odd{};
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    even[i] = misses(candidates[i], 0);
-    odd[i] = misses(candidates[i], 1);
-    MESSAGE(candidates[i], ": misses of even rows ", even[i], ", of odd rows ", odd[i]);
-  }
-  for (const std::size_t other : {0U, 1U, 3U}) {
-    CHECK(even[2] < even[other]);
-    CHECK(2 * odd[2] < odd[other]);
+  const auto [even, odd] = misses(1e-8);
+  for (const double other : {0.0, 0.5e-8, 2e-8}) {
+    const auto [other_even, other_odd] = misses(other);
+    MESSAGE(other, ": misses of even rows ", other_even, ", of odd rows ", other_odd, " beside ", even, ", ",
+            odd);
+    CHECK(even < other_even);
+    CHECK(2 * odd < other_odd);
   }
 }
 
@@ -218,14 +199,4 @@ TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent co
   const ReplayedCell& d0 = cell_of(replay, 3, "d0");
   CHECK(*d0.corrected == approx(contact.indentation().value, 1e-6));
   CHECK(*d0.corrected_with_seed_material != approx(*d0.corrected, 1e-3));
-}
-
-TEST_CASE("rolling line loads with exact kernels and more elements approach the continuous contact") {
-  const auto converged = fast::converged_for_load(nip, 50, 1e-9);
-  const auto error = [&](int elements) {
-    const auto found = fast::line_loads_for_load(nip, {elements, {}, 30, 0}, 50);
-    return std::fabs(found.rolling_resistance() / converged.rolling_resistance().value - 1);
-  };
-  CHECK(error(40) < 0.5 * error(10));
-  CHECK(error(40) < 0.05);
 }

@@ -1,16 +1,8 @@
 // Numbers of claims, limits and errata: each has an error, which covers, and no more digits than that bears out.
-#include <fmt/format.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <charconv>
 
-#include <nipref/data/scene/file.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
-#include <nipref/verify/seeds/statements.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/test.hpp"
 
@@ -26,53 +18,7 @@ void check_covers(const Propagated& number, const Wide& truth) {
   CHECK(boost::multiprecision::abs(Wide(number.value()) - truth) <= number.error());
 }
 
-/// f'(x) of what the reference gives to 30 digits and more; the step's square is what it leaves out.
-long double slope(const std::function<long double(double)>& f, double x, double step) {
-  return (f(x + step) - f(x - step)) / (2 * static_cast<long double>(step));
-}
-
 }  // namespace
-
-TEST_CASE("the exponent of the load is what the reference's loads have, to its error") {
-  const auto log_load = [](double length) {
-    data::Scene scene =
-        data::load_scene(data::example_scene("thick-frictionless"), {{"roller.radius", "200"},
-                                                                     {"sheet.thickness", "2"},
-                                                                     {"material.young", "1"},
-                                                                     {"wanted", R"(["load"])"}});
-    std::get<data::ElasticNipProblem>(scene.system).given = data::GivenLength{length};
-    return std::log(std::strtold(verify::solve_by_ref(scene, 24)["load"].value_text().c_str(), nullptr));
-  };
-  const double length = 2;  // L/B = 1
-  const long double truth = length * slope(log_load, length, 0x1p-20);
-  const std::vector<verify::Claim> claims = verify::claims();
-  const Propagated number =
-      verify::check(*std::ranges::find(claims, "thesis-load-as-cube", &verify::Claim::id))
-          .numbers.at(1)
-          .number;
-  CHECK(number.error() < 1e-10);
-  CHECK(std::fabs(number.value() - truth) <= number.error() + 1e-12L);
-}
-
-TEST_CASE("the slope that settles the rotation is that of the reference's displacements, to its error") {
-  const verify::Quantity& v = verify::find_quantity("sheet.v");
-  const auto by_ref = [&](double alpha) {
-    const auto arguments = verify::parse_arguments(v, {{"alpha", fmt::format("{}", alpha)},
-                                                       {"depth", "0.5"},
-                                                       {"load", "shear"},
-                                                       {"eta", "3"},
-                                                       {"poisson", "0.25"}});
-    return std::strtold(v.by_ref(arguments.exact, 24).value_text().c_str(), nullptr);
-  };
-  const long double truth = slope(by_ref, 0.75, 0x1p-20);
-  const std::vector<verify::FormulaErratum> errata = verify::formula_errata();
-  const verify::Settlement settlement =
-      verify::settle(*std::ranges::find(errata, "thesis-4.15b", &verify::FormulaErratum::id));
-  for (const Propagated& number : {settlement.right, settlement.truth}) {
-    CHECK(number.error() < 1e-11);
-    CHECK(std::fabs(number.value() - truth) <= number.error() + 1e-11L);
-  }
-}
 
 TEST_CASE("arithmetic carries errors on: all that the operands may be is in the result's") {
   using boost::multiprecision::atanh;

@@ -45,14 +45,3 @@ TEST_CASE(
   CHECK(row_with(0, 0.04, 0.0001).approached());
   CHECK_FALSE(row_with(0, 0.04, 0.01).approached());
 }
-
-TEST_CASE("a thin sheet with memory: springs at both ends of the memory, and most resistance between") {
-  // Without memory left, or with none yet, the contact is symmetric: p is a parabola about the middle.
-  for (const double memory : {1e-5, 1e5}) {
-    CAPTURE(memory);
-    CHECK(verify::thin_standard_solid(memory).leading_share.value() == doctest::Approx(0.5).epsilon(1e-4));
-    CHECK(verify::thin_standard_solid(memory).resistance.value() < 1e-4);
-  }
-  // A short memory's resistance is F0 tau/(2 R).
-  CHECK(verify::thin_standard_solid(1e-3).resistance.value() == doctest::Approx(0.5e-3).epsilon(3e-3));
-}

@@ -20,16 +20,6 @@ data::Scene inside_example(const char* name, const data::SceneOverrides& overrid
 
 }  // namespace
 
-TEST_CASE("in a thin sheet without friction the stress across is the pressure through the thickness") {
-  const auto contact = fast::converged_for_length({6, 0.01, {1.45e5, 0.3}}, data::Friction::none, 0.4, 1e-9);
-  for (const double y : {0.0, 0.05, -0.1}) {
-    for (const double depth : {-0.9, 0.0, 0.5}) {
-      const auto inside = contact.inner_stresses(std::vector<fast::InnerPoint>{{y, depth}}).front();
-      CHECK(inside.across.value == doctest::Approx(-contact.pressure(y).value).epsilon(1e-11));
-    }
-  }
-}
-
 TEST_CASE("a rolling sheet's stresses carry the load, the largest shear ahead unless the memory is long") {
   const auto scene_with = [](const data::SceneOverrides& overrides) {
     return inside_example("inside-viscoelastic", overrides);
@@ -203,21 +193,6 @@ TEST_CASE("differences of displacements are the strains of the stresses, next to
         }
       }
     }
-  }
-}
-
-TEST_CASE("line loads' displacements inside are on the faces the surface's") {
-  for (const char* const friction : {"none", "full"}) {
-    data::Scene scene = inside_example("inside-line-loads", {{"friction.model", friction},
-                                                             {"accuracy", "1e-13"},
-                                                             {"field.positions", "[0, 0.043, -0.3]"},
-                                                             {"field.depths", "[0, 1]"}});
-    scene.wanted = {data::ResultId::displacement_along, data::ResultId::tangential_displacement};
-    problem_of(scene).profile = data::Positions{{0, 0.043, -0.3}};
-    const auto surface = verify::solve(scene);
-    for (std::size_t i = 0; i < 3; ++i)
-      CHECK(surface.profile(scene.wanted[0])[3 + i].value ==
-            doctest::Approx(surface.profile(scene.wanted[1])[i].value).epsilon(1e-11));
   }
 }
 

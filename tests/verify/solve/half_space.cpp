@@ -4,7 +4,6 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
-#include "support/scratch_file.hpp"
 #include "support/solved_scene.hpp"
 #include "support/test.hpp"
 
@@ -18,7 +17,6 @@ const std::string graphite_epoxy =
     "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\n"
     "c13 = 6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
 const std::string die = "[die]\nradius_along = 1.0\nradius_across = 1.0\n";
-const std::string rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 0.3\n";
 const std::string load = "[load]\nnormal_force = 1e-3\n";
 const std::string exact = "[method]\nkind = \"exact\"\n", rule = "[method]\nkind = \"stationary-force\"\n";
 
@@ -27,8 +25,6 @@ std::string sliding(const std::string& speed, const std::string& more = "") {
 }
 
 std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = [" + names + "]\n"; }
-
-const std::string spans = wanting(R"("span_along", "span_across", "normal_force", "peak_pressure")");
 
 }  // namespace
 
@@ -68,15 +64,6 @@ TEST_CASE("a contact that is round to rounding lies anyhow") {
   CHECK(solution["orientation"].error >= 90);
 }
 
-TEST_CASE("a patch that moves in its sphere softens it") {
-  const std::string sphere = "[sphere]\nradius = 0.01\nshear = 77.2e9\npoisson = 0.3\ndensity = 7860.0\n";
-  const std::string rest = sliding("1200.0") + load + exact;
-  const auto fixed = solved(spans + graphite_epoxy + sphere + rest);
-  const auto moving = solved(spans + graphite_epoxy + sphere + "patch = \"moving\"\n" + rest);
-  CHECK(moving["peak_pressure"].value < fixed["peak_pressure"].value);
-  CHECK(moving["peak_pressure"].value > 0.98 * fixed["peak_pressure"].value);
-}
-
 TEST_CASE(
     "the ends of a line make its span, and between them the pressure has its peak where its slope vanishes") {
   const std::string friction = sliding("0.6", "friction = 0.4\n");
@@ -102,21 +89,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("without friction the pressures of all methods are even, without a centre aside") {
-  for (const std::string& method : {exact, rule}) {
-    const auto line = solved(
-        wanting(R"("pressure", "shear", "peak_pressure", "centre_along", "centre_across")") + isotropic +
-        die + sliding("0.5") + load + method + "[profile]\ndirection = 70.0\npoints = 5\n");
-    const auto& pressure = line.profile("pressure");
-    CHECK(pressure[2].value == approx(line["peak_pressure"].value, 1e-14));
-    CHECK(pressure[1].value == approx(pressure[3].value, 1e-13));
-    CHECK(pressure[1].value == approx(std::sqrt(0.75) * pressure[2].value, 1e-13));
-    CHECK(line.profile("shear")[1].value == 0);
-    CHECK(std::fabs(line["centre_along"].value) <= line["centre_along"].error);
-    CHECK(std::fabs(line["centre_across"].value) <= line["centre_across"].error);
-  }
-}
-
 TEST_CASE("the surface has the die's shape in the contact, with the sphere's also if that yields") {
   const auto at = [&](const std::string& body, const std::string& end, const std::string& motion) {
     return solved(wanting(R"("approach", "normal_displacement", "transverse_displacement")") + isotropic +
@@ -138,26 +110,6 @@ TEST_CASE("the surface has the die's shape in the contact, with the sphere's als
           approx(0.25 / 0.6 * (under_sphere["approach"].value - x * x / 2), 1e-12));
   }
   CHECK(under_sphere.profile("transverse_displacement")[2].value < 0);  // the surface is drawn to the centre
-}
-
-TEST_CASE("a rolling sphere's creep and compressed radius, and tractions that end there") {
-  const std::string fast_rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 1.1\n";
-  const std::string small = "[contact]\nspan_along = 1e-6\n";
-  const auto rolls = solved(wanting(R"("span", "creep", "compressed_radius")") + isotropic + fast_rolling +
-                            small + rule + "[profile]\npositions = [0.0, 90.0]\n");
-  const double radius = rolls.profile("compressed_radius")[0].value,
-               half = rolls.profile("span")[0].value / 2;
-  CHECK(radius < half);
-  // Of a contact so small V0 is P sqrt(wS/wD) L/R; across the motion both roots are 1 and tanh(pi P) = 1/3.
-  const double across = rolls.profile("span")[1].value * std::atanh(1. / 3) / std::acos(-1.);
-  CHECK(rolls.profile("creep")[1].value == approx(across, 1e-5));
-  const auto tractions = [&](double x) {
-    return solved(wanting(R"("pressure")") + isotropic + fast_rolling + small + rule +
-                  fmt::format("[profile]\ndirection = 0.0\npositions = [{:.17g}]\n", x))["pressure"];
-  };
-  const double strip = half - radius;
-  CHECK(tractions(radius - 0.1 * strip).value > 0);
-  CHECK(tractions(radius + 0.1 * strip).value < 0);
 }
 
 TEST_CASE("a contact similar to the body's contours: its spans are theirs, its force their integral") {

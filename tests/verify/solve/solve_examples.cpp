@@ -22,11 +22,6 @@ TEST_CASE("the scene in the README is read and solved") {
   CHECK(solution.profile("pressure").front().value > solution.profile("pressure")[9].value);
 }
 
-TEST_CASE("the scenes that come with the library are found by name") {
-  CHECK(data::load_scene(data::example_scene("thick-full-friction")).wanted.size() == 6);
-  CHECK_THROWS_AS((void)data::example_scene("thick-treacle"), data::BadInput);
-}
-
 TEST_CASE("every scene in data/scenes is solved, and gives all that it wants within its error estimates") {
   int scenes = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(source_directory()) / "data/scenes")) {

@@ -74,16 +74,6 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
   }
 }
 
-TEST_CASE("the resistance of short memories tends to its limit by as much as they are long") {
-  const auto short_of_limit = [](double time) {
-    const auto rolling = solved(relaxing_in(fmt::format("{}", time)));
-    return 1 - rolling["rolling_resistance"].value * 12 / time;
-  };
-  const double at = short_of_limit(1e-6), at_a_tenth = short_of_limit(1e-7);
-  CHECK(at > 0);
-  CHECK(at / at_a_tenth == doctest::Approx(10).epsilon(0.2));  // and a logarithm
-}
-
 TEST_CASE("an angle of many turns keeps its digits") {
   const std::string text = with(text_of("half-space-sliding-die"), "wanted", "[\"span\"]");
   const auto near = solved(with(text, "positions", "[45.0]"));

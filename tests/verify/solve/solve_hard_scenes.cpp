@@ -62,7 +62,7 @@ TEST_CASE("hard scenes are within their errors of the reference where it solves 
   for (const auto& file : hard_scenes()) {
     CAPTURE(file.stem().string());
     const data::Scene scene = data::load_scene(file);
-    if (verify::likely_seconds_by_ref(scene, 16) > 6) continue;
+    if (verify::likely_seconds_by_ref(scene, 16) > (is_thorough() ? 6 : 2)) continue;
     try {
       static_cast<void>(by_both_paths(scene));
       ++solved;
@@ -70,5 +70,6 @@ TEST_CASE("hard scenes are within their errors of the reference where it solves 
       // It is beyond the reference.
     }
   }
-  CHECK(solved >= 11);
+  MESSAGE(solved, " scenes were solved");
+  CHECK(solved >= (is_thorough() ? 11 : 4));
 }

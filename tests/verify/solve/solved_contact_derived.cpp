@@ -66,23 +66,7 @@ TEST_CASE("an elastic nip has equal moments and loses nothing") {
   const auto solution = verify::solve(resisting("thick-frictionless"));
   const fast::Estimate ahead = solution["leading_moment"], behind = solution["trailing_moment"];
   check_agree(ahead.value, ahead.error + behind.error, -behind.value);
-  CHECK(solution["eccentricity"].value == 0);
-  CHECK(solution["power_loss"].value == 0);
-  // Hertz's line contact, nearly: 4 a W/(3 pi) on both sides together.
-  const double hertz = 2 * solution["leading_length"].value * solution["load"].value / (3 * std::acos(-1.));
-  CHECK(ahead.value == approx(hertz, 0.05));
-}
-
-TEST_CASE("the reference has the moments of rolling line loads, whose sum is the eccentric load") {
-  const data::Scene scene = resisting("viscoelastic-started");
-  const auto by_ref = verify::solve_by_ref(scene, 16);
-  const auto value = [&](const char* name) { return std::stold(by_ref[name].value_text()); };
-  CHECK(value("leading_moment") > 0);
-  CHECK(value("trailing_moment") < 0);
-  const long double both = value("leading_moment") + value("trailing_moment");
-  CHECK(std::fabs(both - value("eccentricity") * value("load")) < 1e-15L * value("leading_moment"));
-  for (const char* const name : {"leading_moment", "trailing_moment"})
-    CHECK(std::stod(by_ref[name].error_text()) < 1e-15 * static_cast<double>(value("leading_moment")));
+  for (const char* none : {"eccentricity", "power_loss"}) CHECK(solution[none].value == 0);
 }
 
 namespace {
@@ -131,7 +115,7 @@ TEST_CASE("the strain is the slope of the tangential displacement, in the contac
   }
 }
 
-TEST_CASE("nothing slips where it sticks, and without friction the mean slip in the contact is none") {
+TEST_CASE("nothing slips where it sticks") {
   const auto gripped = verify::solve(stretching("intermediate-full-friction", 9));
   const auto& none = gripped.profile("slip");
   for (std::size_t i = 0; i + 1 < none.size(); ++i) {
@@ -140,27 +124,6 @@ TEST_CASE("nothing slips where it sticks, and without friction the mean slip in 
   }
   // The end is not known exactly, and beyond it the surface is stretched otherwise.
   CHECK(std::fabs(none.back().value) <= none.back().error);
-  for (const char* name : {"intermediate-frictionless", "viscoelastic-comparable-memory"}) {
-    CAPTURE(name);
-    // Midpoints of equal parts, where an integrand that is a square root at the ends loses parts^(-3/2).
-    data::Scene scene = stretching(name, 2);
-    const double length = verify::solve(scene)["contact_length"].value;
-    const bool rolls = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
-    scene.wanted.push_back(data::ResultId::leading_length);
-    const double leading = verify::solve(scene)["leading_length"].value, last = rolls ? length - leading : 0;
-    constexpr int parts = 400;
-    std::vector<double> y;
-    for (int i = 0; i < parts; ++i) y.push_back(-last + (leading + last) * (i + 0.5) / parts);
-    set_positions(scene, y);
-    double sum = 0, size = 0;
-    const auto solution = verify::solve(scene);
-    for (const fast::Estimate& slip : solution.profile("slip")) {
-      sum += slip.value / parts;
-      size += std::fabs(slip.value) / parts;
-    }
-    CHECK(size > 1e-4);
-    CHECK(std::fabs(sum) < 2e-3 * size);
-  }
 }
 
 namespace {
@@ -187,17 +150,4 @@ TEST_CASE("the reference computes the strain of a place once, for itself and for
     CHECK(std::stod(contact.at(data::ResultId::slip, y).value_text()) == -0.75);
   }
   CHECK(strains == 2);
-}
-
-TEST_CASE("a contact that is solved again with more terms computes its results again") {
-  verify::SolvedContact<fast::Estimate> contact;
-  double error = 1e-3;
-  contact.set(data::ResultId::surface_strain, [&](double) { return fast::Estimate{1, error}; });
-  contact.solve_again = [&] {
-    error = 1e-9;
-    return true;
-  };
-  CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-3);
-  CHECK(contact.refine());
-  CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-9);
 }

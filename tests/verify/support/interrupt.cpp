@@ -46,34 +46,30 @@ int end_of(void (*work)()) {
 
 }  // namespace
 
-TEST_CASE("Ctrl-C: an audit answers with the rows that are finished, and 130") {
+TEST_CASE(
+    "Ctrl-C: audit, bench and tables answer with what is finished, and 130; the text says that it is not all") {
   if (!has_terminals()) return;
-  const auto answer = json_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6", "--json"}, "audit 1/6");
-  REQUIRE(answer.at("rows").size() >= 1);
-  CHECK(answer["rows"].size() < 6);
-  CHECK(answer["rows"][0].at("quantity") == "I3");
-}
-
-TEST_CASE("Ctrl-C: so do bench and tables") {
-  if (!has_terminals()) return;
-  const auto bench = json_interrupted({"bench", "I3", "I1", "F1", "--json"}, "bench 1/3");
-  REQUIRE(bench.at("rows").size() >= 1);
-  CHECK(bench["rows"][0].at("quantity") == "I3");
-  CHECK(bench["rows"].back().at("quantity") != "F1");
-  const auto tables = json_interrupted({"tables", "--json"}, "tables 1/");
-  REQUIRE(tables.at("tables").size() >= 1);
-  CHECK(tables["tables"].size() < 20);
-}
-
-TEST_CASE("Ctrl-C: the text says that it is not all") {
-  if (!has_terminals()) return;
-  const std::string text = answer_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6"}, "audit 1/6");
+  const std::vector<std::string> audit{"audit", "I3", "I1", "I2", "I4", "I5", "I6"};
+  std::vector<std::string> audit_json = audit;
+  audit_json.emplace_back("--json");
+  const auto rows = json_interrupted(audit_json, "audit 1/6").at("rows");
+  REQUIRE(rows.size() >= 1);
+  CHECK(rows.size() < 6);
+  CHECK(rows[0].at("quantity") == "I3");
+  const auto bench = json_interrupted({"bench", "I3", "I1", "F1", "--json"}, "bench 1/3").at("rows");
+  REQUIRE(bench.size() >= 1);
+  CHECK(bench.back().at("quantity") != "F1");
+  const auto tables = json_interrupted({"tables", "--json"}, "tables 1/").at("tables");
+  CHECK(tables.size() >= 1);
+  CHECK(tables.size() < 20);
+  const std::string text = answer_interrupted(audit, "audit 1/6");
   CHECK(contains(text, " I3 "));
   CHECK(!contains(text, " I6 "));
   CHECK(contains(text, "\ninterrupted: "));
 }
 
-TEST_CASE("an interrupted loop throws and leaves the rest undone, and the second interrupt kills") {
+TEST_CASE(
+    "an interrupted loop throws and leaves the rest undone, and the second interrupt kills, unless ignored before") {
   CHECK(end_of([] {
           verify::stop_gently_on_interrupt();
           std::raise(SIGINT);
@@ -89,9 +85,6 @@ TEST_CASE("an interrupted loop throws and leaves the rest undone, and the second
           std::raise(SIGINT);
           std::raise(SIGINT);
         }) == -SIGINT);
-}
-
-TEST_CASE("an interrupt that was ignored before is ignored") {
   CHECK(end_of([] {
           std::signal(SIGINT, SIG_IGN);
           verify::stop_gently_on_interrupt();

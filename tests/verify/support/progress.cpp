@@ -38,20 +38,17 @@ TEST_CASE(
   REQUIRE(told.texts.size() == 1);
   // 1.5 of 4 items took 20 s: the other 2.5 take 33.
   CHECK(told.texts[0] == "nipref: audit: 1 of 4 done, now I2, 20 s, about 33 s left\n");
-}
-
-TEST_CASE("a run of several parts is not silent where they meet, and counts its time from the start") {
-  Told told;
-  Progress progress(told.output());
-  progress.begin("bench", 1);
-  progress.next("I1");
-  told.now += 10;
-  progress.begin("audit", 2);
-  progress.next("I1");
-  told.now += 10;
-  progress.at(0.5, "points");
-  REQUIRE(told.texts.size() == 1);
-  CHECK(told.texts[0] == "nipref: audit: 0 of 2 done, now I1 points, 20 s, about 30 s left\n");
+  // Of several parts the time counts from the start.
+  Told of_parts;
+  Progress progress(of_parts.output());
+  for (const auto& [part, items] : {std::pair<const char*, std::size_t>{"bench", 1}, {"audit", 2}}) {
+    progress.begin(part, items);
+    progress.next("I1");
+    of_parts.now += 10;
+    progress.at(0.5, "points");
+  }
+  REQUIRE(of_parts.texts.size() == 1);
+  CHECK(of_parts.texts[0] == "nipref: audit: 0 of 2 done, now I1 points, 20 s, about 30 s left\n");
 }
 
 TEST_CASE("lines that stay take the place of a bar, and are silent where progress is") {
@@ -69,6 +66,8 @@ TEST_CASE("lines that stay take the place of a bar, and are silent where progres
   CHECK(told.texts[1] == "\r\x1b[Kerrata: all\n");
   Progress silent({});
   silent.tell("nothing\n");
+  CHECK_FALSE(nipref::verify::standard_error(true).write);
+  CHECK(nipref::verify::standard_error(false).write);
 }
 
 TEST_CASE("on a terminal progress is a bar that is never wider than the window, and is wiped in the end") {
@@ -96,13 +95,4 @@ TEST_CASE("on a terminal progress is a bar that is never wider than the window, 
       CHECK(told.texts[0] == wipe + "audit 2/4 [##########...........] I3, 10 s, about 10 s left");
     CHECK(told.texts[1] == wipe);
   }
-}
-
-TEST_CASE("a quiet run tells nothing") {
-  Progress progress(nipref::verify::standard_error(true));
-  progress.begin("audit", 1);
-  progress.next("I1");
-  progress.at(0.5);
-  CHECK_FALSE(nipref::verify::standard_error(true).write);
-  CHECK(nipref::verify::standard_error(false).write);
 }

@@ -22,10 +22,6 @@ void check_kept(const char* name, const Point& point) {
 
 constexpr double in_plane = 1;
 
-double fast_at(const char* name, const Point& point) {
-  return verify::find_quantity(name).by_fast(point, {});
-}
-
 }  // namespace
 
 TEST_CASE("half-spaces in degrees, GPa and speeds of steel: what once was beyond the promise") {
@@ -60,27 +56,5 @@ TEST_CASE("half-spaces next to the critical speed: the promises hold on critical
       check_kept("halfspace.in_line", {0.3, (1 - gap) * rayleigh, psi});
       check_kept("halfspace.across", {0.3, (1 - gap) * rayleigh, psi});
     }
-  }
-}
-
-TEST_CASE("half-spaces answer to shear at rest as plane strain and antiplane shear do") {
-  for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
-    CHECK(fast_at("halfspace.in_line", {nu, 0, 20}) == approx(1 - nu, 1e-15));
-    CHECK(fast_at("halfspace.across", {nu, 0, 20}) == 1);
-  }
-  // Screw dislocations of the Lorentz contraction.
-  CHECK(fast_at("halfspace.across", {0.3, 0.6, 0}) == approx(1.25, 1e-15));
-}
-
-TEST_CASE("the strip and the creep of a rolling sphere are what the index makes of them") {
-  for (const double speed : {0.0, 0.3, 0.9}) {
-    const double index = fast_at("rolling.index", {0.3, speed, 40});
-    CHECK(fast_at("rolling.strip", {0.3, speed, 40}) ==
-          approx(std::exp(-std::numbers::pi / (2 * index)), 1e-13));
-    // Of no index the sphere would stretch the surface by L^2/(16 r0^2).
-    const double span = 1e-3 * fast_at("rolling.span_ratio", {0.3, speed});
-    const double across = fast_at("rolling.index", {0.3, speed, 90});
-    CHECK(fast_at("rolling.creep", {0.3, speed, 1e-3, 90}) ==
-          doctest::Approx(span * (span / 16 * (1 - 4 * across * across) + across)).epsilon(1e-14));
   }
 }
