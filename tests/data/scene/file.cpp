@@ -278,14 +278,6 @@ TEST_CASE("letters beyond ASCII are those of texts and comments") {
                    "must be TOML: letters beyond ASCII in quotes behind a space, with no backslash"));
 }
 
-TEST_CASE("files that cannot be read") {
-  CHECK_THROWS_WITH_AS((void)data::load_scene("/nowhere/scene.toml"),
-                       doctest::Contains("scene = /nowhere/scene.toml: must be a file that exists"),
-                       data::BadInput);
-  CHECK_THROWS_WITH_AS((void)data::load_scene("/"), doctest::Contains("scene = /: must be a file"),
-                       data::BadInput);
-}
-
 TEST_CASE("a scene made in C++ is refused by its keys, with no file") {
   data::Scene scene{.title = "made here",
                     .wanted = {data::ResultId::load},

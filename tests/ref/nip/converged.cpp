@@ -1,15 +1,4 @@
 // Converged contacts in multiprecision, of every kind: against the double path, each other and themselves.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-#include <functional>
-#include <map>
-#include <random>
-#include <string>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 
 #include "support/covered.hpp"
@@ -77,18 +66,13 @@ void check_meet(const Numbers<ref::Estimate>& few, const Numbers<ref::Estimate>&
   }
 }
 
-/// Log-uniform from a low to a high number.
-auto random_between(std::mt19937_64& generator) {
-  return [&generator](double low, double high) {
-    return low * std::pow(high / low, static_cast<double>(generator() >> 11) * 0x1p-53);
-  };
-}
-
 }  // namespace
 
 TEST_CASE("ref contact: the double path's estimates cover what they are off by at random nips of each kind") {
   std::mt19937_64 generator(11);
-  const auto between = random_between(generator);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, static_cast<double>(generator() >> 11) * 0x1p-53);
+  };
   for (int i = 0; i < 5; ++i) {
     const double poisson = i == 0 ? 0.5 : 1.4 - between(0.9001, 2.3), thickness = between(0.4, 2.7);
     const double length = thickness * between(1e-6, 2), accuracy = between(1e-11, 1e-3);
