@@ -319,15 +319,18 @@ std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_
   const WorkingSurface lines(half_space, working, exponent);
   const PeakOfCompliance peak = peak_of_compliance(half_space);
   const Float psi = to_float(degrees) * pi() / 180;
-  const auto by_rule = [&](const Level& level, int digits_of_rule) {
+  const auto pressed = [&](const Level& level) -> EllipticPressure {
     const Float scale = implementation_->scale(level), root = exp(Float(level.ellipse.eta() / 2));
-    const Float a = scale * root, b = scale / root, pressure = scale * 2 * curvature / level.moment;
-    return displacement_under({a, b, level.ellipse.alpha(), pressure}, lines, peak, psi, to_float(x),
-                              digits_of_rule);
+    return {scale * root, scale / root, level.ellipse.alpha(), scale * 2 * curvature / level.moment};
   };
-  const auto fine = by_rule(levels.fine, working), coarse = by_rule(levels.coarse, digits);
-  // The rounding is that of a displacement's largest component, as the others may vanish.
-  const Float rounding = tolerance(digits + 6) * (abs(fine[0]) + abs(fine[1]) + abs(fine[2]));
+  const auto by_rule = [&](const Level& level, int digits_of_rule) {
+    return displacement_under(pressed(level), lines, peak, psi, to_float(x), digits_of_rule);
+  };
+  const auto fine = by_rule(levels.fine, working + digits), coarse = by_rule(levels.coarse, working);
+  // The rounding, and what is left out as it is narrower than a rounding of the angle: of the size of all lines together.
+  const EllipticPressure most = pressed(levels.fine);
+  const Float rounding =
+      tolerance(digits + 6) * most.peak * most.a * lines.at(Exact(peak.degrees)).compliance;
   const auto estimate = [&](std::size_t i) -> Estimate {
     return {fine[i], abs(fine[i] - coarse[i]) + rounding, digits};
   };

@@ -70,13 +70,13 @@ struct LikelySeconds {
     return seconds_for_length(problem, length, digits) * (load != nullptr ? of_load : 1) +
            seconds_for_places(scene, problem, length);
   }
-  /// The displacements at a place, computed together, ask for about 1500 lines at 20 digits.
+  /// The displacements at a place, computed together, ask for about 2500 lines at 20 digits.
   double operator()(const data::HalfSpaceProblem& problem) const {
     const bool displaced = std::ranges::any_of(scene.wanted, [](data::ResultId id) {
       const data::Scale scale = data::scene_result(id).scale;
       return scale == data::Scale::roller_rise || scale == data::Scale::distance_times_creep;
     });
-    return displaced ? 1.5 * static_cast<double>(data::count_of(*problem.profile)) : 0;
+    return displaced ? 2.0 * static_cast<double>(data::count_of(*problem.profile)) : 0;
   }
 };
 
