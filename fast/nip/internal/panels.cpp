@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 
 /// One expansion over the whole contact needs fewer terms than panels. In a wide one the logarithm is much larger than the
 /// kernel and cancels, so that the last digits need panels.
-constexpr double longest_whole = 12, longest_whole_for_last_digits = 4, nats_of_last_digits = 25;
+constexpr double longest_whole = 12, longest_whole_for_last_digits = 4, nats_of_last_digits = 20.5;
 /// Radians and nats over the whole contact that its one expansion holds.
 constexpr double most_over_whole = 8;
 /// Of the first panel, half-thicknesses.
