@@ -40,7 +40,7 @@ AuditResult audit_of(QuantityWork work, const OnProgress& on_progress) {
     const auto progress = [&](double part) {
       if (on_progress) on_progress((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
     };
-    work.add(block, work.found_in(block, progress));
+    work.do_block(block, progress);
   }
   return work.result();
 }

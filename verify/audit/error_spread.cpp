@@ -149,13 +149,4 @@ void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const P
   spread.dots = dots_of(quantity, spread.along, points, findings);
 }
 
-ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
-                         std::span<const Finding> findings) {
-  ErrorTally errors;
-  for (const Finding& finding : findings) errors.add(finding.ulps);
-  ErrorSpread spread = error_spread(errors);
-  add_places(spread, quantity, points, findings);
-  return spread;
-}
-
 }  // namespace nipref::verify

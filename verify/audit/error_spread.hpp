@@ -67,8 +67,5 @@ ErrorSpread error_spread(const ErrorTally& errors);
 /// Adds the distribution over the arguments. There must be a point, and a finding for each.
 void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
                 std::span<const Finding> findings);
-/// Both together.
-ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
-                         std::span<const Finding> findings);
 
 }  // namespace nipref::verify

@@ -196,9 +196,8 @@ std::optional<BlockAt> AuditRun::next() {
   return std::nullopt;
 }
 
-void AuditRun::keep(BlockAt at, const BlockFindings& found) {
-  if (file_) file_->append(*all_[at.work], at.block, block_findings_json(found));
-  all_[at.work]->add(at.block, found);
+void AuditRun::keep(BlockAt at, const Json& found) {
+  if (file_) file_->append(*all_[at.work], at.block, found);
   ++blocks_done_[at.work];
   ++done_;
 }
@@ -208,12 +207,12 @@ void AuditRun::do_blocks(Progress& progress) try {
   std::size_t begun = 0;  // works
   while (const auto at = next()) {
     stop_if_interrupted();
-    const BlockWork& work = *all_[at->work];
+    BlockWork& work = *all_[at->work];
     for (; begun <= at->work; ++begun) progress.next(all_[begun]->name());
     const auto of_work = [&](double part) {
       progress.at((static_cast<double>(at->block) + part) / static_cast<double>(work.blocks()));
     };
-    keep(*at, work.found_in(at->block, of_work));
+    keep(*at, work.do_block(at->block, of_work));
   }
 } catch (const Interrupted&) {
 }

@@ -63,7 +63,7 @@ class AuditRun {
   /// The next block without findings; nothing when all have been handed out.
   std::optional<BlockAt> next();
   /// Stores the findings of a block that was handed out. OutputError if they cannot be written to the folder.
-  void keep(BlockAt at, const BlockFindings& found);
+  void keep(BlockAt at, const Json& found);
   /// Computes one block after the other, each on all cores, until all are done or the process is interrupted.
   void do_blocks(Progress& progress);
 

@@ -197,7 +197,7 @@ void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, S
         if (work == works.end() || block >= (*work)->blocks()) throw JsonMisfit("block");
         if (stored.add(static_cast<std::size_t>(work - works.begin()), block, json.without("times").line(),
                        where))
-          (*work)->add(block, (*work)->read_findings(json.at("found")));
+          (*work)->add(block, json.at("found"));
       } catch (const JsonMisfit& misfit) {
         throw BadInput("run", where,
                        fmt::format("must be the line of a block of this run ({})", misfit.what()));

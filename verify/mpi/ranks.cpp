@@ -68,8 +68,8 @@ class Ranks {
   Order at_home_;
 };
 
-Json report_of(const BlockWork& work, std::size_t block) try {
-  return {{"found", block_findings_json(work.found_in(block, {}))}};
+Json report_of(BlockWork& work, std::size_t block) try {
+  return {{"found", work.do_block(block, {})}};
 } catch (const data::BadInput& error) {
   return {{"refused", std::vector<Json>{error.argument(), error.value(), error.allowed()}}};
 } catch (const Interrupted&) {
@@ -97,7 +97,10 @@ void hand_out_blocks(AuditRun& run, int count, Progress& progress) {
     std::optional<BlockAt> next;
     try {
       refuse_failed(json);
-      if (block && json.has("found")) run.keep(*block, works[block->work]->read_findings(json.at("found")));
+      if (block && json.has("found")) {
+        works[block->work]->add(block->block, json.at("found"));
+        run.keep(*block, json.at("found"));
+      }
       if (!interrupted()) next = run.next();
     } catch (...) {
       ranks.send_home(rank);

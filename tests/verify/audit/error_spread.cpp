@@ -1,5 +1,6 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/error_spread.hpp>
+#include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 
@@ -13,6 +14,14 @@ const Quantity& two_positions() { return find_quantity("I6"); }
 
 Finding of_ulps(double ulps) { return {ulps, ulps * 1e-16, ulps / 10}; }
 
+ErrorSpread spread_of(std::span<const Point> points, std::span<const Finding> findings) {
+  ErrorTally errors;
+  for (const Finding& finding : findings) errors.add(finding.ulps);
+  ErrorSpread spread = error_spread(errors);
+  add_places(spread, two_positions(), points, findings);
+  return spread;
+}
+
 }  // namespace
 
 TEST_CASE("percentiles are errors that were found or a little more, and a spike does not move the median") {
@@ -22,7 +31,7 @@ TEST_CASE("percentiles are errors that were found or a little more, and a spike 
     points.push_back({static_cast<double>(i), 1});
     findings.push_back(of_ulps(i == 500 ? 1e6 : i * 1e-3));
   }
-  const ErrorSpread spread = error_spread(two_positions(), points, findings);
+  const ErrorSpread spread = spread_of(points, findings);
   const auto is_a_little_above = [](double told, double exact) {
     return told >= exact && told <= exact * (1 + 1.0 / 32);
   };
@@ -37,7 +46,7 @@ TEST_CASE("errors are sorted by decades of the first argument that varies") {
   const std::vector<Point> points{{2, 0}, {2, 0.05}, {2, -0.07}, {2, 3}, {2, 9.99}, {2, 10}};
   const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(20),
                                       of_ulps(4), of_ulps(3), of_ulps(5)};
-  const ErrorSpread spread = error_spread(two_positions(), points, findings);
+  const ErrorSpread spread = spread_of(points, findings);
   CHECK(spread.along == 1);
   REQUIRE(spread.decades.size() == 4);
   CHECK_FALSE(spread.decades[0].exponent.has_value());
@@ -53,13 +62,13 @@ TEST_CASE("errors are sorted by decades of the first argument that varies") {
 TEST_CASE("where the promise is broken is said by the smallest box of arguments") {
   const std::vector<Point> points{{1, 1}, {2, 5}, {3, 2}, {4, 3}, {2.5, 4}};
   const std::vector<Finding> findings{of_ulps(1), of_ulps(11), of_ulps(12), of_ulps(1), of_ulps(2)};
-  const auto wrong = error_spread(two_positions(), points, findings).wrong;
+  const auto wrong = spread_of(points, findings).wrong;
   REQUIRE(wrong.has_value());
   CHECK(wrong->lower == Point{2, 2});
   CHECK(wrong->upper == Point{3, 5});
   CHECK(wrong->above == 2);
   CHECK(wrong->points == 3);
-  CHECK_FALSE(error_spread(two_positions(), {points.data(), 1}, {findings.data(), 1}).wrong.has_value());
+  CHECK_FALSE(spread_of({points.data(), 1}, {findings.data(), 1}).wrong.has_value());
 }
 
 TEST_CASE("dots for a plot hold the largest error of each part of the axis, spikes among them") {
@@ -69,7 +78,7 @@ TEST_CASE("dots for a plot hold the largest error of each part of the axis, spik
     points.push_back({std::pow(10, i / 1000.0), 1});
     findings.push_back(of_ulps(i == 1234 ? 7 : 0.1 + 1e-5 * i));
   }
-  const auto dots = error_spread(two_positions(), points, findings).dots;
+  const auto dots = spread_of(points, findings).dots;
   CHECK(dots.size() > 200);
   CHECK(dots.size() <= 300);
   CHECK(std::ranges::is_sorted(dots, {}, &ErrorDot::at));
@@ -85,7 +94,7 @@ TEST_CASE(
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<Point> points{{0, 1}, {-1e-300, 1}, {-2, 1}, {3, 1}, {1e300, 1}};
   const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(3), of_ulps(infinite), of_ulps(4)};
-  const auto dots = error_spread(two_positions(), points, findings).dots;
+  const auto dots = spread_of(points, findings).dots;
   REQUIRE(dots.size() == 4);
   CHECK(dots[0].at == 1e-12);
   CHECK(dots[1].at == 1e-12);

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
 
@@ -36,7 +37,7 @@ TEST_CASE("findings are summed by kind, with the worst and the slowest scene of 
       {findings(0, 0.5, 0.1), findings(kinds, 0.9, 0.2), refused, findings(1, 0.1, 0.3), uncovered});
   REQUIRE(tallies.size() == kinds);
   CHECK(verify::without_empty(tallies).size() == 2);
-  CHECK(tallies[0].kind == verify::drawn_kinds()[0]);
+  CHECK(tallies[0].kind() == verify::drawn_kinds()[0]);
   CHECK(tallies[0].scenes == 3);
   CHECK(tallies[0].refused == 1);
   CHECK(tallies[0].refusal.refused == "must not");
@@ -60,19 +61,20 @@ TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
   failed.failed = "a fault";
   const std::vector<verify::SceneFindings> all{findings(2 * kinds, 0.5, 0.3), refused, failed,
                                                findings(0, 0.1, 0.3)};
-  const auto told = [](const verify::SceneTally& tally) { return verify::scene_tally_found(tally).line(); };
+  const auto told = [](const verify::SceneTally& tally) { return verify::stored(tally).line(); };
   verify::SceneTally forward, backward;
   for (std::size_t i = 0; i < all.size(); ++i) {
     forward.add(all[i]);
-    backward.add(
-        verify::scene_tally_of(verify::scene_tally_found(verify::tally({all[all.size() - 1 - i]}).front())));
+    backward.add(verify::restored<verify::SceneTally>(
+        verify::stored(verify::tally({all[all.size() - 1 - i]}).front())));
   }
   CHECK(told(forward) == told(backward));
   CHECK(forward.worst.index == kinds);
   CHECK(forward.slowest.index == 0);
   CHECK(forward.failure.failed == "a fault");
   CHECK(verify::scene_tally_json({forward}).text() == verify::scene_tally_json({backward}).text());
-  CHECK_THROWS_AS(static_cast<void>(verify::scene_tally_of(verify::Json::object())), verify::JsonMisfit);
+  CHECK_THROWS_AS(static_cast<void>(verify::restored<verify::SceneTally>(verify::Json::object())),
+                  verify::JsonMisfit);
 }
 
 TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its accuracy without saying so") {
@@ -124,7 +126,7 @@ TEST_CASE("a few random scenes of each kind are audited on all cores, each as it
   REQUIRE(tallies.size() == kinds);
   CHECK(part == 1);
   for (std::size_t k = 0; k < kinds; ++k) {
-    CHECK(tallies[k].kind == verify::drawn_kinds()[k]);
+    CHECK(tallies[k].kind() == verify::drawn_kinds()[k]);
     CHECK(tallies[k].scenes == 2);
     CHECK(tallies[k].refused == 2);
     CHECK(tallies[k].refusal.refused == verify::audit_scene("few", k, solvers).refused);

@@ -1,4 +1,5 @@
 #include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 
@@ -18,15 +19,13 @@ AuditOptions in_small_blocks(const std::string& seed = "1") {
 }
 
 /// What another process is sent of a block, as it reads it.
-BlockFindings sent(const BlockWork& work, std::size_t block) {
-  return work.read_findings(Json::parse(block_findings_json(work.found_in(block, {})).line()));
-}
+Json sent(BlockWork& work, std::size_t block) { return Json::parse(work.do_block(block, {}).line()); }
 
 /// Does the blocks in this order, by a process for each, as it were.
 std::string row_by(const Quantity& quantity, const std::vector<std::size_t>& order) {
   QuantityWork sum(quantity, in_small_blocks());
   for (const std::size_t block : order) {
-    const QuantityWork own(quantity, in_small_blocks());
+    QuantityWork own(quantity, in_small_blocks());
     sum.add(block, sent(own, block));
   }
   return audit_row_json(sum.result()).text();
@@ -93,27 +92,24 @@ TEST_CASE("whoever does which block in whatever order, an audit finds the same t
 
 TEST_CASE("another seed has other points and other inputs, and a block of its own text") {
   const Quantity& quantity = find_quantity("I3");
-  const QuantityWork work(quantity, in_small_blocks()), other(quantity, in_small_blocks("2"));
+  QuantityWork work(quantity, in_small_blocks()), other(quantity, in_small_blocks("2"));
   CHECK(work.inputs() != other.inputs());
-  CHECK(block_findings_json(work.found_in(3, {})).line() !=
-        block_findings_json(other.found_in(3, {})).line());
+  CHECK(sent(work, 3).line() != sent(other, 3).line());
   CHECK(AuditPlan(quantity, in_small_blocks("2")).seed(17) == "2/I3/block/17");
 }
 
 TEST_CASE("what is no finding about the quantity is not read") {
-  const QuantityWork work(find_quantity("I6"), in_small_blocks());
-  const QuantityWork of_one_argument(find_quantity("I3"), in_small_blocks());
-  const Json other = block_findings_json(of_one_argument.found_in(0, {}));
-  CHECK_THROWS_AS(static_cast<void>(work.read_findings(other)), JsonMisfit);
-  CHECK_THROWS_AS(static_cast<void>(work.read_findings(Json::object())), JsonMisfit);
+  QuantityWork work(find_quantity("I6"), in_small_blocks());
+  QuantityWork of_one_argument(find_quantity("I3"), in_small_blocks());
+  CHECK_THROWS_AS(work.add(0, sent(of_one_argument, 0)), JsonMisfit);
+  CHECK_THROWS_AS(work.add(0, Json::object()), JsonMisfit);
 }
 
 TEST_CASE("hard cases of contacts are told to the last bit") {
-  HardCasesWork work;
-  work.add(1, sent(work, 1));
+  HardCasesWork work, other;
+  work.add(1, sent(other, 1));
   const std::vector<ContactAudit> cases = work.result();
   REQUIRE(cases.size() == 3);
-  CHECK(json_list(cases, contact_audit_found).line() ==
-        json_list(audit_hard_cases(1), contact_audit_found).line());
+  CHECK(stored(cases).line() == stored(audit_hard_cases(1)).line());
   CHECK(contact_audit_json(cases).text() == contact_audit_json(audit_hard_cases(1)).text());
 }

@@ -41,9 +41,7 @@ struct Process {
     verify::read_blocks(folder, works, there);
     for (std::size_t block = 0; block < work.blocks() && done < most; ++block) {
       if (!shard.has(block) || there.has(0, block)) continue;
-      const verify::BlockFindings found = work.found_in(block, {});
-      file.append(work, block, verify::block_findings_json(found));
-      work.add(block, found);
+      file.append(work, block, work.do_block(block, {}));
       ++done;
     }
   }

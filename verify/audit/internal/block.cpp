@@ -150,28 +150,4 @@ void AuditTally::add(const AuditTally& found, std::uint64_t block) {
   worst_ulp = found.worst_ulp;
 }
 
-Json AuditTally::json() const {
-  return {{"points", points},
-          {"left_out", left_out},
-          {"max_ulp", exact_json(max_ulp)},
-          {"max_relative", exact_json(max_relative)},
-          {"used", exact_json(allowance_used)},
-          {"worst", mapped(worst, exact_json)},
-          {"worst_ulp", exact_json(worst_ulp)},
-          {"errors", errors.json()}};
-}
-
-AuditTally AuditTally::of(const Json& json, std::size_t arguments) {
-  AuditTally tally{.points = json.at("points").as_count(),
-                   .left_out = json.at("left_out").as_count(),
-                   .max_ulp = exact_double(json.at("max_ulp")),
-                   .max_relative = exact_double(json.at("max_relative")),
-                   .allowance_used = exact_double(json.at("used")),
-                   .worst_ulp = exact_double(json.at("worst_ulp")),
-                   .errors = ErrorTally::of(json.at("errors"))};
-  for (const Json& argument : json.at("worst").items()) tally.worst.push_back(exact_double(argument));
-  if (tally.worst.size() != arguments && tally.errors.count() > 0) throw JsonMisfit("worst");
-  return tally;
-}
-
 }  // namespace nipref::verify

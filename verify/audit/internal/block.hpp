@@ -104,9 +104,17 @@ struct AuditTally {
 
   /// Adds the findings of one block.
   void add(const AuditTally& found, std::uint64_t block);
-  [[nodiscard]] Json json() const;
-  /// Reads what json() has written for a quantity of so many arguments. JsonMisfit for anything else.
-  static AuditTally of(const Json& json, std::size_t arguments);
+  /// See stored.hpp.
+  static void members(auto& self, const auto& each) {
+    each("points", self.points);
+    each("left_out", self.left_out);
+    each("max_ulp", self.max_ulp);
+    each("max_relative", self.max_relative);
+    each("used", self.allowance_used);
+    each("worst", self.worst);
+    each("worst_ulp", self.worst_ulp);
+    each("errors", self.errors);
+  }
 };
 
 /// The findings about a quantity.

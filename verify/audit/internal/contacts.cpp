@@ -144,43 +144,6 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
   return audits;
 }
 
-namespace {
-
-// The numbers that some cases lack.
-constexpr std::array optional_numbers{&ContactAudit::condition, &ContactAudit::oscillation,
-                                      &ContactAudit::error, &ContactAudit::kernel_error,
-                                      &ContactAudit::discretisation_error};
-
-}  // namespace
-
-Json contact_audit_found(const ContactAudit& audit) {
-  std::vector<Json> numbers;
-  for (const auto number : optional_numbers)
-    numbers.push_back(audit.*number ? exact_json(*(audit.*number)) : Json());
-  return {{"system", audit.system},
-          {"ratio", exact_json(audit.ratio)},
-          {"poisson", exact_json(audit.poisson)},
-          {"unknowns", audit.unknowns},
-          {"allowed", exact_json(audit.allowed)},
-          {"numbers", numbers}};
-}
-
-ContactAudit contact_audit_of(const Json& found) {
-  ContactAudit audit{.system = found.at("system").as_text(),
-                     .ratio = exact_double(found.at("ratio")),
-                     .poisson = exact_double(found.at("poisson")),
-                     .unknowns = static_cast<int>(found.at("unknowns").as_count()),
-                     .condition = {},
-                     .oscillation = {},
-                     .allowed = exact_double(found.at("allowed"))};
-  const std::vector<Json> numbers = found.at("numbers").items();
-  if (numbers.size() != optional_numbers.size()) throw JsonMisfit("numbers");
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!numbers[i].is_null()) audit.*optional_numbers[i] = exact_double(numbers[i]);
-  }
-  return audit;
-}
-
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {
   return json_list(audits, [](const ContactAudit& audit) {
     return Json{{"system", audit.system},

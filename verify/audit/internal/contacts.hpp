@@ -30,17 +30,25 @@ struct ContactAudit {
   [[nodiscard]] std::optional<bool> kept() const {
     return error ? std::optional(*error <= allowed) : std::nullopt;
   }
+  /// See stored.hpp.
+  static void members(auto& self, const auto& each) {
+    each("system", self.system);
+    each("ratio", self.ratio);
+    each("poisson", self.poisson);
+    each("unknowns", self.unknowns);
+    each("condition", self.condition);
+    each("oscillation", self.oscillation);
+    each("allowed", self.allowed);
+    each("error", self.error);
+    each("kernel_error", self.kernel_error);
+    each("discretisation_error", self.discretisation_error);
+  }
 };
 
 /// The hard cases: L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side. A group has one
 /// kind of friction, one Poisson's ratio, one L/B, and all numbers of elements.
 inline constexpr std::size_t hard_case_groups = 30;
 std::vector<ContactAudit> audit_hard_cases(std::size_t group);
-
-/// An audit as it is written to a run's folder.
-Json contact_audit_found(const ContactAudit& audit);
-/// Reads what contact_audit_found has written. JsonMisfit for anything else.
-ContactAudit contact_audit_of(const Json& found);
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits);
 

@@ -34,6 +34,17 @@ struct SceneFindings {
   /// Estimate over error, for the numbers whose error is known to a tenth of the estimate.
   std::vector<double> overestimates;
   double seconds = 0;  ///< for the scene itself
+
+  /// What a tally stores of a scene that it keeps, see stored.hpp.
+  static void members(auto& self, const auto& each) {
+    each("index", self.index);
+    each("refused", self.refused);
+    each("failed", self.failed);
+    each("ratio", self.largest_ratio);
+    each("where", self.where);
+    each("scene", self.toml);
+    each("times", self.seconds);
+  }
 };
 
 /// Solves scene `index` of `seed` as `solve` does, and compares each number with the reference (for elastic contacts

@@ -15,20 +15,36 @@ namespace nipref::verify {
 /// Sums of the findings about the drawn scenes of one kind, which do not depend on their order. Among equally bad
 /// scenes the one with the lowest index is kept.
 struct SceneTally {
-  std::string_view kind = {};
   std::size_t scenes = 0;
   std::size_t refused = 0, failed = 0;
   std::size_t numbers = 0, unchecked = 0, uncovered = 0, miss_reported = 0, miss_unreported = 0;
   ErrorTally overestimates = {};  ///< estimate over error
-  SceneFindings refusal = {};     ///< the first refused scene, if refused > 0
-  SceneFindings failure = {};     ///< the first scene that failed, if failed > 0
+  SceneFindings refusal = {};     ///< the first refused scene, if there is one
+  SceneFindings failure = {};     ///< the first scene that failed, if there is one
   SceneFindings worst = {};       ///< the scene with the largest ratio of error to estimate
   SceneFindings slowest = {};
 
   void add(const SceneFindings& findings);
   void add(const SceneTally& more);
+  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
   [[nodiscard]] std::optional<double> median_overestimate() const;
+  /// See stored.hpp; what depends on seconds is in "times".
+  static void members(auto& self, const auto& each) {
+    each("scenes", self.scenes);
+    each("refused", self.refused);
+    each("failed", self.failed);
+    each("numbers", self.numbers);
+    each("unchecked", self.unchecked);
+    each("uncovered", self.uncovered);
+    each("miss_reported", self.miss_reported);
+    each("miss_unreported", self.miss_unreported);
+    each("overestimates", self.overestimates);
+    each("refusal", self.refusal);
+    each("failure", self.failure);
+    each("worst", self.worst);
+    each("times", self.slowest);
+  }
 };
 
 /// One tally for each kind, in the order of drawn_kinds().
@@ -39,11 +55,6 @@ std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
 /// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Throws Interrupted if the process is.
 std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
                                         const OnProgress& on_progress, const SceneSolvers& solvers = {});
-
-/// A tally as it is written to a run's folder; seconds are in "times".
-Json scene_tally_found(const SceneTally& tally);
-/// Reads what scene_tally_found has written. JsonMisfit for anything else.
-SceneTally scene_tally_of(const Json& found);
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies);
 

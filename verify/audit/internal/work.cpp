@@ -2,23 +2,12 @@
 
 #include <utility>
 
+#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
-namespace {
-
-Json json_of(const QuantityFindings& found) { return found.tally.json(); }
-Json json_of(const std::vector<ContactAudit>& found) { return json_list(found, contact_audit_found); }
-Json json_of(const std::vector<SceneTally>& found) { return json_list(found, scene_tally_found); }
-
-}  // namespace
-
-Json block_findings_json(const BlockFindings& found) {
-  return std::visit([](const auto& of_work) { return json_of(of_work); }, found);
-}
-
 QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points)
     : QuantityWork(quantity, options, fast_evaluator(quantity, options.accuracy), true, keeps_points) {}
 
@@ -35,18 +24,17 @@ const AuditPlan& QuantityWork::plan() const {
   return *plan_;
 }
 
-BlockFindings QuantityWork::found_in(std::size_t block, const OnProgress& on_progress) const {
+Json QuantityWork::do_block(std::size_t block, const OnProgress& on_progress) {
   QuantityFindings found = audit_block(quantity_, options_.ranges, comparator_, plan(), block, on_progress);
   if (!keeps_points_) found.compared = {};
-  return found;
+  sum_.add(found, block);
+  return stored(found.tally);
 }
 
-BlockFindings QuantityWork::read_findings(const Json& json) const {
-  return QuantityFindings{AuditTally::of(json, quantity_.arguments.size()), {}};
-}
-
-void QuantityWork::add(std::size_t block, const BlockFindings& found) {
-  sum_.add(std::get<QuantityFindings>(found), block);
+void QuantityWork::add(std::size_t block, const Json& found) {
+  const auto tally = restored<AuditTally>(found);
+  if (tally.worst.size() != quantity_.arguments.size() && tally.errors.count() > 0) throw JsonMisfit("worst");
+  sum_.add({tally, {}}, block);
 }
 
 AuditResult QuantityWork::result() const {
@@ -55,17 +43,13 @@ AuditResult QuantityWork::result() const {
   return result;
 }
 
-BlockFindings HardCasesWork::found_in(std::size_t block, const OnProgress& /*on_progress*/) const {
+Json HardCasesWork::do_block(std::size_t block, const OnProgress& /*on_progress*/) {
   stop_if_interrupted();
-  return audit_hard_cases(block);
+  return stored(audits_[block] = audit_hard_cases(block));
 }
 
-BlockFindings HardCasesWork::read_findings(const Json& json) const {
-  return mapped(json.items(), contact_audit_of);
-}
-
-void HardCasesWork::add(std::size_t block, const BlockFindings& found) {
-  audits_.emplace(block, std::get<std::vector<ContactAudit>>(found));
+void HardCasesWork::add(std::size_t block, const Json& found) {
+  audits_[block] = restored<std::vector<ContactAudit>>(found);
 }
 
 std::vector<ContactAudit> HardCasesWork::result() const {
@@ -82,18 +66,19 @@ ScenesWork::ScenesWork(std::size_t count, std::string seed, std::size_t most, Sc
 
 std::string ScenesWork::inputs() const { return fmt::format("{} scenes of {}", blocks_.items, seed_); }
 
-BlockFindings ScenesWork::found_in(std::size_t block, const OnProgress& on_progress) const {
-  return without_empty(
+Json ScenesWork::do_block(std::size_t block, const OnProgress& on_progress) {
+  const std::vector<SceneTally> found = without_empty(
       tally(audit_scenes(blocks_.first(block), blocks_.size(block), seed_, on_progress, solvers_)));
+  add(found);
+  return stored(found);
 }
 
-BlockFindings ScenesWork::read_findings(const Json& json) const {
-  return mapped(json.items(), scene_tally_of);
+void ScenesWork::add(std::size_t /*block*/, const Json& found) {
+  add(restored<std::vector<SceneTally>>(found));
 }
 
-void ScenesWork::add(std::size_t /*block*/, const BlockFindings& found) {
-  for (const SceneTally& kind : std::get<std::vector<SceneTally>>(found))
-    tallies_[kind.worst.index % tallies_.size()].add(kind);
+void ScenesWork::add(const std::vector<SceneTally>& kinds) {
+  for (const SceneTally& kind : kinds) tallies_[kind.worst.index % tallies_.size()].add(kind);
 }
 
 }  // namespace nipref::verify

@@ -3,7 +3,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <nipref/verify/audit/internal/block.hpp>
@@ -12,11 +11,6 @@
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
-
-/// The findings of one block. They become text only when they are written to a file.
-using BlockFindings = std::variant<QuantityFindings, std::vector<ContactAudit>, std::vector<SceneTally>>;
-
-Json block_findings_json(const BlockFindings& found);
 
 /// What audits have found.
 struct Audited {
@@ -41,12 +35,11 @@ class BlockWork {
   [[nodiscard]] virtual std::size_t blocks() const = 0;
   /// A text that differs wherever the findings of the blocks may differ.
   [[nodiscard]] virtual std::string inputs() const = 0;
-  /// Computes a block on all cores. Throws Interrupted if the process is.
-  [[nodiscard]] virtual BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const = 0;
-  /// Reads what block_findings_json has written. JsonMisfit for anything else.
-  [[nodiscard]] virtual BlockFindings read_findings(const Json& json) const = 0;
-  /// Adds the findings of a block that has not been added yet.
-  virtual void add(std::size_t block, const BlockFindings& found) = 0;
+  /// Computes a block on all cores, adds its findings, and returns them as they are stored. Throws Interrupted if the
+  /// process is.
+  virtual Json do_block(std::size_t block, const OnProgress& on_progress) = 0;
+  /// Adds what do_block has returned in another process. JsonMisfit for anything else.
+  virtual void add(std::size_t block, const Json& found) = 0;
 };
 
 /// The audit of values of one quantity.
@@ -62,9 +55,8 @@ class QuantityWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return quantity_.name; }
   [[nodiscard]] std::size_t blocks() const override { return plan().blocks(); }
   [[nodiscard]] std::string inputs() const override { return plan().fingerprint(); }
-  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
-  [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
-  void add(std::size_t block, const BlockFindings& found) override;
+  Json do_block(std::size_t block, const OnProgress& on_progress) override;
+  void add(std::size_t block, const Json& found) override;
 
   /// The result from the blocks that were added. BadInput if the reference refuses all points.
   [[nodiscard]] AuditResult result() const;
@@ -87,9 +79,8 @@ class HardCasesWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return "contacts"; }
   [[nodiscard]] std::size_t blocks() const override { return hard_case_groups; }
   [[nodiscard]] std::string inputs() const override { return "hard cases"; }
-  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
-  [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
-  void add(std::size_t block, const BlockFindings& found) override;
+  Json do_block(std::size_t block, const OnProgress& on_progress) override;
+  void add(std::size_t block, const Json& found) override;
 
   /// Of the blocks that were added.
   [[nodiscard]] std::vector<ContactAudit> result() const;
@@ -111,14 +102,15 @@ class ScenesWork : public BlockWork {
   [[nodiscard]] std::string name() const override { return "random scenes"; }
   [[nodiscard]] std::size_t blocks() const override { return blocks_.count; }
   [[nodiscard]] std::string inputs() const override;
-  [[nodiscard]] BlockFindings found_in(std::size_t block, const OnProgress& on_progress) const override;
-  [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
-  void add(std::size_t block, const BlockFindings& found) override;
+  Json do_block(std::size_t block, const OnProgress& on_progress) override;
+  void add(std::size_t block, const Json& found) override;
 
   /// Of the blocks that were added.
   [[nodiscard]] std::vector<SceneTally> result() const { return without_empty(tallies_); }
 
  private:
+  void add(const std::vector<SceneTally>& kinds);
+
   std::string seed_;
   Blocks blocks_;
   SceneSolvers solvers_;
