@@ -208,18 +208,12 @@ EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
   EnergyBalance balance;
-  const auto solved = [&](const auto& solve) {
-    try {
-      return solve();
-    } catch (const data::BadInput& error) {
-      refuse_given(scene, problem.given, error);
-    }
+  const auto balance_by = [&](const auto& solve) {
+    return balance_of(scene, problem.nip, *naming_given(scene, problem.given, solve));
   };
   const double seconds = seconds_of([&] {
-    balance = digits ? balance_of(scene, problem.nip,
-                                  *solved([&] { return solve_ref_converged(problem, *digits); }))
-                     : balance_of(scene, problem.nip,
-                                  *solved([&] { return solve_converged(problem, scene.accuracy); }));
+    balance = digits ? balance_by([&] { return solve_ref_nip(problem, *digits); })
+                     : balance_by([&] { return solve_nip(problem, scene.accuracy); });
   });
   balance.title = scene.title;
   balance.seconds = seconds;

@@ -7,7 +7,7 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/solve/internal/nip_results.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {

@@ -15,24 +15,6 @@
 namespace nipref::verify {
 namespace {
 
-/// Solves a nip by its method: converged(problem) or line_loads(problem, loads).
-template <class Problem>
-auto solve_nip(const data::Scene& scene, const Problem& problem, const auto& converged,
-               const auto& line_loads) {
-  try {
-    const auto solve_by = [&](const auto& method) {
-      if constexpr (requires { method.leading_elements; }) {
-        return line_loads(problem, method);
-      } else {
-        return converged(problem);
-      }
-    };
-    return std::visit(solve_by, problem.method);
-  } catch (const data::BadInput& error) {
-    refuse_given(scene, problem.given, error);
-  }
-}
-
 /// Calls solve(), which finds out whether the speed is subcritical.
 auto refusing_speed(const data::Scene& scene, const data::HalfSpaceProblem& problem, const auto& solve) {
   try {
@@ -48,11 +30,7 @@ SolvedInDouble solved(const data::Scene& scene, const data::HalfSpaceProblem& pr
   return refusing_speed(scene, problem, [&] { return solve_half_space(problem); });
 }
 SolvedInDouble solved(const data::Scene& scene, const auto& nip) {
-  return solve_nip(
-      scene, nip, [&](const auto& problem) { return solve_converged(problem, scene.accuracy); },
-      [&](const auto& problem, const auto& loads) {
-        return solve_line_loads(problem, loads, scene.accuracy);
-      });
+  return naming_given(scene, nip.given, [&] { return solve_nip(nip, scene.accuracy); });
 }
 
 void refuse_moments(const data::Scene& scene) {
@@ -76,9 +54,7 @@ SolvedByRef solved_by_ref(const data::Scene& scene, const data::HalfSpaceProblem
 SolvedByRef solved_by_ref(const data::Scene& scene, const auto& nip, int digits) {
   const bool is_rolling = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
   if (!is_rolling || !is_by_line_loads(scene)) refuse_moments(scene);
-  return solve_nip(
-      scene, nip, [&](const auto& problem) { return solve_ref_converged(problem, digits); },
-      [&](const auto& problem, const auto& loads) { return solve_ref_line_loads(problem, loads, digits); });
+  return naming_given(scene, nip.given, [&] { return solve_ref_nip(nip, digits); });
 }
 
 /// The largest ratio of an error of the result to its allowed error.

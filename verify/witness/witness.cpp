@@ -19,7 +19,7 @@ Witnessed witness_of(double thickness, data::Friction friction) {
                                         .creep_ratio = {},
                                         .method = {},
                                         .profile = {}};
-  const SolvedInDouble contact = solve_converged(problem, accuracy);
+  const SolvedInDouble contact = solve_nip(problem, accuracy);
   const auto value = [&](ResultId id) { return contact->number(id).value; };
   const bool is_gripped = friction == data::Friction::full;
   calculix::IndentedStrip strip{.young = problem.nip.material.young,

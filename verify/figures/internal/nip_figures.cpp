@@ -53,7 +53,7 @@ std::size_t row_of_memory(const data::Table& table, double memory) {
 SolvedInDouble contact_of(const NipAt& nip, double accuracy) {
   const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
   if (nip.memory == 0)
-    return solve_converged(data::ElasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, at_once},
+    return solve_nip(data::ElasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, at_once},
                                                    .given = data::GivenLoad{nip.load},
                                                    .friction = nip.friction,
                                                    .creep_ratio = {},
@@ -61,7 +61,7 @@ SolvedInDouble contact_of(const NipAt& nip, double accuracy) {
                                                    .profile = {}},
                            accuracy);
   const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, nip.memory);
-  return solve_converged(
+  return solve_nip(
       data::ViscoelasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, solid, 1},
                                    .given = data::GivenLoad{nip.load},
                                    .method = {},

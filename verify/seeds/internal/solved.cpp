@@ -234,7 +234,7 @@ class SolvedNumbers {
     std::vector<double> inputs{in.radius, in.thickness, in.accuracy, in.load, in.length};
     inputs.insert(inputs.end(), others);
     SolvedInDouble& contact = contacts_[{solid, inputs}];
-    if (contact == nullptr) contact = solve_converged(problem, in.accuracy);
+    if (contact == nullptr) contact = solve_nip(problem, in.accuracy);
     return *contact;
   }
 

@@ -17,39 +17,32 @@ namespace nipref::verify {
 using SolvedInDouble = std::unique_ptr<SolvedContact<fast::Estimate>>;
 using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;
 
-/// Calls for_load or for_length with the number that the scene gives.
-template <class ForLoad, class ForLength>
-auto solve_given(const data::Given& given, const ForLoad& for_load, const ForLength& for_length) {
-  const auto* const load = std::get_if<data::GivenLoad>(&given);
-  return load != nullptr ? for_load(load->per_length)
-                         : for_length(std::get<data::GivenLength>(given).contact_length);
+/// A nip in double by its problem's method; `accuracy` is the scene's. Without a method it is the continuous contact. The
+/// error of a result of line loads is its distance to the same result of the continuous contact, solved to 1e-5, whose
+/// own error is added. The kernels of line loads of a rolling nip are exact to rounding, or the truncated series that
+/// the scene asks for. Instantiated for both problems.
+template <class Problem>
+SolvedInDouble solve_nip(const Problem& problem, double accuracy);
+
+/// The same by the reference. The errors are proven bounds for line loads, and for much of what the continuous contacts
+/// have (ref/README.md, What is proven), otherwise estimates.
+template <class Problem>
+SolvedByRef solve_ref_nip(const Problem& problem, int digits);
+
+/// What line loads do on the roller.
+inline data::Grip grip_of(const data::ElasticNipProblem& problem) {
+  if (problem.friction == data::Friction::none) return {};
+  if (problem.creep_ratio) return {data::Grip::Creep::given, *problem.creep_ratio};
+  return {data::Grip::Creep::thesis};
 }
 
-/// The continuous contact in double; `accuracy` is the scene's.
-SolvedInDouble solve_converged(const data::ElasticNipProblem& problem, double accuracy);
-SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, double accuracy);
-
-/// Line loads in double. The error of a result is its distance to the same result of the continuous contact, solved to
-/// 1e-5, whose own error is added. The kernels of those of a rolling nip are exact to rounding, or the truncated series
-/// that the scene asks for.
-SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
-                                double accuracy);
-SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
-                                const data::ViscoelasticLineLoads& loads, double accuracy);
+inline bool has_full_friction(const data::ElasticNipProblem& problem) {
+  return problem.friction == data::Friction::full;
+}
+inline bool has_full_friction(const data::ViscoelasticNipProblem&) { return false; }
 
 /// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
 SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
-
-/// The continuous contact by the reference. The errors are proven bounds for much of what elastic and rolling nips have
-/// (ref/README.md, What is proven), otherwise estimates.
-SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits);
-SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int digits);
-
-/// Line loads by the reference. The errors are proven bounds.
-SolvedByRef solve_ref_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
-                                 int digits);
-SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
-                                 const data::ViscoelasticLineLoads& loads, int digits);
 
 /// A body on a half-space by the reference: the errors of the response of a line and, where all lines are alike, of the
 /// critical speed are proven bounds, those of the contact are estimates. BadInput "digits" if the digits cannot be
@@ -61,6 +54,14 @@ SolvedByRef solve_ref_half_space(const ref::JointResponse& surface, const data::
 /// scene, so that the solver can refuse it only because of their values, the material, or the digits.
 [[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
                                const data::BadInput& error);
+/// Calls solve(), whose refusal names the scene's key.
+auto naming_given(const data::Scene& scene, const data::Given& given, const auto& solve) {
+  try {
+    return solve();
+  } catch (const data::BadInput& error) {
+    refuse_given(scene, given, error);
+  }
+}
 /// Refuses the scene's load or length because the rollers' faces would meet.
 [[noreturn]] void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
                                        double half_thickness);

@@ -10,6 +10,7 @@ namespace nipref::verify {
 /// What differs between the paths for a template that serves both.
 struct FastPath {
   static constexpr bool is_fast = true;
+  using Accuracy = double;  ///< a scene's
   using Number = fast::Estimate;
   using Point = fast::InnerPoint;
   using Stresses = fast::InnerStresses;
@@ -23,6 +24,7 @@ struct FastPath {
 };
 struct RefPath {
   static constexpr bool is_fast = false;
+  using Accuracy = int;  ///< digits
   using Number = ref::Estimate;
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <ranges>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -71,16 +73,13 @@ struct SolvedContact {
   template <class Solution>
   void set(ResultId id, const std::shared_ptr<Solution>& solution, auto function) {
     if constexpr (std::invocable<decltype(function), Solution&, double>) {
-      set(id, [=](double y) -> Number { return std::invoke(function, *solution, y); });
-    } else if constexpr (requires {
-                           { std::invoke(function, *solution) } -> std::convertible_to<Number>;
-                         }) {
-      set(id, [=]() -> Number { return std::invoke(function, *solution); });
-    } else {
+      set(id, [=](double y) { return number_of(std::invoke(function, *solution, y)); });
+    } else if constexpr (std::ranges::range<std::invoke_result_t<decltype(function), Solution&>>) {
       set(id, [=](const Places&) {
-        const auto list = std::invoke(function, *solution);
-        return std::vector<Number>(list.begin(), list.end());
+        return mapped(std::invoke(function, *solution), [](const auto& one) { return number_of(one); });
       });
+    } else {
+      set(id, [=] { return number_of(std::invoke(function, *solution)); });
     }
   }
 
@@ -105,6 +104,15 @@ struct SolvedContact {
   std::function<fast::Work()> work = [] { return fast::Work{}; }, error_work = work;
 
  private:
+  /// A double has no error yet.
+  static Number number_of(const auto& found) {
+    if constexpr (std::is_same_v<decltype(found), const double&>) {
+      return {found, 0};
+    } else {
+      return found;
+    }
+  }
+
   std::map<ResultId, std::function<std::vector<Number>(const Places&)>> functions_;
   mutable std::map<std::pair<ResultId, Places>, std::vector<Number>> cache_;
 };

@@ -1,0 +1,352 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/viscoelastic_nip/line_loads.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::ConvergedMethod;
+using data::ElasticNipProblem;
+using data::ViscoelasticNipProblem;
+using fast::Estimate;
+
+template <class Path>
+using Solved = std::unique_ptr<SolvedContact<typename Path::Number>>;
+
+/// Calls for_load or for_length with the number that the scene gives.
+auto for_given(const data::Given& given, const auto& for_load, const auto& for_length) {
+  const auto* const load = std::get_if<data::GivenLoad>(&given);
+  return load != nullptr ? for_load(load->per_length)
+                         : for_length(std::get<data::GivenLength>(given).contact_length);
+}
+
+/// What the solvers of the continuous contact take besides its load or length.
+std::tuple<data::ElasticNip, data::Friction> nip_of(const ElasticNipProblem& problem) {
+  return {problem.nip, problem.friction};
+}
+std::tuple<data::ViscoelasticNip> nip_of(const ViscoelasticNipProblem& problem) { return {problem.nip}; }
+
+auto solution(FastPath, const auto& problem, const ConvergedMethod&, double accuracy) {
+  const auto solve = [&](const auto&... nip) {
+    return for_given(
+        problem.given, [&](double load) { return fast::converged_for_load(nip..., load, accuracy); },
+        [&](double length) { return fast::converged_for_length(nip..., length, accuracy); });
+  };
+  return std::apply(solve, nip_of(problem));
+}
+auto solution(RefPath, const auto& problem, const ConvergedMethod&, int digits) {
+  const auto solve = [&](const auto&... nip) {
+    return for_given(
+        problem.given, [&](double load) { return ref::converged_for_load(nip..., load, digits); },
+        [&](double length) { return ref::converged_for_length(nip..., length, digits); });
+  };
+  return std::apply(solve, nip_of(problem));
+}
+
+auto solution(FastPath, const ElasticNipProblem& problem, const data::LineLoads& by, double accuracy) {
+  const fast::LineLoadMethod method(by.leading_elements, by.residue_terms, fast::Accuracy(accuracy));
+  const data::Grip grip = grip_of(problem);
+  return for_given(
+      problem.given, [&](double load) { return fast::line_loads_for_load(problem.nip, method, load, grip); },
+      [&](double length) { return fast::line_loads_for_length(problem.nip, method, length, grip); });
+}
+auto solution(FastPath, const ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& method,
+              double /*accuracy*/) {
+  const double leading = method.leading_elements;
+  const double leading_part = leading / (leading + method.trailing_elements.value_or(leading));
+  return for_given(
+      problem.given, [&](double load) { return fast::line_loads_for_load(problem.nip, method, load); },
+      [&](double length) { return fast::line_loads_for_length(problem.nip, method, length * leading_part); });
+}
+auto solution(RefPath, const ElasticNipProblem& problem, const data::LineLoads& by, int digits) {
+  const ref::LineLoadMethod method(by.leading_elements, by.residue_terms);
+  const data::Grip grip = grip_of(problem);
+  return for_given(
+      problem.given,
+      [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits, grip); },
+      [&](double length) { return ref::line_loads_for_length(problem.nip, method, length, digits, grip); });
+}
+auto solution(RefPath, const ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& method,
+              int digits) {
+  return for_given(
+      problem.given, [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits); },
+      [&](double length) { return ref::line_loads_for_length(problem.nip, method, length, digits); });
+}
+
+fast::Work work_of(const auto& by_fast) { return by_fast.work(); }
+/// Numbers of values of I1, of I3, and of the part of I6 that is not in I1.
+fast::Work work_of(const ref::ConvergedNip& contact) {
+  fast::Work work;
+  work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact.normal_values());
+  work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact.coupling_values());
+  work.kernel_evaluations[5] = static_cast<std::uint64_t>(contact.stretch_values());
+  work.unknowns = contact.unknowns();
+  return work;
+}
+fast::Work work_of(const ref::LineLoadNip& loads) {
+  fast::Work work;
+  work.systems = static_cast<std::uint64_t>(loads.systems());
+  work.unknowns = loads.unknowns();
+  return work;
+}
+
+/// The creep ratio that the thesis chooses is the last one.
+std::vector<Estimate> creep_range_of(const fast::LineLoadNip& loads) {
+  const auto creep = fast::thesis_creep(loads.creep_ranges);
+  if (!creep)
+    throw data::BadInput("contact_length", loads.contact_length(),
+                         "no creep meets the thesis's conditions here: other elements may have one");
+  return {{creep->range.lower, 0}, {creep->range.upper, 0}, {creep->chosen, 0}};
+}
+std::vector<ref::Estimate> creep_range_of(const ref::LineLoadNip& loads) {
+  const auto [lower, upper, chosen] = loads.creep_range();
+  return {lower, upper, chosen};
+}
+
+/// A solution by any method, and what its results inside the sheet have in common, which is computed once.
+template <class Path, class Problem, class Solution>
+struct Nip {
+  using Points = std::span<const typename Path::Point>;
+  using Greatest = typename Path::Greatest;
+
+  Problem problem;
+  typename Path::Accuracy accuracy;
+  Solution solution;
+  std::map<Places, std::vector<typename Path::Stresses>> stresses = {};
+  std::map<Places, std::vector<typename Path::Displacements>> displacements = {};
+  std::optional<Greatest> greatest = {};
+
+  auto stresses_at(Points points) {
+    if constexpr (requires { solution.inner_stresses(points); }) {
+      return solution.inner_stresses(points);
+    } else {
+      return with_digits([&](auto... digits) {
+        return line_load_stresses(solution.face_loads(), problem.nip.half_thickness(), points, digits...);
+      });
+    }
+  }
+  auto displacements_at(Points points) {
+    if constexpr (requires { solution.inner_displacements(points); }) {
+      return solution.inner_displacements(points);
+    } else {
+      return with_digits([&](auto... digits) {
+        return line_load_displacements(solution.face_loads(), problem.nip.half_thickness(),
+                                       problem.nip.material, points, digits...);
+      });
+    }
+  }
+  const Greatest& greatest_shear() {
+    if (!greatest) greatest = solution.greatest_shear();
+    return *greatest;
+  }
+  bool refine() {
+    stresses.clear();
+    displacements.clear();
+    greatest.reset();
+    return solution.refine();
+  }
+
+ private:
+  /// The functions of line loads take the digits last, those of the reference.
+  auto with_digits(const auto& function) const {
+    if constexpr (Path::is_fast)
+      return function();
+    else
+      return function(accuracy);
+  }
+};
+
+/// A solution's members, functions or numbers, have the names of the results.
+template <class Number, class Solution>
+void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>& solution) {
+  const auto set = [&](ResultId id, auto member) { solved.set(id, solution, member); };
+  set(ResultId::contact_length, &Solution::contact_length);
+  set(ResultId::leading_length, &Solution::leading_length);
+  set(ResultId::trailing_length, &Solution::trailing_length);
+  set(ResultId::load, &Solution::load);
+  set(ResultId::indentation, &Solution::indentation);
+  set(ResultId::edge_displacement, &Solution::leading_displacement);
+  set(ResultId::trailing_displacement, &Solution::trailing_displacement);
+  set(ResultId::rolling_resistance, &Solution::rolling_resistance);
+  set(ResultId::creep_ratio, &Solution::creep_ratio);
+  set(ResultId::pressure, &Solution::pressure);
+  set(ResultId::peak_pressure, &Solution::peak_pressure);
+  set(ResultId::peak_pressure_position, &Solution::peak_pressure_position);
+  set(ResultId::shear, &Solution::shear);
+  set(ResultId::peak_shear, &Solution::peak_shear);
+  set(ResultId::peak_shear_position, &Solution::peak_shear_position);
+  set(ResultId::normal_displacement, &Solution::normal_displacement);
+  set(ResultId::tangential_displacement, &Solution::tangential_displacement);
+  set(ResultId::shear_zeros, &Solution::shear_zeros);
+  // Results that only some methods have.
+  if constexpr (requires { &Solution::leading_moment; }) {
+    set(ResultId::leading_moment, &Solution::leading_moment);
+    set(ResultId::trailing_moment, &Solution::trailing_moment);
+  }
+  if constexpr (requires { &Solution::surface_strain; })
+    set(ResultId::surface_strain, &Solution::surface_strain);
+  if constexpr (requires { &Solution::slip; }) set(ResultId::slip, &Solution::slip);
+  if constexpr (requires(const Solution& one) { creep_range_of(one); })
+    solved.set(ResultId::creep_range, [=](const Places&) { return creep_range_of(*solution); });
+}
+
+/// Stresses inside, and displacements of an elastic sheet's alone.
+template <class Path, class Problem, class Solution>
+void set_inside(SolvedContact<typename Path::Number>& solved,
+                const std::shared_ptr<Nip<Path, Problem, Solution>>& nip) {
+  using Stresses = typename Path::Stresses;
+  using Displacements = typename Path::Displacements;
+  using OfNip = Nip<Path, Problem, Solution>;
+  const auto field = [&](ResultId id, auto known, auto at, auto part) {
+    solved.set(id, [=](const Places& places) {
+      auto& all = (*nip).*known;
+      if (!all.contains(places)) {
+        const auto points = mapped(places, [](const Place& place) {
+          return typename Path::Point{place.y, place.depth};
+        });
+        all[places] = ((*nip).*at)(points);
+      }
+      return mapped<typename Path::Number>(all[places], part);
+    });
+  };
+  const auto stress = [&](ResultId id, auto part) { field(id, &OfNip::stresses, &OfNip::stresses_at, part); };
+  stress(ResultId::stress_across, &Stresses::across);
+  stress(ResultId::stress_along, &Stresses::along);
+  stress(ResultId::stress_shear, &Stresses::shear);
+  stress(ResultId::highest_stress, &Stresses::highest);
+  stress(ResultId::lowest_stress, &Stresses::lowest);
+  stress(ResultId::maximum_shear, &Stresses::maximum_shear);
+  if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
+    for (const auto& [id, part] : {std::pair(ResultId::displacement_across, &Displacements::across),
+                                   std::pair(ResultId::displacement_along, &Displacements::along)})
+      field(id, &OfNip::displacements, &OfNip::displacements_at, part);
+  }
+  if constexpr (requires { nip->solution.greatest_shear(); }) {
+    solved.set(ResultId::greatest_shear, nip, [](OfNip& one) { return one.greatest_shear().value; });
+    solved.set(ResultId::greatest_shear_position, nip, [](OfNip& one) { return one.greatest_shear().y; });
+    solved.set(ResultId::greatest_shear_depth, nip, [](OfNip& one) { return one.greatest_shear().depth; });
+  }
+}
+
+double speed_of(const ElasticNipProblem&) { return 1; }
+double speed_of(const ViscoelasticNipProblem& problem) { return problem.nip.speed; }
+
+/// Completes a contact that has the results of a solution: with their products, its ends and what is given.
+template <class Number, class Problem>
+void complete(SolvedContact<Number>& contact, const Problem& problem) {
+  contact.is_symmetric = std::is_same_v<Problem, ElasticNipProblem>;
+  contact.roller_radius = problem.nip.roller_radius;
+  contact.speed = speed_of(problem);
+  contact.ends = [&contact] {
+    return ContactEnds{-value_of(contact.number(ResultId::trailing_length)),
+                       value_of(contact.number(ResultId::leading_length))};
+  };
+  set_products(contact);
+}
+
+/// The contact by either path and any method, of which line loads in double have no errors yet.
+template <class Path, class Problem, class Method>
+Solved<Path> solved(const Problem& problem, const Method& method, typename Path::Accuracy accuracy) {
+  constexpr bool converges = std::is_same_v<Method, ConvergedMethod>;
+  auto contact = std::make_unique<SolvedContact<typename Path::Number>>();
+  auto found = solution(Path(), problem, method, accuracy);
+  const auto nip = std::make_shared<Nip<Path, Problem, decltype(found)>>(
+      Nip<Path, Problem, decltype(found)>{problem, accuracy, std::move(found)});
+  set_results(*contact, std::shared_ptr<decltype(found)>(nip, &nip->solution));
+  set_inside(*contact, nip);
+  complete(*contact, problem);
+  contact->work = [nip] { return work_of(nip->solution); };
+  if constexpr (Path::is_fast && converges) {
+    set_moments(*contact);
+    contact->solve_again = [nip] { return nip->refine(); };
+  } else if constexpr (converges) {
+    set_slip(*contact, has_full_friction(problem));
+  }
+  if (!Path::is_fast && (!converges || contact->is_symmetric)) contact->measure = Measure::itself;
+  return contact;
+}
+
+/// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about
+/// 1e-3.
+constexpr double truth_accuracy = 1e-5;
+
+/// The error of each number of line loads is its distance to the truth, of a list to the nearest of the truth's numbers,
+/// whose own error is added.
+std::vector<Estimate> compared(std::vector<Estimate> numbers, const std::vector<Estimate>& truths,
+                               bool is_list) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    auto& [value, error] = numbers[i];
+    const auto distance = [value = value](const Estimate& truth) { return std::fabs(value - truth.value); };
+    const Estimate& truth = is_list ? *std::ranges::min_element(truths, {}, distance) : truths[i];
+    error = distance(truth) + truth.error;
+  }
+  return numbers;
+}
+
+SolvedInDouble compared_with_truth(const auto& problem, const auto& line_loads, double accuracy) {
+  const std::shared_ptr<const SolvedContact<Estimate>> truth =
+      solved<FastPath>(problem, ConvergedMethod(), truth_accuracy);
+  const std::shared_ptr<const SolvedContact<Estimate>> loads =
+      solved<FastPath>(problem, line_loads, accuracy);
+  auto contact = std::make_unique<SolvedContact<Estimate>>();
+  for (const data::SceneResult& result : data::scene_results()) {
+    if (!loads->has(result.id)) continue;
+    contact->set(result.id, [=, id = result.id, shape = result.shape](const Places& places) {
+      // The continuous contact has one creep ratio, to which all three are compared.
+      const auto& truths =
+          id == ResultId::creep_range ? truth->get(ResultId::creep_ratio) : truth->get(id, places);
+      return compared(loads->get(id, places), truths, shape == data::Shape::list);
+    });
+  }
+  complete(*contact, problem);
+  contact->measure = Measure::truth;
+  contact->work = [loads] { return loads->work(); };
+  contact->error_work = [truth] { return truth->work(); };
+  return contact;
+}
+
+}  // namespace
+
+template <class Problem>
+SolvedInDouble solve_nip(const Problem& problem, double accuracy) {
+  const auto solve_by = [&](const auto& method) {
+    if constexpr (requires { method.leading_elements; }) {
+      return compared_with_truth(problem, method, accuracy);
+    } else {
+      return solved<FastPath>(problem, method, accuracy);
+    }
+  };
+  return std::visit(solve_by, problem.method);
+}
+
+template <class Problem>
+SolvedByRef solve_ref_nip(const Problem& problem, int digits) {
+  return std::visit([&](const auto& method) { return solved<RefPath>(problem, method, digits); },
+                    problem.method);
+}
+
+template SolvedInDouble solve_nip(const ElasticNipProblem&, double);
+template SolvedInDouble solve_nip(const ViscoelasticNipProblem&, double);
+template SolvedByRef solve_ref_nip(const ElasticNipProblem&, int);
+template SolvedByRef solve_ref_nip(const ViscoelasticNipProblem&, int);
+
+}  // namespace nipref::verify
