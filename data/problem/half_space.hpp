@@ -65,7 +65,7 @@ struct HalfSpaceProblem {
   std::variant<GivenNormalForce, GivenSpan> given;
   ContourRule rule = ContourRule::exact;
   /// Angles psi - direction, degrees, at which spans are wanted; or, if `line` is there, positions on that line.
-  std::optional<Profile> profile;
+  std::optional<Profile> profile = {};
   /// Angle psi - direction of the line along which pressure and shear are wanted, degrees; profile.direction
   std::optional<double> line = {};
 };

@@ -66,11 +66,7 @@ std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
 }
 
 ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
-  ElasticNipProblem problem{.nip = read_nip(file),
-                            .given = read_given(file, origin),
-                            .creep_ratio = {},
-                            .method = {},
-                            .profile = {}};
+  ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
   read_friction(file.table("friction"), problem);
   problem.method = read_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
@@ -105,9 +101,7 @@ void read_no_friction(const TomlTable& friction, const SceneOrigin& origin) {
 
 ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const SceneOrigin& origin) {
   ViscoelasticNipProblem problem{.nip = read_viscoelastic_nip(file, origin),
-                                 .given = read_given(file, origin),
-                                 .method = {},
-                                 .profile = {}};
+                                 .given = read_given(file, origin)};
   read_no_friction(file.table("friction", SceneKind::nip), origin);
   problem.method = read_viscoelastic_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);

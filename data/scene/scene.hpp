@@ -50,10 +50,10 @@ struct ElasticNipProblem {
   Friction friction = Friction::none;
   /// Line loads with full friction only: the creep to be taken in place of the thesis's choice (section 5.5);
   /// finite, dimensionless.
-  std::optional<double> creep_ratio;
-  std::variant<ConvergedMethod, LineLoads> method;
+  std::optional<double> creep_ratio = {};
+  std::variant<ConvergedMethod, LineLoads> method = {};
   /// Needed if a profile is wanted.
-  std::optional<Profile> profile;
+  std::optional<Profile> profile = {};
   /// Needed if stresses or displacements inside the sheet are wanted.
   std::optional<FieldPlaces> field = {};
 };
@@ -63,9 +63,9 @@ struct ElasticNipProblem {
 struct ViscoelasticNipProblem {
   ViscoelasticNip nip;
   Given given;
-  std::variant<ConvergedMethod, ViscoelasticLineLoads> method;
+  std::variant<ConvergedMethod, ViscoelasticLineLoads> method = {};
   /// Needed if a profile is wanted.
-  std::optional<Profile> profile;
+  std::optional<Profile> profile = {};
   /// As above.
   std::optional<FieldPlaces> field = {};
 };

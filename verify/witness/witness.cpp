@@ -13,12 +13,8 @@ namespace {
 /// length beside it.
 Witnessed witness_of(double thickness, data::Friction friction) {
   constexpr double load = 100, accuracy = 1e-9;
-  const data::ElasticNipProblem problem{.nip = data::seed::nip(thickness),
-                                        .given = data::GivenLoad{load},
-                                        .friction = friction,
-                                        .creep_ratio = {},
-                                        .method = {},
-                                        .profile = {}};
+  const data::ElasticNipProblem problem{
+      .nip = data::seed::nip(thickness), .given = data::GivenLoad{load}, .friction = friction};
   const SolvedInDouble contact = solve_nip(problem, accuracy);
   const auto value = [&](ResultId id) { return contact->number(id).value; };
   const bool is_gripped = friction == data::Friction::full;

@@ -96,8 +96,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   file.allow(SceneKind::half_space);
   HalfSpaceProblem problem{.body = read_body(file, origin),
                            .half_space = read_half_space(file.table("half_space"), origin),
-                           .given = {},
-                           .profile = {}};
+                           .given = {}};
   read_motion(file, problem);
   read_given(file, origin, problem);
   problem.rule = read_rule(file.table("method", SceneKind::half_space));

@@ -54,19 +54,13 @@ SolvedInDouble contact_of(const NipAt& nip, double accuracy) {
   const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
   if (nip.memory == 0)
     return solve_nip(data::ElasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, at_once},
-                                                   .given = data::GivenLoad{nip.load},
-                                                   .friction = nip.friction,
-                                                   .creep_ratio = {},
-                                                   .method = {},
-                                                   .profile = {}},
-                           accuracy);
+                                             .given = data::GivenLoad{nip.load},
+                                             .friction = nip.friction},
+                     accuracy);
   const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, nip.memory);
-  return solve_nip(
-      data::ViscoelasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, solid, 1},
-                                   .given = data::GivenLoad{nip.load},
-                                   .method = {},
-                                   .profile = {}},
-      accuracy);
+  return solve_nip(data::ViscoelasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, solid, 1},
+                                                .given = data::GivenLoad{nip.load}},
+                   accuracy);
 }
 
 std::string load_label(double load) { return fmt::format("W = {:g} lbf/in", load); }

@@ -163,29 +163,14 @@ void add_modulus(Methods& methods, const std::string& letter, const std::string&
   });
 }
 
-/// gamma or lambda of a term: roots by the method of Durand and Kerner, without those that the numerator has, too.
+/// gamma or lambda of a term.
 Confirmation of_term(Arguments x, bool amplitude) {
   const Responses all(x);
   Response theta = x["of"] == 0 ? all.theta1 : all.theta2;
   theta.above.normalize();
   theta.below.normalize();
-  const Wide last = theta.below.data().back();
-  struct Term {
-    WideComplex amplitude, rate;
-  };
-  const Wide at_once =
-      theta.above.size() == theta.below.size() ? Wide(theta.above.data().back() / last) : Wide(0);
-  std::vector<Term> terms;
-  // The root 0 of a fluid is split off exactly.
-  const bool flows = theta.below.size() > 1 && theta.below[0] == 0;
-  std::vector<WideComplex> roots = roots_of<400>(flows ? theta.below >> 1 : theta.below);
-  if (flows) roots.emplace_back(0);
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    const WideComplex slope = last * apart(roots, i), above = value_at(theta.above, roots[i]);
-    const Wide size = abs(above), parts = value_at(theta.above, WideComplex(abs(roots[i]))).real();
-    if (size > Wide("1e-90") * abs(parts)) terms.push_back({above / slope, -roots[i]});
-  }
-  std::ranges::sort(terms, [](const Term& a, const Term& b) {
+  auto [at_once, terms] = in_exponentials<400>(theta);
+  std::ranges::sort(terms, [](const auto& a, const auto& b) {
     const Wide apart = a.rate.real() - b.rate.real();
     return abs(apart) <= Wide("1e-90") * abs(a.rate) ? a.rate.imag() < b.rate.imag() : apart < 0;
   });

@@ -9,14 +9,7 @@
 namespace nipref::verify::confirm {
 namespace {
 
-/// instantaneous delta(t) + sum amplitude e^(-rate t)
-struct SolidFunction {
-  struct Term {
-    LongComplex amplitude, rate;
-  };
-  Long instantaneous;
-  std::vector<Term> terms;
-};
+using SolidFunction = Exponentials<700>;
 
 struct SolidTerms {
   SolidFunction theta1, theta2;
@@ -38,19 +31,6 @@ SolidFunction terms_of(Arguments x, const std::string& function) {
   return sum;
 }
 
-SolidFunction fraction(const Polynomial<Long>& above, const Polynomial<Long>& below) {
-  const Long last = below.data().back();
-  const bool at_once = above.size() == below.size();
-  SolidFunction function{at_once ? Long(above.data().back() / last) : Long(0), {}};
-  // The root 0 of a fluid is split off exactly.
-  const bool flows = below.size() > 1 && below[0] == 0;
-  std::vector<LongComplex> roots = roots_of<700>(flows ? below >> 1 : below);
-  if (flows) roots.emplace_back(0);
-  for (std::size_t i = 0; i < roots.size(); ++i)
-    function.terms.push_back({value_at(above, roots[i]) / (last * apart(roots, i)), -roots[i]});
-  return function;
-}
-
 /// The material of a moving load. Roots of the operators by the method of Durand and Kerner.
 SolidTerms solid_terms(Arguments x) {
   const auto model = static_cast<MovingModel>(static_cast<int>(x["material"]));
@@ -63,10 +43,11 @@ SolidTerms solid_terms(Arguments x) {
       return polynomial;
     };
     const Polynomial<Long> p = of("P"), q = of("Q"), p_bulk = of("P_dilatation"), q_bulk = of("Q_dilatation");
-    const SolidFunction theta1 = fraction(p, Long(2) * q);
+    const SolidFunction theta1 = in_exponentials<700>({p, Long(2) * q});
     // A common factor of p and p_bulk would be a double root of their product.
-    if (p == p_bulk) return {theta1, fraction(Long(3) * p, Long(6) * q_bulk + Long(2) * q)};
-    return {theta1, fraction(Long(3) * p * p_bulk, Long(6) * q_bulk * p + Long(2) * q * p_bulk)};
+    if (p == p_bulk) return {theta1, in_exponentials<700>({Long(3) * p, Long(6) * q_bulk + Long(2) * q})};
+    return {theta1,
+            in_exponentials<700>({Long(3) * p * p_bulk, Long(6) * q_bulk * p + Long(2) * q * p_bulk})};
   }
   const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
   const Long shear = model == MovingModel::two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);

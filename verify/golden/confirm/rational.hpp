@@ -70,4 +70,37 @@ std::vector<ComplexNumber<digits>> roots_of(const Polynomial<Number<digits>>& po
   return roots;
 }
 
+/// instantaneous delta(t) + sum amplitude e^(-rate t)
+template <unsigned digits>
+struct Exponentials {
+  struct Term {
+    ComplexNumber<digits> amplitude, rate;
+  };
+  Number<digits> instantaneous;
+  std::vector<Term> terms;
+};
+
+/// The function of time of a ratio: by the roots of its denominator, without those that the numerator has, too. Both
+/// polynomials are without zeros at their ends.
+template <unsigned digits>
+Exponentials<digits> in_exponentials(const Ratio<Number<digits>>& ratio) {
+  using Coefficient = Number<digits>;
+  using Root = ComplexNumber<digits>;
+  const auto& [above, below] = ratio;
+  const Coefficient last = below.data().back();
+  const bool at_once = above.size() == below.size();
+  Exponentials<digits> function{at_once ? Coefficient(above.data().back() / last) : Coefficient(0), {}};
+  // The root 0 of a fluid is split off exactly.
+  const bool flows = below.size() > 1 && below[0] == 0;
+  std::vector<Root> roots = roots_of<digits>(flows ? below >> 1 : below);
+  if (flows) roots.emplace_back(0);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const Root value = value_at(above, roots[i]);
+    const Coefficient parts = value_at(above, Root(Coefficient(abs(roots[i])))).real();
+    if (abs(value) > Coefficient("1e-90") * abs(parts))
+      function.terms.push_back({value / (last * apart(roots, i)), -roots[i]});
+  }
+  return function;
+}
+
 }  // namespace nipref::verify::confirm

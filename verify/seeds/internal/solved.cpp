@@ -184,8 +184,7 @@ Propagated of_sliding_sphere(const Request& request) {
       .half_space = data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
       .speed = request.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
       .direction = request.number("direction", "0"),
-      .given = data::GivenNormalForce{1e-6},
-      .profile = {}};
+      .given = data::GivenNormalForce{1e-6}};
   return result_of(request, *solve_half_space(problem));
 }
 
@@ -245,10 +244,7 @@ class SolvedNumbers {
     const bool full = request.text_of("friction", "none") == "full";
     const data::ElasticNipProblem problem{.nip = {in.radius, in.thickness, material},
                                           .given = in.given(),
-                                          .friction = full ? data::Friction::full : data::Friction::none,
-                                          .creep_ratio = {},
-                                          .method = {},
-                                          .profile = {}};
+                                          .friction = full ? data::Friction::full : data::Friction::none};
     return result_of(request,
                      solve_once("", in, {material.young, material.poisson, full ? 1.0 : 0.0}, problem));
   }
@@ -257,9 +253,7 @@ class SolvedNumbers {
     const Common in(request);
     const double speed = request.number("speed", "1");
     const data::ViscoelasticNipProblem problem{.nip = {in.radius, in.thickness, solid_of(request), speed},
-                                               .given = in.given(),
-                                               .method = {},
-                                               .profile = {}};
+                                               .given = in.given()};
     return result_of(request, solve_once(request.text_of("solid", "thesis"), in,
                                          {request.number("memory", "1"), speed}, problem));
   }
