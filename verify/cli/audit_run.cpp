@@ -234,8 +234,7 @@ int AuditRun::answer(std::ostream& out) const {
 }
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   AuditRun run(line);
   run.do_blocks(progress);
   return run.answer(out);

@@ -145,8 +145,7 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
   const OtherKernels others(line.option("with"));
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   const BenchReport report = bench_all(selected, progress, others.all());
   Json answer = bench_json(report);
   answer.set("_machine", version_json());

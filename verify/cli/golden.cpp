@@ -165,8 +165,7 @@ int make(const CommandLine& line, std::ostream& out) {
   for (const std::string& name : names)
     destination.check(name, is_contact_kind(name) ? swept_by(contact_scene(name)).size()
                                                   : options_for(find_quantity(name), line).points);
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   std::vector<Json> files;
   std::size_t rows = 0;
   bool kept = true;
@@ -237,8 +236,7 @@ int check(const CommandLine& line, std::ostream& out) {
   CheckOptions options;
   options.all = line.has("all");
   options.every = line.count("every");
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   options.progress = [&](double part) { progress.at(part); };
   std::vector<CheckedGolden> files;
   const auto name = [](const fs::path& path) { return path.stem().string(); };
@@ -283,8 +281,7 @@ int update(const CommandLine& line, std::ostream& out) {
   }
   const auto quantities = quantities_of(line);
   const Destination destination(line, quantities.size());
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   std::vector<UpdatedFile> files;
   progress.each("golden update", quantities, &Quantity::name, [&](const Quantity* quantity) {
     const fs::path path = golden_path(*quantity);

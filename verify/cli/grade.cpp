@@ -99,8 +99,7 @@ std::vector<Graded> graded_file(const CommandLine& line) {
   const std::string& file = line.words.front();
   const std::string what = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
   const auto columns = read_measured_points(file, quantity, line.option("column"));
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   options.progress = [&](double part) { progress.at(part); };
   std::vector<Graded> all;
   const auto name = [](const MeasuredPoints& column) { return column.quantity->name; };

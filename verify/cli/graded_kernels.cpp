@@ -163,8 +163,7 @@ std::vector<Graded> graded_kernels(const CommandLine& line) {
   refuse_what_is_wrong(line);
   const Plugin plugin = plugin_of(line, line.words.front());
   const std::vector<Chosen> kernels = chosen_kernels(line, plugin);
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   std::vector<Graded> all;
   progress.each("grade", kernels, &Chosen::kernel,
                 [&](const Chosen& chosen) { all.push_back(graded_kernel(line, plugin, chosen, progress)); });

@@ -182,8 +182,7 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   AuditRun audits(line, true);
   const auto older = older_report(line);
   const auto folder = output_folder(line);
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   Report report;
   report.command = command_of(line);
   report.seed = line.option_or_usual("seed");

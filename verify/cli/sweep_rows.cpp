@@ -32,10 +32,9 @@ FinishedRow finished(const Sweep& sweep, std::size_t number) try {
 
 std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
   std::vector<FinishedRow> rows(sweep.product.size());
-  Progress progress(standard_error(quiet));
+  Progress progress(quiet);
   progress.begin("sweep", 1);
   progress.next(fmt::format("{} rows", rows.size()));
-  stop_gently_on_interrupt();
   try {
     parallel_for(
         rows.size(), [&](std::size_t i) { rows[i] = finished(sweep, i); },

@@ -57,8 +57,7 @@ bool fall_short(const std::vector<Replay>& replays) {
 int tables_verb(const CommandLine& line, std::ostream& out) {
   const std::vector<std::string> ids = ids_of(line);
   if (line.has("list")) return list_tables(ids, line, out);
-  stop_gently_on_interrupt();
-  Progress progress(standard_error(line.has("quiet")));
+  Progress progress(line.has("quiet"));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
   return write_answer(line, out, "tables", !fall_short(replays), tables_json(replays, line.has("full")),
                       "tables.txt");

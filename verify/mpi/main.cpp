@@ -30,8 +30,7 @@ void check_verb(const verify::CommandLine& line) {
 int lead(const verify::CommandLine& line, int ranks, std::ostream& out) {
   check_verb(line);
   if (ranks == 1) return verify::audit_verb(line, out);
-  verify::stop_gently_on_interrupt();
-  verify::Progress progress(verify::standard_error(line.has("quiet")));
+  verify::Progress progress(line.has("quiet"));
   verify::AuditRun run(line);
   verify::hand_out_blocks(run, ranks, progress);
   return run.answer(out);

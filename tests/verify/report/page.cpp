@@ -43,9 +43,8 @@ const Report& small_report() {
     small.seed = "1";
     for (const char* name : {"I1", "root.re", "rolling.index"})
       small.quantities.push_back(audit(find_quantity(name), {.points = 200, .accuracy = {}}));
-    small.hard_cases = {{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8}};
+    small.hard_cases = {{"converged <full friction>", 30, 0.5, 40, {}, 0.01, 1e-8}};
     small.scenes.resize(1);
-    small.scenes[0].kind = "elastic nip <converged>";
     small.scenes[0].numbers = 7;
     small.speed.rows = {timed("fast full", 7, 1e-16), timed("fast rtol=1e-03", 5, 1e-4),
                         timed("GSL QAWF", 1e4, 0), timed("Boost <ooura>", 1e5, 1e-9),
@@ -237,7 +236,7 @@ TEST_CASE("the report's page tells what the report holds") {
   CHECK(in_page(page, "<b>1400 times</b>"));
   CHECK(in_page(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
   CHECK(in_page(page, "Boost &lt;ooura&gt;"));
-  CHECK(in_page(page, "elastic nip &lt;converged&gt;"));
+  CHECK(in_page(page, "converged &lt;full friction&gt;"));
   CHECK(in_page(page, "title=\"seed-error; true: "));                // of a cell as it is printed
   CHECK(in_page(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // its paragraph
   CHECK(in_page(page, "nipref report -o &apos;a &amp; b&apos;"));

@@ -145,44 +145,6 @@ Confirmation span_ratio(Arguments x) {
   return by_stroh(ratio, ratio);
 }
 
-struct Line {
-  Wave cosine2, sine2, weight;  ///< of twice the angle
-  Wave compliance;
-};
-
-/// The ellipse w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), eta = |(p, q)|, for which int K n n/w^3 is
-/// isotropic, by Newton's method with difference quotients. Returns eta, the logarithm of the axes' ratio.
-Wave slenderness(const std::vector<Line>& lines) {
-  const auto defect = [&](const Wave& p, const Wave& q) {
-    const Wave eta = sqrt(p * p + q * q), turning = eta == 0 ? Wave(1) : Wave(sinh(eta) / eta),
-               mean = cosh(eta);
-    Wave one = 0, cosine = 0, sine = 0;
-    for (const Line& line : lines) {
-      const Wave square = mean + turning * (p * line.cosine2 + q * line.sine2);
-      const Wave term = line.weight * line.compliance / (square * sqrt(square));
-      one += term;
-      cosine += term * line.cosine2;
-      sine += term * line.sine2;
-    }
-    return std::pair<Wave, Wave>{cosine / one, sine / one};
-  };
-  const Wave step("1e-40");
-  Wave p = 0, q = 0;
-  for (int k = 0; k < 40; ++k) {
-    const auto [c, s] = defect(p, q);
-    const auto [c_p, s_p] = defect(p + step, q);
-    const auto [c_q, s_q] = defect(p, q + step);
-    const Wave a = (c_p - c) / step, b = (c_q - c) / step, d = (s_p - s) / step, e = (s_q - s) / step;
-    const Wave determinant = a * e - b * d, dp = -(c * e - s * b) / determinant,
-               dq = -(s * a - c * d) / determinant;
-    const Wave length = sqrt(dp * dp + dq * dq), part = 1 / std::max<Wave>(1, length);
-    p += part * dp;
-    q += part * dq;
-    if (length < Wave("1e-60")) break;
-  }
-  return sqrt(p * p + q * q);
-}
-
 /// The nodes of the trapezoidal rule in u, tan(psi - line) = s tan u, where `line` is the line with the smallest
 /// critical speed and s^2 is about the width of the peak of K there.
 class CrowdedLines {
@@ -227,13 +189,13 @@ Confirmation by_trapezoidal_rule(const Add& add, const Value& value) {
 Confirmation sphere_axis_ratio(Arguments x) {
   const StrohSolid<80> solid = transverse_solid<80>(x);
   const CrowdedLines crowded(x);
-  std::vector<Line> lines;
+  std::vector<WeightedLine> lines;
   const auto add = [&](int k, int count) {
     const auto [degrees, weight] = crowded.at(k, count);
     const Wave psi = radians(degrees);
     lines.push_back({cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance});
   };
-  return by_trapezoidal_rule(add, [&](int) { return Wave(exp(-slenderness(lines))); });
+  return by_trapezoidal_rule(add, [&](int) { return Wave(exp(-ContactEllipse(lines, 1).eta)); });
 }
 
 Confirmation sphere_exponent(Arguments x) {

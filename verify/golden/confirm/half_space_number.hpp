@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include <nipref/verify/golden/confirm/number.hpp>
 
 namespace nipref::verify::confirm {
@@ -19,6 +21,20 @@ struct LineAnswerByFormula {
 /// The response of an isotropic half-space with mu = 1 at the squared phase speed X, in closed form without 0/0 at X
 /// = 0. (brock2012 18a and its counterpart for the shear)
 LineAnswerByFormula isotropic_answer(const Wave& poisson, const Wave& X);
+
+/// A line of an ellipse's integrals over half a turn: cosine and sine of twice its angle from the motion.
+struct WeightedLine {
+  Wave cosine2, sine2, weight, compliance;
+};
+
+/// The ellipse w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), eta = |(p, q)|, for which int K n n/w^3 is 1
+/// across the motion where it is 1/curvature_ratio along it, by Newton's method with difference quotients: eta is the
+/// logarithm of the axes' ratio, `first` int K/w, and `third` int K/w^3.
+struct ContactEllipse {
+  Wave eta, first, third;
+
+  ContactEllipse(const std::vector<WeightedLine>& lines, double curvature_ratio);
+};
 
 /// A line of a sliding contact: the parts of the span ahead of the load and behind it, and h and Q of brock2012 (33).
 struct SlidingShape {

@@ -2,6 +2,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <nipref/verify/golden/confirm/half_space_number.hpp>
@@ -169,6 +170,9 @@ std::vector<Direction> directions_between(const std::vector<Wave>& ends, bool co
   return coarse ? directions_of<40>(ends) : directions_of<52>(ends);
 }
 
+/// About the logarithm of the ratio of an ellipse's axes.
+double rough_slenderness(double curvature_ratio) { return 0.62 * std::log(curvature_ratio); }
+
 /// The width of the peak of K about the direction of motion, radians.
 Wave peak_width(Arguments x) {
   const Wave X = squared_speed(x["speed"], 1), critical = rayleigh_squared(x["poisson"]);
@@ -197,51 +201,26 @@ Wave rolling_force(Arguments x, bool coarse) {
   return sum * along / 2;
 }
 
-/// The ellipse w^2 = e^eta cos^2 + e^-eta sin^2 with eta > 0 if it is longer along the motion, and the integrals of
-/// K/w, K cos^2/w^3 and K sin^2/w^3 over half a turn.
-struct Ellipse {
-  Wave eta, first, along, across;
-};
-
-Ellipse ellipse_at(Arguments x, bool coarse) {
-  const double rough = 0.62 * std::log(x["curvature_ratio"]);
+ContactEllipse ellipse_at(Arguments x, bool coarse) {
+  const double rough = rough_slenderness(x["curvature_ratio"]);
   // The first panel also resolves an ellipse that the peak of K makes longer.
   const Wave narrow = exp(-Wave(std::fabs(rough) * 1.2)) / 2, width = peak_width(x) / 2;
-  const auto lines = directions_between(panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
-                                               rough > 0 ? std::min<Wave>(narrow, width) : Wave(width)),
-                                        coarse);
-  const std::vector<Wave> compliances =
-      mapped(lines, [&](const Direction& at) { return line_at(x, at.cosine).compliance; });
-  Ellipse ellipse{rough, 0, 0, 0};
-  for (int step = 0; step < 60; ++step) {
-    const Wave wide = exp(ellipse.eta), narrow_side = 1 / wide;
-    Wave along_slope = 0, across_slope = 0;
-    ellipse.first = ellipse.along = ellipse.across = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const Direction& at = lines[i];
-      const Wave cc = at.cosine * at.cosine, ss = at.sine * at.sine;
-      const Wave square = wide * cc + narrow_side * ss, slope = (wide * cc - narrow_side * ss) / square;
-      const Wave term = 2 * at.weight * compliances[i] / sqrt(square), cubed = term / square;
-      ellipse.first += term;
-      ellipse.along += cubed * cc;
-      ellipse.across += cubed * ss;
-      along_slope -= 3 * cubed * cc * slope / 2;
-      across_slope -= 3 * cubed * ss * slope / 2;
-    }
-    const Wave change = -log(ellipse.along / ellipse.across * Wave(x["curvature_ratio"])) /
-                        (along_slope / ellipse.along - across_slope / ellipse.across);
-    if (abs(change) < Wave("1e-75")) break;
-    ellipse.eta += change / std::max<Wave>(1, abs(change));
+  const auto ends = panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
+                           rough > 0 ? std::min<Wave>(narrow, width) : Wave(width));
+  std::vector<WeightedLine> lines;
+  for (const auto& [cosine, sine, weight] : directions_between(ends, coarse)) {
+    const Wave compliance = line_at(x, cosine).compliance, sine2 = 2 * sine * cosine;
+    for (const int side : {1, -1})
+      lines.push_back({2 * cosine * cosine - 1, side * sine2, weight, compliance});
   }
-  return ellipse;
+  return {lines, x["curvature_ratio"]};
 }
 
-Wave axis_ratio(Arguments x, bool coarse) { return exp(-abs(ellipse_at(x, coarse).eta)); }
+Wave axis_ratio(Arguments x, bool coarse) { return exp(-ellipse_at(x, coarse).eta); }
 
 Wave stiffness(Arguments x, bool coarse) {
-  const Ellipse ellipse = ellipse_at(x, coarse);
-  return 8 * pi<Wave>() / 3 *
-         sqrt((ellipse.along + ellipse.across) / (ellipse.first * ellipse.first * ellipse.first));
+  const auto [eta, first, third] = ellipse_at(x, coarse);
+  return 8 * pi<Wave>() / 3 * sqrt(third / (first * first * first));
 }
 
 Confirm by_gauss_rule(Wave (*value)(Arguments, bool coarse)) {
@@ -326,6 +305,39 @@ Wave SlidingShape::moment() const {
   const Wave& b = behind <= ahead ? behind : ahead;
   const Wave a = 1 - b, beta = a * b * pi<Wave>() / (2 * sin(pi<Wave>() * b));
   return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
+}
+
+ContactEllipse::ContactEllipse(const std::vector<WeightedLine>& lines, double curvature_ratio) {
+  const Wave ratio = curvature_ratio, wanted = (1 - ratio) / (1 + ratio);
+  const auto defect = [&](const Wave& p, const Wave& q) {
+    eta = sqrt(p * p + q * q);
+    const Wave turning = eta == 0 ? Wave(1) : Wave(sinh(eta) / eta), mean = cosh(eta);
+    Wave cosine = 0, sine = 0;
+    first = third = 0;
+    for (const WeightedLine& line : lines) {
+      const Wave square = mean + turning * (p * line.cosine2 + q * line.sine2);
+      const Wave term = line.weight * line.compliance / sqrt(square), cubed = term / square;
+      first += term;
+      third += cubed;
+      cosine += cubed * line.cosine2;
+      sine += cubed * line.sine2;
+    }
+    return std::pair<Wave, Wave>{cosine / third - wanted, sine / third};
+  };
+  const Wave step("1e-40");
+  Wave p = rough_slenderness(curvature_ratio), q = 0, length = 1;
+  for (int k = 0; k < 60 && length > Wave("1e-60"); ++k) {
+    const auto [c_p, s_p] = defect(p + step, q);
+    const auto [c_q, s_q] = defect(p, q + step);
+    const auto [c, s] = defect(p, q);
+    const Wave a = (c_p - c) / step, b = (c_q - c) / step, d = (s_p - s) / step, e = (s_q - s) / step;
+    const Wave determinant = a * e - b * d, dp = -(c * e - s * b) / determinant,
+               dq = -(s * a - c * d) / determinant;
+    length = sqrt(dp * dp + dq * dq);
+    p += dp / std::max<Wave>(1, length);
+    q += dq / std::max<Wave>(1, length);
+  }
+  defect(p, q);
 }
 
 }  // namespace nipref::verify::confirm

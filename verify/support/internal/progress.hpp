@@ -26,6 +26,8 @@ ProgressOutput standard_error(bool quiet);
 class Progress {
  public:
   explicit Progress(ProgressOutput output);
+  /// On standard error, of work that an interrupt ends gently from now on.
+  explicit Progress(bool quiet) : Progress(standard_error(quiet)) { stop_gently_on_interrupt(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   /// Wipes the line that overwrites itself.
