@@ -76,32 +76,19 @@ const std::vector<Part>& parts() {
        {verdict_column("passed")}},
       {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", "", slower, quicker, 1.25}}},
       {"/bench/error_ratios", "error,", {"what"}, {verdict_column("met")}},
-      {"/tables/tables",
+      {"/summary/tables",
        "table",
        {"id"},
        {{"match", ", cells: match", worse, better, 1},
         {"misprint", ", cells: misprint", changed, changed, 1},
-        {"likely-misprint", ", cells: likely-misprint", changed, changed, 1},
-        {"seed-error", ", cells: seed-error", changed, changed, 1},
+        {"likely_misprint", ", cells: likely-misprint", changed, changed, 1},
+        {"seed_error", ", cells: seed-error", changed, changed, 1},
         {"unexplained", ", cells: unexplained", better, worse, 1}}},
       {"/claims", "claim", {"id"}, {{"verdict", "", changed, changed}}},
       {"/limits", "limit", {"name"}, {verdict_column("approached")}},
       {"/errata", "erratum", {"id"}, {verdict_column("settled")}},
       {"/golden", "golden", {"quantity"}, {verdict_column("passed")}}};
   return all;
-}
-
-/// The report with the number of each table's cells of each verdict as a member of the table.
-json with_counts(json report) {
-  const json::json_pointer tables("/tables/tables");
-  if (!report.contains(tables)) return report;
-  for (json& table : report[tables]) {
-    if (!table.is_object()) continue;
-    for (const char* verdict : {"match", "misprint", "likely-misprint", "seed-error", "unexplained"})
-      table[verdict] = std::ranges::count_if(
-          list_at(table, "/cells"), [&](const json& cell) { return text_at(cell, "verdict") == verdict; });
-  }
-  return report;
 }
 
 std::map<std::string, const json*> by_name(const json& rows, const std::vector<const char*>& keys) {
@@ -184,7 +171,7 @@ bool is_report(const std::string& text) {
 }
 
 ReportComparison compare_reports(const std::string& older, const std::string& newer) {
-  const json before = with_counts(json::parse(older)), now = with_counts(json::parse(newer));
+  const json before = json::parse(older), now = json::parse(newer);
   ReportComparison comparison{version_of(before), "", {}};
   std::size_t of_other_points = 0;
   for (const Part& part : parts()) of_other_points += compare(part, before, now, comparison.items);

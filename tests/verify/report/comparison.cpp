@@ -32,8 +32,7 @@ json older_json() {
                {{{"what", "a"}, {"ratio", 100.0}},
                 {{"what", "b"}, {"ratio", 100.0}},
                 {{"what", "c"}, {"ratio", 100.0}}}}}}}},
-          {"tables",
-           {{"tables", {{{"id", "T"}, {"cells", {{{"verdict", "match"}}, {{"verdict", "unexplained"}}}}}}}}},
+          {"summary", {{"tables", {{{"id", "T"}, {"match", 1}, {"unexplained", 1}}}}}},
           {"claims", {{{"id", "C"}, {"verdict", "holds"}}}}};
 }
 
@@ -58,7 +57,7 @@ TEST_CASE(
   json older = older_json();
   older["claims"] = {{{"id", "C"}}};
   older["audit"] = {3, "rows"};
-  older["tables"]["tables"][0]["cells"] = {7, {{"verdict", {1}}}};
+  older["summary"]["tables"] = {7, {{"id", "T"}, {"match", "many"}}};
   const ReportComparison comparison = compare_reports(older.dump(), older_json().dump());
   const ChangedItem* const claim = item_about(comparison, "claim C");
   REQUIRE(claim != nullptr);
@@ -86,7 +85,7 @@ TEST_CASE("what is better, worse, slower, new or gone in a report is told, the w
   ratios[0]["ratio"] = 70.0;   // slower
   ratios[1]["ratio"] = 130.0;  // quicker
   ratios[2]["ratio"] = 110.0;  // noise
-  now["tables"]["tables"][0]["cells"][1]["verdict"] = "match";
+  now["summary"]["tables"][0].update({{"match", 2}, {"unexplained", 0}});
   now["claims"][0]["verdict"] = "false";
   const ReportComparison found = compare_reports(older_json().dump(), now.dump());
   const auto change = [&](const char* what) {

@@ -102,21 +102,17 @@ Split near_sum(Component part, bool normal, const InnerPoint& at, const Float& t
   return sum;
 }
 
+/// The size of the residues of what is transformed here.
+constexpr int residues = 2000;
+
 Split far_sum(Component part, bool normal, const InnerPoint& at, const mpq_class& alpha, const Float& t1) {
-  const bool sine = is_sine(part, normal);
-  Complex sum = 0;
-  for (std::size_t n = poles; n >= 1; --n) {
-    const Pole& pole_n = pole(n);
-    sum += integrand<Complex>(part, normal, at.depth, t1, pole_n.z, pole_n.I7, pole_n.I5) *
-           exp(Complex(-pole_n.z.imag() * at.alpha, pole_n.z.real() * at.alpha));
-  }
-  Split value{0, 2 * pi<Float>() * (sine ? sum.real() : -sum.imag()), 0};
+  Split value = around_poles(at.alpha, is_sine(part, normal), residues, [&](const Pole& pole) {
+    return integrand<Complex>(part, normal, at.depth, t1, pole.z, pole.I7, pole.I5);
+  });
   if (normal && part == Component::v) value.rest += pi<Float>() / 4 * (2 * t1 - 1);
   if (!normal && part == Component::sy) value.rest -= pi<Float>() / 2;
   if (!normal && part == Component::u) value.rest += pi<Float>() / 4 * (2 * t1 - 1) * at.depth;
   if (!normal && part == Component::v) value.quarters = -alpha;
-  value.error = 2000 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * at.alpha) +
-                abs(value.rest) * Float("1e-90");
   return value;
 }
 
@@ -188,16 +184,11 @@ Split near_face(const FaceSlope& slope, bool second, const Float& a) {
 }
 
 Split far_face(const FaceSlope& slope, bool second, const Float& a) {
-  Complex sum = 0;
-  for (std::size_t n = poles; n >= 1; --n) {
-    const Complex z = pole(n).z, turns(-z.imag(), z.real());
-    sum -= (slope.of_sinh ? pole(n).I7 : pole(n).I5) * (slope.rises ? sinh(z) : cosh(z)) *
-           exp(Complex(turns.real() * a, turns.imag() * a)) * (second ? turns : Complex(1));
-  }
-  Split value{0, 2 * pi<Float>() * (slope.sine ? sum.real() : -sum.imag()), 0};
+  Split value = around_poles(a, slope.sine, residues, [&](const Pole& pole) {
+    const Complex &z = pole.z, turned = second ? Complex(-z.imag(), z.real()) : Complex(1);
+    return Complex(-(slope.of_sinh ? pole.I7 : pole.I5) * (slope.rises ? sinh(z) : cosh(z)) * turned);
+  });
   if (!slope.of_sinh && !second) value.rest -= pi<Float>() / 4;
-  value.error =
-      2000 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * a) + abs(value.rest) * Float("1e-90");
   return value;
 }
 

@@ -26,28 +26,13 @@ const std::vector<Node>& nodes() {
   return all;
 }
 
-/// The sum of e^(i x z) times the residue over the poles.
-Complex around_poles(const Float& x, Complex Pole::*residue) {
-  Complex sum = 0;
-  for (std::size_t n = poles; n >= 1; --n) {
-    const Pole& at = pole(n);
-    sum += at.*residue * exp(Complex(-at.z.imag() * x, at.z.real() * x));
-  }
-  return sum;
-}
-
-Float tail(const Float& x) { return 8 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * x); }
-
 Split even_far(const mpq_class& x, Complex Pole::*residue) {
-  const Float distance = to_number<Float>(abs(x));
-  const Complex sum = around_poles(distance, residue);
-  return {0, -2 * pi<Float>() * sum.imag(), tail(distance) + abs(sum) * Float("1e-90")};
+  return around_poles(to_number<Float>(abs(x)), false, 8, [=](const Pole& at) { return at.*residue; });
 }
 
 Split odd_far(const mpq_class& x, Complex Pole::*residue) {
-  const Float distance = to_number<Float>(abs(x));
-  const Complex sum = around_poles(distance, residue);
-  return {sgn(x), 2 * sgn(x) * pi<Float>() * sum.real(), tail(distance) + abs(sum) * Float("1e-90")};
+  return Split{sgn(x), 0, 0}.add(
+      sgn(x), around_poles(to_number<Float>(abs(x)), true, 8, [=](const Pole& at) { return at.*residue; }));
 }
 
 bool is_far(const mpq_class& x) { return abs(x) >= far; }
@@ -145,6 +130,17 @@ const Pole& pole(std::size_t n) {
     return made;
   }();
   return all.at(n - 1);
+}
+
+Split around_poles(const Float& x, bool is_sine, int size,
+                   const std::function<Complex(const Pole& at)>& residue) {
+  Complex sum = 0;
+  for (std::size_t n = poles; n >= 1; --n) {
+    const Pole& at = pole(n);
+    sum += residue(at) * exp(Complex(-at.z.imag() * x, at.z.real() * x));
+  }
+  return {0, 2 * pi<Float>() * (is_sine ? sum.real() : Float(-sum.imag())),
+          size * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * x) + abs(sum) * Float("1e-90")};
 }
 
 Split kernel_I1(const mpq_class& alpha) {

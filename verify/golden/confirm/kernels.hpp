@@ -60,6 +60,11 @@ Pole pole_by_circle(std::size_t n);
 const Pole& pole(std::size_t n);
 inline constexpr std::size_t poles = 16;
 
+/// The cosine or sine transform of a symbol at x >= far: the sum over the poles of its residues times e^(i x z). `size`
+/// times the term that would come next is the error.
+Split around_poles(const Float& x, bool is_sine, int size,
+                   const std::function<Complex(const Pole& at)>& residue);
+
 /// The kernels are sums over the poles for |x| >= far.
 inline constexpr int far = 3;
 
