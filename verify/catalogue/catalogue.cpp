@@ -8,7 +8,6 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -56,11 +55,6 @@ const Quantity& find_quantity(std::string_view name) {
   const Quantity* const found = known_quantity(name);
   if (found == nullptr) refuse_quantity(name);
   return *found;
-}
-
-std::vector<const Quantity*> select_quantities(const std::vector<std::string>& names) {
-  if (names.empty()) return mapped(catalogue(), [](const Quantity& quantity) { return &quantity; });
-  return mapped(names, [](const std::string& name) { return &find_quantity(name); });
 }
 
 }  // namespace nipref::verify

@@ -21,7 +21,4 @@ const Quantity* known_quantity(std::string_view name);
 /// The entry of that name; BadInput as refuse_quantity has it if there is none.
 const Quantity& find_quantity(std::string_view name);
 
-/// The entries of those names, or the whole catalogue if no name is given. BadInput as above.
-std::vector<const Quantity*> select_quantities(const std::vector<std::string>& names);
-
 }  // namespace nipref::verify

@@ -73,7 +73,7 @@ Selection changed_selection(const CommandLine& line) {
 }
 
 Selection selected_by(const CommandLine& line) {
-  Selection selected = line.has("changed") ? changed_selection(line) : selection(line, {contacts});
+  Selection selected = line.has("changed") ? changed_selection(line) : selection(line.words, {contacts});
   refuse_options_without_effect(line, selected);
   if (!selected.has(contacts))
     refuse_option(line, "scenes", "has an effect on contacts only: must be left out");

@@ -141,7 +141,7 @@ int against_verb(const CommandLine& line, std::ostream& out) {
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = line.words.empty() ? bench_everything() : selection(line, bench_groups());
+  const Selection selected = line.words.empty() ? bench_everything() : selection(line.words, bench_groups());
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
   const OtherKernels others(line.option("with"));
@@ -159,7 +159,7 @@ std::vector<std::string_view> bench_groups() {
 }
 
 Selection bench_everything() {
-  Selection all{select_quantities({}), bench_groups()};
+  Selection all = selection({}, bench_groups());
   std::erase_if(all.quantities, &Quantity::is_costly);
   return all;
 }

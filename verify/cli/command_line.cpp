@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
@@ -199,10 +198,10 @@ void refuse_option(const CommandLine& line, const std::string& name, const std::
 
 bool Selection::has(std::string_view group) const { return std::ranges::find(groups, group) != groups.end(); }
 
-Selection selection(const CommandLine& line, const std::vector<std::string_view>& groups) {
-  if (line.words.empty()) return {select_quantities({}), groups};
+Selection selection(std::span<const std::string> words, const std::vector<std::string_view>& groups) {
+  if (words.empty()) return {mapped(catalogue(), [](const Quantity& quantity) { return &quantity; }), groups};
   Selection selected;
-  for (const std::string& word : line.words) {
+  for (const std::string& word : words) {
     const auto group = std::ranges::find(groups, word);
     const Quantity* const quantity = known_quantity(word);
     if (quantity == nullptr && group == groups.end()) refuse_quantity(word, groups);

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -80,7 +81,7 @@ struct Selection {
   [[nodiscard]] bool has(std::string_view group) const;
 };
 /// BadInput for words that are neither a quantity nor one of `groups`.
-Selection selection(const CommandLine& line, const std::vector<std::string_view>& groups);
+Selection selection(std::span<const std::string> words, const std::vector<std::string_view>& groups = {});
 
 /// Keeps the rows whose `id` is one of the words, all of them if there are none. BadInput naming `what` for a word that
 /// is no row's.

@@ -25,11 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using data::BadInput;
 
-/// Quantities after the action; all if there are none.
-std::vector<const Quantity*> quantities_of(const CommandLine& line) {
-  return select_quantities({line.words.begin() + 1, line.words.end()});
-}
-
 /// Where new values go: one file, or a folder with a file for each quantity or kind of contacts and the checksums of all.
 class Destination {
  public:
@@ -279,7 +274,7 @@ int update(const CommandLine& line, std::ostream& out) {
         "dirty", "(not given)",
         "must be given: this program was built from a tree that differs from its commit, or is of none");
   }
-  const auto quantities = quantities_of(line);
+  const auto quantities = selection(std::span(line.words).subspan(1)).quantities;
   const Destination destination(line, quantities.size());
   Progress progress(line.has("quiet"));
   std::vector<UpdatedFile> files;

@@ -63,7 +63,7 @@ int list_verb(const CommandLine& line, std::ostream& out) {
   const auto keys = named(data::scene_keys(), of_scenes, rest.words);
   const auto results = named(data::scene_results(), of_scenes, rest.words);
   const bool has_quantities = line.words.empty() || !rest.words.empty();
-  const Selection selected = has_quantities ? selection(rest, {scene_group}) : Selection{};
+  const Selection selected = has_quantities ? selection(rest.words, {scene_group}) : Selection{};
   Json answer{{"quantities", json_list(selected.quantities, quantity_json)},
               {"_full", line.has("full") || !line.words.empty()},
               {"_of_quantities", !selected.quantities.empty()},

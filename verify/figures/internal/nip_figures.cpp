@@ -5,7 +5,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <utility>
 

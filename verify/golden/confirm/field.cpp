@@ -1,4 +1,3 @@
-#include <cstddef>
 #include <vector>
 
 #include <nipref/verify/golden/confirm/kernels.hpp>

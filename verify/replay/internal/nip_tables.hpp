@@ -97,7 +97,7 @@ double relaxation_length(const data::Table& table, std::size_t row);
 
 /// The input from which a row of a viscoelastic table is replayed.
 struct ViscoelasticRowInput {
-  std::string column;             ///< the cell from which the length follows; empty for the table's load
+  std::string column;             ///< the cell from which the length follows
   data::Interval leading_length;  ///< the L1 that follows from it, in
   int trailing_elements;          ///< m2, from the ratio of the printed lengths
   /// The printed length that agrees with it and bounds L1 most narrowly, mostly L, of which L1 is half.

@@ -54,11 +54,6 @@ class ViscoelasticRowReplay {
     const data::Interval range = replayed_.range(column);
     ReplayedCell result{row_, column, replayed_.at_centre.at(column), range, assess(cell, range), ""};
     if (column == input_.column) result.verdict = Verdict::input;
-    if (input_.column.empty()) {
-      result.verdict = Verdict::unexplained;
-      result.note = "no length of the row is legible; this is at the table's load";
-      return result;
-    }
     result.note = note(result, cell);
     if (result.verdict == Verdict::unexplained) explain(result, cell);
     if (result.verdict == Verdict::unexplained || result.verdict == Verdict::misprint)

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
@@ -101,20 +102,19 @@ double length_with(const data::ViscoelasticNip& nip, const data::ViscoelasticLin
   return length;
 }
 
-/// The input of a row without a legible length: d2 if it is legible, otherwise the table's load.
+/// The input of a row without a legible length.
 ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
                                     const data::ViscoelasticNip& nip, data::ViscoelasticLineLoads method) {
+  const data::TableCell& d2 = table.cell(row, "d2");
+  if (!d2.is_readable()) throw data::BadInput("d2", d2.printed, "or a length must be readable");
   method.trailing_elements.reset();
   const fast::LineLoadNip found = fast::line_loads_for_load(nip, method, table.parameter("W").value);
   method.trailing_elements = found.trailing_elements();
-  const data::TableCell& d2 = table.cell(row, "d2");
-  const bool by_load = !d2.is_readable() || !d2.is_printed();
   const auto length = [&](double displacement) {
-    return by_load ? found.leading_length : length_with(nip, method, displacement, found.leading_length);
+    return length_with(nip, method, displacement, found.leading_length);
   };
-  const data::Interval rounding = by_load ? data::Interval{} : d2.number->rounding;
-  const data::Interval leading{length(rounding.lower), length(rounding.upper)};
-  return {by_load ? "" : "d2", leading, found.trailing_elements()};
+  const data::Interval leading{length(d2.number->rounding.lower), length(d2.number->rounding.upper)};
+  return {"d2", leading, found.trailing_elements()};
 }
 
 /// L1 by d0 - d1 = L1^2/(2R); nothing if one of them is not legible or its row contradicts it.

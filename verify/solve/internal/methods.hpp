@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <variant>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/scene.hpp>
