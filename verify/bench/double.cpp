@@ -5,15 +5,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <memory>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -46,8 +45,6 @@ std::vector<TimedRange> ranges(const Quantity& quantity) {
   return all;
 }
 
-using Columns = std::vector<std::vector<double>>;
-
 double representative(ArgumentKind kind, const TimedRange& range, Random& random) {
   switch (kind) {
     case ArgumentKind::nonzero_position:
@@ -66,17 +63,13 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
   }
 }
 
-Columns draw_columns(const Quantity& quantity, const TimedRange& range) {
+std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range) {
   Random random("bench " + quantity.name + range.name);
-  Columns columns(quantity.arguments.size(), std::vector<double>(points_in_a_set));
-  for (std::size_t i = 0; quantity.draw && i < points_in_a_set; ++i) {
-    const Point point = quantity.draw(random);
-    for (std::size_t j = 0; j < point.size(); ++j) columns[j][i] = point[j];
-  }
-  for (std::size_t j = 0; !quantity.draw && j < columns.size(); ++j)
-    std::ranges::generate(columns[j],
-                          [&] { return representative(quantity.arguments[j].kind, range, random); });
-  return columns;
+  std::vector<Point> points(points_in_a_set);
+  const auto drawn = [&](const Argument& argument) { return representative(argument.kind, range, random); };
+  for (Point& point : points)
+    point = quantity.draw ? quantity.draw(random) : mapped(quantity.arguments, drawn);
+  return points;
 }
 
 std::string range_text(const Quantity& quantity, const TimedRange& range) {
@@ -86,69 +79,6 @@ std::string range_text(const Quantity& quantity, const TimedRange& range) {
   return fmt::format("{} in {}", quantity.arguments.front().name, range.name);
 }
 
-/// Fills values[0, count) for the first `count` points.
-using Fill = std::function<void(std::size_t count, std::span<double> values)>;
-
-struct BatchMethod {
-  std::string name;
-  Fill evaluate;
-  std::function<double(std::size_t count, std::size_t passes)> seconds = {};  ///< see Contender
-};
-
-/// The first `count` values of each column.
-std::vector<std::span<const double>> heads(const Columns& columns, std::size_t count) {
-  return mapped(columns, [&](const auto& column) { return std::span(column).first(count); });
-}
-
-BatchMethod fast_method(const std::string& name, const auto& evaluate, const Columns& columns, double rtol) {
-  return {name + (rtol == fast::Accuracy::best_rtol ? "full" : fmt::format("rtol={:.0e}", rtol)),
-          [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
-            evaluate(heads(columns, count), values.first(count), accuracy);
-          }};
-}
-
-BatchMethod peer_method(const Peer& peer, const Columns& columns) {
-  return {peer.method, [evaluate = peer.make(), &columns](std::size_t count, std::span<double> values) {
-            for (std::size_t i = 0; i < count; ++i) values[i] = evaluate(columns[0][i]);
-          }};
-}
-
-Point point_at(const Columns& columns, std::size_t number) {
-  return mapped(columns, [&](const auto& column) { return column[number]; });
-}
-
-BatchMethod kernel_method(const OtherKernel& other, const Columns& columns) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < columns.front().size(); ++i) points.push_back(point_at(columns, i));
-  const auto shared = std::make_shared<const std::vector<Point>>(std::move(points));
-  return {other.name,
-          [=](std::size_t count, std::span<double> values) {
-            other.kernel->evaluate(std::span(*shared).first(count), values.first(count));
-          },
-          [=](std::size_t count, std::size_t passes) {
-            // A kernel that fails counts as infinitely slow; it also has no values.
-            return other.kernel->seconds(std::span(*shared).first(count), passes).value_or(unlimited);
-          }};
-}
-
-std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& columns,
-                                 const std::vector<OtherKernel>& others) {
-  std::vector<BatchMethod> all;
-  const auto add_fast = [&](double rtol) {
-    all.push_back(fast_method("fast ", quantity.by_fast_loop, columns, rtol));
-    if (quantity.by_fast_batch)
-      all.push_back(fast_method("fast batch ", quantity.by_fast_batch, columns, rtol));
-  };
-  add_fast(fast::Accuracy::best_rtol);
-  for (const OtherKernel& other : others) {
-    if (other.quantity == quantity.name) all.push_back(kernel_method(other, columns));
-  }
-  if (quantity.peers.empty()) return all;
-  for (const double rtol : coarse_tolerances) add_fast(rtol);
-  for (const Peer& peer : quantity.peers) all.push_back(peer_method(peer, columns));
-  return all;
-}
-
 /// The reference's value at one of a set's points.
 struct Truth {
   std::size_t number;
@@ -156,20 +86,16 @@ struct Truth {
   double envelope;
 };
 
-Truth truth_at(const Quantity& quantity, const Columns& columns, std::size_t number) {
-  const Point point = point_at(columns, number);
-  return {number, ref_value(quantity, point, digits_beyond_double), quantity.envelope(point)};
-}
-
 /// The reference's values at the first `count` points, or at as many as it computes in these seconds, without those that it
 /// refuses.
-std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns, std::size_t count,
+std::vector<Truth> first_truths(const Quantity& quantity, const std::vector<Point>& points, std::size_t count,
                                 double seconds) {
   std::vector<Truth> truths;
   for (std::size_t i = 0; i < count && seconds > 0; ++i) {
     seconds -= seconds_of([&] {
       try {
-        truths.push_back(truth_at(quantity, columns, i));
+        truths.push_back(
+            {i, ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i])});
       } catch (const data::BadInput&) {  // outside ref's domain, which is smaller than fast's
       }
     });
@@ -180,7 +106,7 @@ std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns
 WayError largest_deviation(const BatchMethod& method, const std::vector<Truth>& truths) {
   if (truths.empty()) return {};
   std::vector<double> values(truths.back().number + 1);
-  method.evaluate(values.size(), values);
+  method.evaluate(values);
   double ulps = 0, relative = 0;
   ErrorTally errors;
   for (const Truth& truth : truths) {
@@ -192,51 +118,68 @@ WayError largest_deviation(const BatchMethod& method, const std::vector<Truth>& 
   return {ulps, relative, errors.mean(), errors.percentile(0.999)};
 }
 
-std::vector<BenchRow> rows_of(const Quantity& quantity, const std::string& arguments, const Columns& columns,
+std::vector<TimedWay> ways_to(const Quantity& quantity, const std::vector<Point>& points,
                               const std::vector<Truth>& truths, const std::vector<OtherKernel>& others,
-                              std::size_t least, int rounds) {
-  const std::vector<BatchMethod> contestants = methods(quantity, columns, others);
-  std::vector<double> values(columns.front().size());
-  std::vector<TimedWay> ways;
-  for (const BatchMethod& method : contestants)
-    ways.push_back(
-        {method.name,
-         {[&](std::size_t count) { method.evaluate(count, values); }, least, values.size(), method.seconds},
-         [&] { return largest_deviation(method, truths); }});
-  return timed_rows(quantity.name, arguments, ways, {.count = rounds, .seconds = 1e-3});
+                              std::size_t least) {
+  std::vector<TimedWay> all;
+  const auto add = [&](const std::string& name, const BatchMethod& method) {
+    all.push_back({name, method.contender(least, points.size()),
+                   [=, &truths] { return largest_deviation(method, truths); }});
+  };
+  const auto add_fast = [&](double rtol) {
+    const std::string how = rtol == fast::Accuracy::best_rtol ? "full" : fmt::format("rtol={:.0e}", rtol);
+    add("fast " + how, method_of(quantity.by_fast_loop, fast::Accuracy(rtol), points));
+    if (quantity.by_fast_batch)
+      add("fast batch " + how, method_of(quantity.by_fast_batch, fast::Accuracy(rtol), points));
+  };
+  add_fast(fast::Accuracy::best_rtol);
+  for (const OtherKernel& other : others) {
+    if (other.quantity == quantity.name) add(other.name, method_of(*other.kernel, points));
+  }
+  if (quantity.peers.empty()) return all;
+  for (const double rtol : coarse_tolerances) add_fast(rtol);
+  const auto alphas = mapped(points, [](const Point& point) { return point.front(); });
+  for (const Peer& peer : quantity.peers)
+    add(peer.method, {[=, evaluate = peer.make()](std::span<double> values) {
+          std::transform(alphas.begin(), alphas.begin() + std::ssize(values), values.begin(), evaluate);
+        }});
+  return all;
 }
 
 /// Points drawn as the audit draws them, without those that fast refuses.
-Columns draw_costly_columns(const Quantity& quantity) {
+std::vector<Point> draw_costly_points(const Quantity& quantity) {
   Random random("bench " + quantity.name);
-  Columns columns(quantity.arguments.size());
-  while (columns.front().size() < costly_points) {
-    const Point point = quantity.draw(random);
-    if (std::isnan(fast_value(quantity, point, {}))) continue;
-    for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
+  std::vector<Point> points;
+  while (points.size() < costly_points) {
+    points.push_back(quantity.draw(random));
+    if (std::isnan(fast_value(quantity, points.back(), {}))) points.pop_back();
   }
-  return columns;
+  return points;
 }
 
 }  // namespace
 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
                                    const std::vector<OtherKernel>& others) {
-  if (quantity.is_costly) {
-    const Columns columns = draw_costly_columns(quantity);
-    return rows_of(quantity, fmt::format("as in the audit, {} points", costly_points), columns,
-                   first_truths(quantity, columns, costly_points, seconds_of_costly_truth), others,
-                   costly_points, 3);
-  }
   std::vector<BenchRow> rows;
+  const auto add = [&](const std::string& arguments, const std::vector<Point>& points,
+                       const std::vector<Truth>& truths, std::size_t least, int rounds) {
+    std::ranges::move(timed_rows(quantity.name, arguments, ways_to(quantity, points, truths, others, least),
+                                 {.count = rounds, .seconds = 1e-3}),
+                      std::back_inserter(rows));
+  };
+  if (quantity.is_costly) {
+    const std::vector<Point> points = draw_costly_points(quantity);
+    add(fmt::format("as in the audit, {} points", costly_points), points,
+        first_truths(quantity, points, costly_points, seconds_of_costly_truth), costly_points, 3);
+    return rows;
+  }
   for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;
     if (progress) progress(range.name);
-    const Columns columns = draw_columns(quantity, range);
-    std::ranges::move(
-        rows_of(quantity, range_text(quantity, range), columns,
-                first_truths(quantity, columns, points_compared, unlimited), others, least_points, 15),
-        std::back_inserter(rows));
+    const std::vector<Point> points = draw_points(quantity, range);
+    add(range_text(quantity, range), points, first_truths(quantity, points, points_compared, unlimited),
+        least_points, 15);
   }
   return rows;
 }

@@ -15,7 +15,6 @@
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
@@ -73,22 +72,6 @@ bool add_round(const std::string& program, const std::vector<std::string>& words
   return true;
 }
 
-AgainstRow row_of(const Key& key, const Measured& before, const Measured& now) {
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < std::min(before.nanoseconds.size(), now.nanoseconds.size()); ++i)
-    ratios.push_back(now.nanoseconds[i] / before.nanoseconds[i]);
-  return {std::get<0>(key),
-          std::get<1>(key),
-          std::get<2>(key),
-          quantile(before.nanoseconds, 0.5),
-          quantile(now.nanoseconds, 0.5),
-          quantile(ratios, 0.5),
-          std::ranges::min(ratios),
-          std::ranges::max(ratios),
-          before.ulp,
-          now.ulp};
-}
-
 /// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have. BadInput naming
 /// "against" if the older one does not answer as nipref does.
 std::vector<AgainstRow> bench_against(const std::string& old_program, const std::vector<std::string>& words,
@@ -107,8 +90,11 @@ std::vector<AgainstRow> bench_against(const std::string& old_program, const std:
   }
   std::vector<AgainstRow> rows;
   for (const auto& [key, measured] : now) {
-    if (const auto old = before.find(key); old != before.end())
-      rows.push_back(row_of(key, old->second, measured));
+    const auto old = before.find(key);
+    if (old == before.end()) continue;
+    const auto& [quantity, range, method] = key;
+    rows.push_back({quantity, range, method, Speed(measured.nanoseconds, old->second.nanoseconds, 0),
+                    old->second.ulp, measured.ulp});
   }
   return rows;
 }
@@ -121,11 +107,11 @@ Json against_json(const std::vector<AgainstRow>& rows) {
                 {"old_max_error_ulp", row.old_ulp},
                 {"max_error_ulp", row.new_ulp},
                 {"times",
-                 {{"old_nanoseconds", row.old_nanoseconds},
-                  {"nanoseconds", row.new_nanoseconds},
-                  {"ratio", row.ratio},
-                  {"least_ratio", row.least_ratio},
-                  {"largest_ratio", row.largest_ratio}}}};
+                 {{"old_nanoseconds", row.speed.other_nanoseconds},
+                  {"nanoseconds", row.speed.nanoseconds},
+                  {"ratio", row.speed.ratio},
+                  {"least_ratio", row.speed.lower_ratio},
+                  {"largest_ratio", row.speed.upper_ratio}}}};
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
@@ -28,13 +29,11 @@ BenchReport bench_all(const Selection& selected, Progress& progress,
 /// One way to a quantity's values in an older program and in this one.
 struct AgainstRow {
   std::string quantity, range, method;
-  double old_nanoseconds, new_nanoseconds;  ///< for one value, medians over the rounds
-  double ratio;                             ///< new over old, median of the rounds' ratios
-  double least_ratio, largest_ratio;        ///< of the rounds
-  std::optional<double> old_ulp, new_ulp;   ///< largest errors found, units in the last place of the scale
+  Speed speed;  ///< new over old, with the least and the largest ratio of the rounds
+  std::optional<double> old_ulp, new_ulp;  ///< largest errors found, units in the last place of the scale
 
   /// Slower by more than `part` in every round: what one round in three says alone is the machine's.
-  [[nodiscard]] bool slower_by(double part) const { return least_ratio > 1 + part; }
+  [[nodiscard]] bool slower_by(double part) const { return speed.lower_ratio > 1 + part; }
 };
 
 /// The tables of these ids, replayed and corrected; those that are finished, if the process is interrupted.

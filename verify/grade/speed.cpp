@@ -5,7 +5,6 @@
 
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/grade/speed.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -16,45 +15,63 @@ constexpr std::size_t most_timed = 1024, least_timed = 32;
 constexpr int rounds = 15;
 constexpr double seconds_of_round = 2e-3;
 
-/// A kernel that has failed is infinitely slow, and is not called again.
-Contender contender_of(PluginKernel& kernel, const std::vector<Point>& points) {
-  const auto seconds = [&, failed = std::make_shared<bool>(false)](std::size_t count, std::size_t passes) {
-    const auto taken = *failed ? std::nullopt : kernel.seconds(std::span(points).first(count), passes);
-    *failed = !taken;
-    return taken.value_or(std::numeric_limits<double>::infinity());
-  };
-  return {[=](std::size_t count) { seconds(count, 1); }, least_timed, points.size(), seconds};
-}
-
-Contender contender_of_fast(const Quantity& quantity, const std::vector<Point>& points, bool batch) {
-  std::vector<std::vector<double>> columns(quantity.arguments.size());
-  for (const Point& point : points) {
-    for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
-  }
-  const auto& evaluate = batch && quantity.by_fast_batch ? quantity.by_fast_batch : quantity.by_fast_loop;
-  const auto run = [&evaluate, columns = std::move(columns)](std::size_t count) {
-    const auto heads = mapped<std::span<const double>>(
-        columns, [&](const auto& column) { return std::span(column).first(count); });
-    std::vector<double> values(count);
-    evaluate(heads, values, fast::Accuracy());
-  };
-  return {run, least_timed, points.size()};
-}
-
 /// Both at as many points as the slower one bears.
-std::optional<Speed> in_turns(std::vector<Contender> ways) {
+std::optional<Speed> in_turns(const BatchMethod& one, const BatchMethod& other, std::size_t points) {
+  std::vector<Contender> ways{one.contender(least_timed, points), other.contender(least_timed, points)};
   std::vector<Timing> timings = time_interleaved(ways, 1, seconds_of_round);
   for (Contender& way : ways) way.least = way.most = std::min(timings[0].count, timings[1].count);
   timings = time_interleaved(ways, rounds, seconds_of_round);
-  std::vector<double> ratios;
-  for (std::size_t i = 0; i < rounds; ++i) ratios.push_back(timings[0].rounds[i] / timings[1].rounds[i]);
   const auto fails = [](const Timing& timing) { return !std::isfinite(std::ranges::max(timing.rounds)); };
   if (std::ranges::any_of(timings, fails)) return std::nullopt;
-  return Speed{1e9 * timings[0].seconds, 1e9 * timings[1].seconds, quantile(ratios, 0.25),
-               quantile(ratios, 0.5), quantile(ratios, 0.75)};
+  const auto nanoseconds = [](const Timing& timing) {
+    return mapped(timing.rounds, [](double seconds) { return 1e9 * seconds; });
+  };
+  return Speed(nanoseconds(timings[0]), nanoseconds(timings[1]), 0.25);
 }
 
 }  // namespace
+
+Contender BatchMethod::contender(std::size_t least, std::size_t most) const {
+  if (seconds) return {[once = seconds](std::size_t count) { once(count, 1); }, least, most, seconds};
+  return {[=, fill = evaluate, values = std::vector<double>(most)](std::size_t count) mutable {
+            fill(std::span(values).first(count));
+          },
+          least, most};
+}
+
+BatchMethod method_of(const decltype(Quantity::by_fast_loop)& evaluate, fast::Accuracy accuracy,
+                      const std::vector<Point>& points) {
+  std::vector<std::vector<double>> columns(points.front().size());
+  for (const Point& point : points) {
+    for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
+  }
+  return {[=, &evaluate](std::span<double> values) {
+    const auto heads = mapped<std::span<const double>>(
+        columns, [&](const auto& column) { return std::span(column).first(values.size()); });
+    evaluate(heads, values, accuracy);
+  }};
+}
+
+BatchMethod method_of(PluginKernel& kernel, const std::vector<Point>& points) {
+  const auto first = [&](std::size_t count) { return std::span(points).first(count); };
+  return {[=, &kernel](std::span<double> values) { kernel.evaluate(first(values.size()), values); },
+          [=, &kernel, failed = std::make_shared<bool>(false)](std::size_t count, std::size_t passes) {
+            const auto taken = *failed ? std::nullopt : kernel.seconds(first(count), passes);
+            *failed = !taken;
+            return taken.value_or(std::numeric_limits<double>::infinity());
+          }};
+}
+
+Speed::Speed(const std::vector<double>& nanoseconds_of_rounds, const std::vector<double>& others,
+             double lower)
+    : nanoseconds(quantile(nanoseconds_of_rounds, 0.5)), other_nanoseconds(quantile(others, 0.5)) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(nanoseconds_of_rounds.size(), others.size()); ++i)
+    ratios.push_back(nanoseconds_of_rounds[i] / others[i]);
+  lower_ratio = quantile(ratios, lower);
+  ratio = quantile(ratios, 0.5);
+  upper_ratio = quantile(ratios, 1 - lower);
+}
 
 std::vector<Point> timing_points(const Quantity& quantity, const Ranges& ranges) {
   Random random("speed " + quantity.name);
@@ -67,13 +84,15 @@ std::vector<Point> timing_points(const Quantity& quantity, const Ranges& ranges)
 
 std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& quantity,
                                         const std::vector<Point>& points) {
-  const bool batch = !kernel.info().quantity.empty();
-  return in_turns({contender_of(kernel, points), contender_of_fast(quantity, points, batch)});
+  const bool batch = !kernel.info().quantity.empty() && quantity.by_fast_batch;
+  return in_turns(method_of(kernel, points),
+                  method_of(batch ? quantity.by_fast_batch : quantity.by_fast_loop, {}, points),
+                  points.size());
 }
 
 std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
                                    const std::vector<Point>& points) {
-  return in_turns({contender_of(kernel, points), contender_of(older, points)});
+  return in_turns(method_of(kernel, points), method_of(older, points), points.size());
 }
 
 }  // namespace nipref::verify

@@ -1,19 +1,40 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
+
+/// A way to compute values at points: it fills `values` for the first of them.
+struct BatchMethod {
+  std::function<void(std::span<double> values)> evaluate;
+  std::function<double(std::size_t count, std::size_t passes)> seconds = {};  ///< see Contender
+
+  [[nodiscard]] Contender contender(std::size_t least, std::size_t most) const;
+};
+
+/// A loop or a batch of a quantity of the catalogue, to which it refers.
+BatchMethod method_of(const decltype(Quantity::by_fast_loop)& evaluate, fast::Accuracy accuracy,
+                      const std::vector<Point>& points);
+/// A kernel, which counts as infinitely slow from its first failure on. It refers to the kernel and the points.
+BatchMethod method_of(PluginKernel& kernel, const std::vector<Point>& points);
 
 /// The times of two implementations, measured alternately, so that changes of the machine's speed affect both. Stored
 /// times would be useless, as they differ by a quarter between runs.
 struct Speed {
-  double nanoseconds;                      ///< for one value, median of the rounds
-  double other_nanoseconds;                ///< the same for the other implementation
-  double lower_ratio, ratio, upper_ratio;  ///< quartiles, over the rounds, of its time over the other's
+  double nanoseconds;        ///< for one value, median of the rounds
+  double other_nanoseconds;  ///< the same for the other implementation
+  double lower_ratio, ratio,
+      upper_ratio;  ///< over the rounds, of its time over the other's; `ratio` is the median
+
+  /// `lower`: the share of the rounds whose ratio is below lower_ratio, as large as that above upper_ratio.
+  Speed(const std::vector<double>& nanoseconds_of_rounds, const std::vector<double>& others, double lower);
 };
 
 /// Random points of the ranges at which fast has finite values; empty if there are none.

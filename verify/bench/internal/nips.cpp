@@ -29,22 +29,12 @@ using data::Friction;
 
 constexpr auto elastic_nip = "elastic-nip", viscoelastic_nip = "viscoelastic-nip";
 
-/// A method that finds the contact length.
-struct LengthMethod {
-  std::string name;
-  std::function<double()> length;
-  bool has_truth = true;
-};
-
-std::vector<BenchRow> rows_of_lengths(const char* group, const std::string& arguments,
-                                      const std::vector<LengthMethod>& methods, const TimedRounds& rounds,
-                                      const std::function<WayError(double length)>& error_of) {
-  std::vector<TimedWay> ways;
-  for (const LengthMethod& method : methods) {
-    ways.push_back({method.name, repeated([&](std::size_t) { return method.length(); })});
-    if (method.has_truth) ways.back().error = [&] { return error_of(method.length()); };
-  }
-  return timed_rows(group, arguments, ways, rounds);
+/// A way to find a contact length. `error_of`: empty where nothing independent is compared.
+TimedWay length_way(const std::string& name, const std::function<double()>& length,
+                    const std::function<WayError(double length)>& error_of = {}) {
+  TimedWay way{name, repeated([=](std::size_t) { return length(); })};
+  if (error_of) way.error = [=] { return error_of(length()); };
+  return way;
 }
 
 /// Contacts at the middle of the thesis's loads.
@@ -55,24 +45,24 @@ std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
   const auto converged = [&](Friction friction, double accuracy) {
     return [=] { return fast::converged_for_load(nip, friction, load, accuracy).contact_length().value; };
   };
-  std::vector<LengthMethod> methods{
-      {"thesis: m=10, 500 terms",
-       [&] {
-         const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
-         return fast::line_loads_for_load(nip, {10, 500}, load, {}, search).contact_length();
-       }},
-      {"line loads, m=10, fast kernels",
-       [&] { return fast::line_loads_for_load(nip, 10, load).contact_length(); }}};
-  for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13})
-    methods.push_back({fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy)});
-  methods.push_back({"converged 1e-10, full friction", converged(Friction::full, 1e-10), false});
   const ref::Estimate truth =
       ref::converged_for_load(nip, Friction::none, load, length_digits).contact_length();
-  return rows_of_lengths(elastic_nip, fmt::format("B={} W=100", thickness), methods, {4, rounds},
-                         [&](double length) {
-                           const double error = std::fabs(truth.error_of(length));
-                           return WayError{error / ulp_of(length), error / length};
-                         });
+  const auto error_of = [&](double length) {
+    const double error = std::fabs(truth.error_of(length));
+    return WayError{error / ulp_of(length), error / length};
+  };
+  const auto by_thesis = [&] {
+    const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
+    return fast::line_loads_for_load(nip, {10, 500}, load, {}, search).contact_length();
+  };
+  const auto by_line_loads = [&] { return fast::line_loads_for_load(nip, 10, load).contact_length(); };
+  std::vector<TimedWay> ways{length_way("thesis: m=10, 500 terms", by_thesis, error_of),
+                             length_way("line loads, m=10, fast kernels", by_line_loads, error_of)};
+  for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13})
+    ways.push_back(
+        length_way(fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy), error_of));
+  ways.push_back(length_way("converged 1e-10, full friction", converged(Friction::full, 1e-10)));
+  return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {4, rounds});
 }
 
 /// The time for all rows of Tables III to X does not include that for loading the tables.
@@ -114,26 +104,8 @@ std::vector<Times> load_paths(std::size_t count) {
   return all;
 }
 
-struct UnMethod {
-  std::string name;
-  std::function<double(const Times&)> evaluate;
-};
-
-std::vector<UnMethod> methods_for_Un() {
-  std::vector<UnMethod> all;
-  const auto add = [&](const std::string& name, const auto& load) {
-    all.push_back({name, [load](const Times& at) { return load.normal_displacement(at.t, at.T); }});
-  };
-  for (const double rtol : {fast::Accuracy::best_rtol, 1e-9, 1e-6, 1e-3})
-    add(rtol == fast::Accuracy::best_rtol ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
-        fast::MovingLoad(unit_solid(), 1, 1, fast::Accuracy(rtol)));
-  for (const int terms : {500, 100, 20})
-    add(fmt::format("thesis Un, {} terms", terms), fast::PlainMovingLoad(unit_solid(), 1, 1, terms));
-  return all;
-}
-
 /// The error over the scale of the catalogue's Un, at the first few of the points.
-double largest_error(const UnMethod& method, const std::vector<Times>& points) {
+double largest_error(const auto& by_method, const std::vector<Times>& points) {
   constexpr std::size_t compared = 30;
   const auto material = ref::exact_material(unit_solid());
   const Quantity& Un = find_quantity("Un");
@@ -145,20 +117,25 @@ double largest_error(const UnMethod& method, const std::vector<Times>& points) {
     const ParsedArguments at =
         parse_arguments(Un, {{"t", fmt::format("{:a}", t)}, {"T", fmt::format("{:a}", T)}});
     const double scale = Un.envelope(at.nearest(Un));  // the other arguments are those of unit_solid()
-    largest = std::max(largest, std::fabs(truth.error_of(method.evaluate(points[i]))) / scale);
+    largest = std::max(largest, std::fabs(truth.error_of(by_method(points[i]))) / scale);
   }
   return largest;
 }
 
 std::vector<BenchRow> displacements_under_moving_load(int rounds) {
   const auto points = load_paths(200);
-  const auto methods = methods_for_Un();
   std::vector<TimedWay> ways;
-  for (const UnMethod& method : methods) {
-    Contender contender = repeated([&](std::size_t i) { return method.evaluate(points[i % points.size()]); });
+  const auto add = [&](const std::string& name, const auto& load) {
+    const auto Un = [load](const Times& at) { return load.normal_displacement(at.t, at.T); };
+    Contender contender = repeated([=, &points](std::size_t i) { return Un(points[i % points.size()]); });
     contender.least = points.size();
-    ways.push_back({method.name, contender, [&] { return of_relative(largest_error(method, points)); }});
-  }
+    ways.push_back({name, contender, [=, &points] { return of_relative(largest_error(Un, points)); }});
+  };
+  for (const double rtol : {fast::Accuracy::best_rtol, 1e-9, 1e-6, 1e-3})
+    add(rtol == fast::Accuracy::best_rtol ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
+        fast::MovingLoad(unit_solid(), 1, 1, fast::Accuracy(rtol)));
+  for (const int terms : {500, 100, 20})
+    add(fmt::format("thesis Un, {} terms", terms), fast::PlainMovingLoad(unit_solid(), 1, 1, terms));
   return timed_rows(viscoelastic_nip, "t in [0.01,10], T around", ways, {.count = rounds});
 }
 
@@ -173,17 +150,20 @@ std::vector<BenchRow> rolling_contacts(int rounds) {
   const auto converged = [&](double accuracy) {
     return fast::converged_for_load(nip, load, accuracy).contact_length().value;
   };
-  std::vector<LengthMethod> methods{{"thesis: m1=10, 500 terms, search for m2 (against 1e-12)", [&] {
-                                       auto method = viscoelastic_method(how);
-                                       method.trailing_elements.reset();
-                                       return fast::line_loads_for_load(nip, method, load).contact_length();
-                                     }}};
-  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10})
-    methods.push_back({fmt::format("converged {:.0e} (against 1e-12)", accuracy),
-                       [&converged, accuracy] { return converged(accuracy); }});
+  const auto by_thesis = [&] {
+    auto method = viscoelastic_method(how);
+    method.trailing_elements.reset();
+    return fast::line_loads_for_load(nip, method, load).contact_length();
+  };
   const double truth = converged(1e-12);
-  return rows_of_lengths(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", methods, {2, rounds},
-                         [=](double length) { return of_relative(std::fabs(length / truth - 1)); });
+  const auto error_of = [=](double length) { return of_relative(std::fabs(length / truth - 1)); };
+  std::vector<TimedWay> ways{
+      length_way("thesis: m1=10, 500 terms, search for m2 (against 1e-12)", by_thesis, error_of)};
+  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10})
+    ways.push_back(length_way(
+        fmt::format("converged {:.0e} (against 1e-12)", accuracy), [=] { return converged(accuracy); },
+        error_of));
+  return timed_rows(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", ways, {2, rounds});
 }
 
 /// All rows of Tables XI to XXVI, from their lengths, in one thread.
