@@ -108,9 +108,9 @@ GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   return options;
 }
 
-Json refused_json(const Quantity& quantity, const std::vector<RefusedRow>& refused) {
-  return json_list(refused, [&](const RefusedRow& row) -> Json {
-    return {{"arguments", point_json(quantity, row.arguments)}, {"reason", row.reason}};
+Json refused_json(const std::vector<RefusedRow>& refused) {
+  return json_list(refused, [](const RefusedRow& row) -> Json {
+    return {{"arguments", json_object(row.arguments)}, {"reason", row.reason}};
   });
 }
 
@@ -118,26 +118,20 @@ Json refused_json(const Quantity& quantity, const std::vector<RefusedRow>& refus
 struct MadeFile {
   std::string text;
   std::size_t rows;
-  bool is_complete;  ///< nothing was refused
-  Json refused;
+  std::vector<RefusedRow> refused;
 };
 
 MadeFile made_of(const std::string& name, const CommandLine& line, const OnProgress& progress) {
   if (is_contact_kind(name)) {
-    const MadeContacts made =
+    const auto made =
         make_contacts(name, digits_option(line).value_or(contact_digits), provenance(), progress);
-    const auto refused = [](const RefusedContact& row) -> Json {
-      return {{"arguments", json_object(row.keys)}, {"reason", row.reason}};
-    };
-    return {contacts_text(made.file), made.file.rows.size(), made.refused.empty(),
-            json_list(made.refused, refused)};
+    return {contacts_text(made.file), made.file.rows.size(), made.refused};
   }
   const Quantity& quantity = find_quantity(name);
   GoldenOptions options = options_for(quantity, line);
   options.progress = progress;
   const MadeGolden made = make_golden(quantity, options, provenance());
-  return {golden_text(quantity, made.file), made.file.rows.size(), made.refused.empty(),
-          refused_json(quantity, made.refused)};
+  return {golden_text(quantity, made.file), made.file.rows.size(), made.refused};
 }
 
 /// The names after the action; without any those of all quantities and kinds of contacts.
@@ -165,14 +159,14 @@ int make(const CommandLine& line, std::ostream& out) {
   std::size_t rows = 0;
   bool kept = true;
   progress.each("golden make", names, std::identity(), [&](const std::string& name) {
-    MadeFile made = made_of(name, line, [&](double part) { progress.at(part); });
-    kept = kept && made.is_complete;
+    const MadeFile made = made_of(name, line, [&](double part) { progress.at(part); });
+    kept = kept && made.refused.empty();
     destination.write(name, made.text, made.rows);
     rows += made.rows;
     files.push_back({{"quantity", name},
                      {"file", destination.file_of(name).string()},
                      {"rows", made.rows},
-                     {"refused", made.refused}});
+                     {"refused", refused_json(made.refused)}});
   });
   return answer(line, out, {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept);
 }
@@ -263,7 +257,7 @@ Json updated_json(const UpdatedFile& file) {
           {"file", file.path},
           {"rows", file.updated.file.rows.size()},
           {"changed", json_list(file.updated.changed, changed)},
-          {"refused", refused_json(file.quantity, file.updated.refused)},
+          {"refused", refused_json(file.updated.refused)},
           {"_changed", file.updated.changed.size()}};
 }
 

@@ -182,8 +182,8 @@ AxesProduct swept_by(const data::SceneText& scene) {
       mapped(sweep.keys, [](const auto& key) { return axis_of(key.first, key.second, axis_points); }));
 }
 
-MadeContacts make_contacts(const std::string& kind, int digits, const Provenance& provenance,
-                           const OnProgress& progress) {
+Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Provenance& provenance,
+                                 const OnProgress& progress) {
   const data::SceneText text = contact_scene(kind);
   const AxesProduct product = swept_by(text);
   std::vector<UnmadeContact> contacts(product.size());
@@ -199,7 +199,7 @@ MadeContacts make_contacts(const std::string& kind, int digits, const Provenance
   const std::vector<UnmadeContact*> confirmed = to_be_confirmed(contacts);
   parallel_for(
       confirmed.size(), [&](std::size_t i) { confirmed[i]->confirm(); }, part(0.5));
-  MadeContacts made;
+  Made<ContactsFile> made;
   const data::Scene example = data::load_scene(text, contacts.front().keys);
   made.file.header = {{"quantity", kind},
                       {"definition", example.title.substr(0, example.title.find(", with "))},

@@ -43,24 +43,13 @@ struct ContactsFile : GoldenHeader {
   std::vector<GoldenContact> rows;
 };
 
-/// A contact that is not taken.
-struct RefusedContact {
-  Assignments keys;
-  std::string reason;
-};
-
-struct MadeContacts {
-  ContactsFile file;
-  std::vector<RefusedContact> refused;
-};
-
 /// The digits that the reference is asked for; its values have three more.
 inline constexpr int contact_digits = 17;
 
 /// Solves every contact of the kind by the reference, and confirms it by fast, whose error must cover; and, as far as it
 /// reaches, by a second method: a tenth of the nips, evenly spaced, and all bodies on half-spaces.
-MadeContacts make_contacts(const std::string& kind, int digits, const Provenance& provenance,
-                           const OnProgress& progress);
+Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Provenance& provenance,
+                                 const OnProgress& progress);
 
 std::string contacts_text(const ContactsFile& file);
 /// BadInput that names file, line and column of the first fault.

@@ -9,7 +9,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
@@ -91,6 +90,10 @@ class Candidates {
   std::vector<Candidate> fresh_;
 };
 
+Assignments exact_arguments(const Quantity& quantity, const Point& point) {
+  return written_point(quantity, point, [](double x) { return fmt::format("{:a}", x); });
+}
+
 /// The golden value at a candidate, or the reason why there is none; both empty if the reference refuses the point.
 struct MadeRow {
   std::optional<GoldenRow> row;
@@ -107,7 +110,7 @@ MadeRow made_row(const Quantity& quantity, const Candidate& candidate, int digit
   GoldenRow row = golden_row(quantity, candidate.point, *reference);
   row.origin = candidate.origin;
   if (std::string reason = confirm_row(quantity, row); !reason.empty())
-    return {{}, RefusedRow{candidate.point, std::move(reason)}};
+    return {{}, RefusedRow{exact_arguments(quantity, candidate.point), std::move(reason)}};
   return {std::move(row), {}};
 }
 
@@ -210,18 +213,20 @@ struct UpdatedRow {
 
 UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
                        bool all) {
+  const auto refuse = [&](std::string reason) -> UpdatedRow {
+    return {{}, RefusedRow{exact_arguments(quantity, before.arguments), std::move(reason)}};
+  };
   std::optional<ref::Estimate> reference;
   try {
     reference = ref_value(quantity, before.arguments, digits);
   } catch (const data::BadInput& refused) {
-    return {{}, RefusedRow{before.arguments, fmt::format("the reference refuses it: {}", refused.what())}};
+    return refuse(fmt::format("the reference refuses it: {}", refused.what()));
   }
   GoldenRow after = golden_row(quantity, before.arguments, *reference);
   after.origin = before.origin;
   std::string why = reason_to_change(before, after, all);
   if (why.empty()) return {};
-  if (std::string reason = confirm_row(quantity, after); !reason.empty())
-    return {{}, RefusedRow{before.arguments, std::move(reason)}};
+  if (std::string reason = confirm_row(quantity, after); !reason.empty()) return refuse(std::move(reason));
   return {ChangedRow{number, before, std::move(after), std::move(why)}, {}};
 }
 
@@ -233,7 +238,7 @@ UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bo
   auto outcomes = parallel_mapped(
       file.rows.size(),
       [&](std::size_t i) { return updated_row(quantity, file.rows[i], i + 1, digits, all); }, progress);
-  UpdatedGolden updated{file, {}, {}};
+  UpdatedGolden updated{{file}};
   for (UpdatedRow& outcome : outcomes) {
     if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));
     if (!outcome.changed) continue;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
@@ -33,16 +34,18 @@ inline GoldenOptions golden_options(const Quantity& quantity) {
   return is_slow(quantity) ? GoldenOptions{200, 30} : GoldenOptions{250, 50};
 }
 
-/// A point without a golden value.
+/// A point or a contact without golden values.
 struct RefusedRow {
-  Point arguments;
+  Assignments arguments;  ///< as its file would have them
   std::string reason;
 };
 
-struct MadeGolden {
-  GoldenFile file;
-  std::vector<RefusedRow> refused;  ///< points whose value no second method confirms
+template <class File>
+struct Made {
+  File file;
+  std::vector<RefusedRow> refused = {};  ///< what no second method confirms
 };
+using MadeGolden = Made<GoldenFile>;
 
 /// Golden values of a quantity at hard cases, at zeros and their neighbours, at the points where an audit finds the
 /// largest errors of fast, and at points spread over the whole domain. A second method confirms each value: the two
@@ -62,11 +65,9 @@ struct ChangedRow {
   std::string why;
 };
 
-struct UpdatedGolden {
-  GoldenFile file;  ///< with the changed rows
-  std::vector<ChangedRow> changed;
-  std::vector<RefusedRow>
-      refused;  ///< rows that stay as they are because no second method confirms their new values
+/// Of what is refused, the rows stay as they are.
+struct UpdatedGolden : MadeGolden {
+  std::vector<ChangedRow> changed = {};
 };
 
 /// Computes all values of the file again. A row changes if the reference's new value contradicts its value, if its
