@@ -230,24 +230,25 @@ std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
                 [&](const auto& pair) { return axis_of(pair.first, pair.second, line.count("points")); });
 }
 
-std::vector<SweepColumn> columns_of(const EvalRequest& request) {
-  if (request.form != nullptr) return {{request.form->name, false}};
-  std::vector<SweepColumn> columns;
-  if (request.by_ref) columns = {{"ref", true}, {"ref_error", true}};
-  if (request.by_fast) columns.insert(columns.end(), {{"fast", false}, {"fast_error", false}});
-  columns.push_back({"missed", true});
+std::vector<std::string> columns_of(const EvalRequest& request) {
+  if (request.form != nullptr) return {request.form->name};
+  std::vector<std::string> columns;
+  if (request.by_ref) columns = {"ref", "ref_error"};
+  if (request.by_fast) columns.insert(columns.end(), {"fast", "fast_error"});
+  columns.emplace_back("missed");
   return columns;
 }
 
 SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
   SweepRow row;
   std::vector<std::string> missed;
-  for (EvalAnswer& answer : answers_to(request, arguments)) {
-    row.cells.push_back(std::move(answer.value));
-    if (answer.error) row.cells.push_back(std::move(*answer.error));
+  for (const EvalAnswer& answer : answers_to(request, arguments)) {
+    row.add(answer.value, number_json(answer.path, answer.value));
+    if (answer.error) row.add(*answer.error, number_json(answer.path, *answer.error));
     if (answer.met == false) missed.push_back(answer.path);
   }
-  if (request.form == nullptr) row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
+  const std::string paths = fmt::format("{}", fmt::join(missed, " "));
+  if (request.form == nullptr) row.add(paths, Json::unless_empty(paths));
   row.fell_short = !missed.empty();
   return row;
 }
@@ -262,7 +263,7 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
                     points,
                     columns_of(request),
                     {{"quantity", quantity.name}, {"caveat", Json::unless_empty(caveat_of(request))}},
-                    {},
+                    columns_of(request),
                     [&](std::size_t i) {
                       const Assignments given = points.assignments(i, &AxisValue::exact);
                       return row_of(request, parse_arguments(quantity, given));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <type_traits>
 #include <vector>
 
 #include <nipref/data/scene/file.hpp>
@@ -75,16 +76,15 @@ bool wants(const data::Scene& scene, data::Shape shape) {
                              [&](data::ResultId id) { return data::scene_result(id).shape == shape; });
 }
 
-std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
-  std::vector<SweepColumn> columns;
+std::vector<std::string> columns_of(const data::Scene& scene) {
+  std::vector<std::string> columns;
   for (const data::ResultId id : scene.wanted) {
-    const std::string name(data::scene_result(id).name);
-    columns.insert(columns.end(), {{name, by_ref}, {name + "_error", by_ref}});
+    columns.emplace_back(data::scene_result(id).name);
+    columns.push_back(columns.back() + "_error");
   }
-  columns.insert(columns.end(), {{"missed", true}, {"warnings", true}});
-  if (wants(scene, data::Shape::profile)) columns.push_back({"positions", false});
-  if (wants(scene, data::Shape::field))
-    columns.insert(columns.end(), {{"field.positions", false}, {"field.depths", false}});
+  columns.insert(columns.end(), {"missed", "warnings"});
+  if (wants(scene, data::Shape::profile)) columns.emplace_back("positions");
+  if (wants(scene, data::Shape::field)) columns.insert(columns.end(), {"field.positions", "field.depths"});
   return columns;
 }
 
@@ -125,11 +125,15 @@ SweepRow row_of(const SceneSolution<Number>& solution, bool has_lists) {
     add_lists(row, solution, names, warnings);
     return row;
   }
+  const auto add_number = [&](const std::string& text) {
+    row.add(text, std::is_same_v<Number, ref::Estimate> ? Json(text) : Json::number(text));
+  };
   for (const auto& result : solution.results) {
-    row.cells.push_back(value_text(result.numbers.front()));
-    row.cells.push_back(error_text(result.numbers.front()));
+    add_number(value_text(result.numbers.front()));
+    add_number(error_text(result.numbers.front()));
   }
-  row.cells.insert(row.cells.end(), {names, warnings});
+  row.add(names, Json::unless_empty(names));
+  row.add(warnings, Json::unless_empty(warnings));
   return row;
 }
 
@@ -153,12 +157,13 @@ int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::opt
                 const CommandLine& line, std::ostream& out) {
   const data::Scene first = first_scene(text, scenes);
   const bool has_lists = !std::ranges::all_of(first.wanted, has_one_number);
+  const std::vector<std::string> columns = columns_of(first);
   const Sweep sweep{
       "solve_sweep",
       scenes,
-      columns_of(first, digits.has_value()),
+      columns,
       {{"path", digits ? "ref" : "fast"}},
-      has_lists ? heads_of_numbers : std::vector<std::string>{},
+      has_lists ? heads_of_numbers : columns,
       [&](std::size_t i) {
         // A decimal, which is what TOML takes, means the same double.
         const data::Scene scene = data::load_scene(text, scenes.assignments(i, &AxisValue::shown));

@@ -57,37 +57,21 @@ std::string without_commas(std::string text) {
 }
 
 std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
-  const bool has_lines = !sweep.heads_of_lines.empty();
-  const std::vector<std::string> heads =
-      has_lines ? sweep.heads_of_lines : mapped(sweep.columns, &SweepColumn::name);
+  const std::vector<std::vector<std::string>> unknown{std::vector<std::string>(sweep.heads.size())};
   std::string text;
   for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";
-  for (const std::string& head : heads) text += csv_field(head) + ",";
+  for (const std::string& head : sweep.heads) text += csv_field(head) + ",";
   text += "refused\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::string start;
     for (const AxisValue* const value : sweep.product.at(i)) start += csv_field(value->shown) + ",";
-    std::vector<std::vector<std::string>> lines{std::vector<std::string>(heads.size())};
-    if (rows[i].row && has_lines) {
-      lines = rows[i].row->lines;
-    } else if (rows[i].row) {
-      lines = {rows[i].row->cells};
-    }
-    for (const std::vector<std::string>& line : lines) {
+    for (const std::vector<std::string>& line : rows[i].row ? rows[i].row->lines : unknown) {
       text += start;
       for (const std::string& cell : line) text += without_commas(cell) + ",";
       text += without_commas(refusal_text(rows[i])) + "\n";
     }
   }
   return text;
-}
-
-Json cell_json(const FinishedRow& row, std::size_t column, bool is_text) {
-  if (!row.row) return {};
-  if (!row.row->values.empty()) return row.row->values[column];
-  if (row.row->cells[column].empty()) return {};
-  const std::string& cell = row.row->cells[column];
-  return is_text ? Json(cell) : Json::number(cell);
 }
 
 Json columns_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
@@ -99,8 +83,8 @@ Json columns_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
     columns.set(axes[a].name, values);
   }
   for (std::size_t j = 0; j < sweep.columns.size(); ++j)
-    columns.set(sweep.columns[j].name, json_list(rows, [&](const FinishedRow& row) {
-                  return cell_json(row, j, sweep.columns[j].is_text);
+    columns.set(sweep.columns[j], json_list(rows, [&](const FinishedRow& row) {
+                  return row.row ? row.row->values[j] : Json();
                 }));
   return columns;
 }

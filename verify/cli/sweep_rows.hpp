@@ -15,26 +15,25 @@ namespace nipref::verify {
 
 /// What came of one combination of a sweep.
 struct SweepRow {
-  std::vector<std::string> cells;  ///< one for each column; an empty one is not known
-  bool fell_short = false;         ///< of what was asked
-  /// Where a column has more than one number: its cells for JSON, and lines of CSV in place of `cells`.
-  std::vector<Json> values = {};
-  std::vector<std::vector<std::string>> lines = {};
-};
+  std::vector<std::vector<std::string>> lines;  ///< of CSV, one for each number where a column has several
+  std::vector<Json> values;                     ///< of JSON, one for each column
+  bool fell_short = false;                      ///< of what was asked
 
-/// A column behind those of the axes.
-struct SweepColumn {
-  std::string name;
-  bool is_text;  ///< for machines too: what may not fit a double
+  /// To the row's only line.
+  void add(const std::string& cell, const Json& value) {
+    if (lines.empty()) lines.emplace_back();
+    lines.front().push_back(cell);
+    values.push_back(value);
+  }
 };
 
 /// What a sweep computes, and how its rows are written.
 struct Sweep {
   std::string_view verb;  ///< of the JSON answer
   AxesProduct product;
-  std::vector<SweepColumn> columns;
-  Json members;                             ///< of the JSON answer, before the rows
-  std::vector<std::string> heads_of_lines;  ///< of CSV, where rows have `lines`
+  std::vector<std::string> columns;  ///< behind those of the axes
+  Json members;                      ///< of the JSON answer, before the rows
+  std::vector<std::string> heads;    ///< of CSV
   /// Of a combination, from several threads at once. BadInput: it is refused.
   std::function<SweepRow(std::size_t)> row_at;
 };
