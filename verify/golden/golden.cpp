@@ -12,6 +12,7 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -49,14 +50,6 @@ bool read_decimal(const std::string& text, ref::Float& number, mpfr_rnd_t roundi
          mpfr_number_p(ref::raw(number)) != 0;
 }
 
-/// The double in a field, decimal or hexadecimal; nothing if the field is no number.
-std::optional<double> read_double(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 /// Reads the rows of a file of the quantity's golden values.
 class Reader {
  public:
@@ -72,13 +65,13 @@ class Reader {
       const auto text = argument_text(argument, all);
       const TextPosition position = fields[column_of(argument)].position;
       row.arguments.push_back(
-          argument_of(argument, {text.value_or(argument.default_text.value_or("")), position}));
+          argument_of(path_, argument, {text.value_or(argument.default_text.value_or("")), position}));
     }
     std::size_t at = named_.size();
     row.value = decimal(fields[at++]);
     row.bound = decimal(fields[at++]);
     if (row.bound.front() == '-') refuse(fields[at - 1], "a bound must not be negative");
-    row.scale = number(fields[at++]);
+    row.scale = double_of(path_, fields[at++]);
     if (row.scale < 0) refuse(fields[at - 1], "a scale must not be negative");
     const CsvField& status = fields[at++];
     row.proven = is_proven(path_, status);
@@ -105,19 +98,6 @@ class Reader {
       const auto column = std::ranges::find(named_, error.argument(), &Argument::name) - named_.begin();
       refuse(fields[static_cast<std::size_t>(column)], error.allowed());
     }
-  }
-
-  [[nodiscard]] double argument_of(const Argument& argument, const CsvField& field) const {
-    if (argument.kind != ArgumentKind::choice) return number(field);
-    const auto found = std::ranges::find(argument.choices, field.text);
-    if (found == argument.choices.end()) refuse(field, "must be " + domain(argument));
-    return static_cast<double>(found - argument.choices.begin());
-  }
-
-  [[nodiscard]] double number(const CsvField& field) const {
-    const auto value = read_double(field.text);
-    if (!value) refuse(field, "must be a finite number");
-    return *value;
   }
 
   [[nodiscard]] std::string decimal(const CsvField& field) const {
@@ -214,6 +194,25 @@ void check_columns(const std::filesystem::path& path, const std::vector<CsvField
     if (names[i].text != columns[i])
       data::refuse(path, names[i].position, "must be the column " + columns[i]);
   }
+}
+
+double double_of(const std::filesystem::path& path, const CsvField& field, bool may_be_none) {
+  const std::string text = trimmed(field.text);
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || (!may_be_none && !std::isfinite(number)))
+    data::refuse(path, field.position,
+                 text.find(',') != std::string::npos ? "must have a decimal point, not a comma"
+                 : may_be_none                       ? "must be a number, inf or nan"
+                                                     : "must be a finite number");
+  return number;
+}
+
+double argument_of(const std::filesystem::path& path, const Argument& argument, const CsvField& field) {
+  if (argument.kind != ArgumentKind::choice) return double_of(path, field);
+  const auto found = std::ranges::find(argument.choices, trimmed(field.text));
+  if (found == argument.choices.end()) data::refuse(path, field.position, "must be " + domain(argument));
+  return static_cast<double>(found - argument.choices.begin());
 }
 
 void check_decimal(const std::filesystem::path& path, const CsvField& field) {

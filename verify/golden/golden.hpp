@@ -44,8 +44,12 @@ struct GoldenHeader {
 /// The header of a file that was read. BadInput with line and column of what is no entry.
 GoldenHeader header_of(const data::CsvFile& csv);
 
-// What both kinds of files hold. BadInput with line and column of what is not there.
+// What files of values hold. BadInput with line and column of what is not there.
 
+/// A double, decimal or hexadecimal, which is finite or, if it `may_be_none`, also an infinity or a NaN.
+double double_of(const std::filesystem::path& path, const data::CsvField& field, bool may_be_none = false);
+/// The number that stands for an argument.
+double argument_of(const std::filesystem::path& path, const Argument& argument, const data::CsvField& field);
 void check_columns(const std::filesystem::path& path, const std::vector<data::CsvField>& names,
                    const std::vector<std::string>& columns);
 void check_decimal(const std::filesystem::path& path, const data::CsvField& field);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/csv.hpp>
@@ -88,19 +86,6 @@ std::size_t value_column(const CsvFile& file, const Quantity& quantity,
                            quantity.name));
 }
 
-/// A decimal or hexadecimal double; infinities and NaN are allowed for values, but not for arguments.
-double number_of(const CsvFile& file, const CsvField& field, bool is_value) {
-  const std::string text = trimmed(field.text);
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || (!is_value && !std::isfinite(number)))
-    data::refuse(file.path, field.position,
-                 text.find(',') != std::string::npos ? "must have a decimal point, not a comma"
-                 : is_value                          ? "must be a number, inf or nan"
-                                                     : "must be a finite number");
-  return number;
-}
-
 bool is_hexadecimal(const std::string& text) { return text.find_first_of("xX") != std::string::npos; }
 
 /// The number of significant digits of a decimal number.
@@ -112,12 +97,6 @@ int significant_digits(const std::string& text) {
                                         [](unsigned char letter) { return std::isdigit(letter) != 0; }));
 }
 
-double choice_of(const CsvFile& file, const Argument& argument, const CsvField& field) {
-  const auto found = std::ranges::find(argument.choices, trimmed(field.text));
-  if (found == argument.choices.end()) data::refuse(file.path, field.position, "must be " + domain(argument));
-  return static_cast<double>(found - argument.choices.begin());
-}
-
 /// Adds a row's point and value.
 void add_row(MeasuredPoints& read, const CsvFile& file, const std::vector<ArgumentColumns>& columns,
              std::size_t value, const std::vector<CsvField>& record) {
@@ -127,17 +106,14 @@ void add_row(MeasuredPoints& read, const CsvFile& file, const std::vector<Argume
     const auto place = exact ? exact : decimal;
     const CsvField field =
         place ? record[*place] : CsvField{*argument->default_text, file.records.front().front().position};
-    if (argument->kind == ArgumentKind::choice) {
-      point.push_back(choice_of(file, *argument, field));
-      continue;
-    }
-    point.push_back(number_of(file, field, false));
+    point.push_back(argument_of(file.path, *argument, field));
+    if (argument->kind == ArgumentKind::choice) continue;
     const std::string text = trimmed(field.text);
     is_short |= place && !is_hexadecimal(text) && significant_digits(text) < exact_digits;
-    contradicts |= exact && decimal && number_of(file, record[*decimal], false) != point.back();
+    contradicts |= exact && decimal && double_of(file.path, record[*decimal]) != point.back();
   }
   read.points.push_back(std::move(point));
-  read.values.push_back(number_of(file, record[value], true));
+  read.values.push_back(double_of(file.path, record[value], true));
   read.contradicting_rows += contradicts ? 1 : 0;
   read.short_rows += is_short ? 1 : 0;
 }

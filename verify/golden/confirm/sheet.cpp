@@ -25,9 +25,9 @@ Confirmation of_root(const Float& part) {
 /// In the order of the kernels in quantities.toml, of which I3, I4 and I5 are sine transforms.
 Confirmation residue(Arguments x) {
   const Pole at = pole_by_circle(static_cast<std::size_t>(x["n"]));
-  const Complex residues[]{at.I1, at.I3, at.I4, at.I5, at.I1 + at.I6_alpha, -at.I6_eta, at.I7};
+  const Complex by_kernel[]{at.I1, at.I3, at.I4, at.I5, at.I1 + at.I6_alpha, -at.I6_eta, at.I7};
   const auto number = static_cast<std::size_t>(x["kernel"]);
-  const Complex c = 2 * residues[number];
+  const Complex c = 2 * by_kernel[number];
   const bool odd = number >= 1 && number <= 3, first = x["coefficient"] == 0;
   const Float value = odd && !first ? c.real() : first && !odd ? Float(-c.real()) : Float(-c.imag());
   return confirmation<Float>("integral over a circle around the root", value, abs(c) * Float("1e-75"));
