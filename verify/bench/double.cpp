@@ -65,10 +65,11 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
 
 std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range) {
   Random random("bench " + quantity.name + range.name);
-  std::vector<Point> points(points_in_a_set);
-  const auto drawn = [&](const Argument& argument) { return representative(argument.kind, range, random); };
-  for (Point& point : points)
-    point = quantity.draw ? quantity.draw(random) : mapped(quantity.arguments, drawn);
+  std::vector<Point> points(points_in_a_set, Point(quantity.arguments.size()));
+  if (quantity.draw) std::ranges::generate(points, [&] { return quantity.draw(random); });
+  for (std::size_t j = 0; !quantity.draw && j < quantity.arguments.size(); ++j) {
+    for (Point& point : points) point[j] = representative(quantity.arguments[j].kind, range, random);
+  }
   return points;
 }
 
