@@ -124,12 +124,19 @@ Drawer remembering(Drawer draw) {
   return [=](const std::string& script) { return *drawn->at(script, [&] { return draw(script); }); };
 }
 
+/// ref/README.md and the pages of its subjects as HTML; empty where this was built without pandoc.
+constexpr char mathematics[] =
+#include <nipref_mathematics.inc>
+    ;
+constexpr bool has_mathematics = sizeof mathematics > 1;
+
 /// Says where it is and how large.
 std::string write_page(const fs::path& folder, const std::string& answer, const Drawer& draw) {
-  const std::string page = report_page(answer, draw);
+  const std::string page = report_page(answer, draw, has_mathematics);
   const fs::path file = folder / "index.html";
   write_output_file((folder / "report.json").string(), answer);
   write_output_file(file.string(), page);
+  if constexpr (has_mathematics) write_output_file((folder / "mathematics.html").string(), mathematics);
   return fmt::format("{} ({:.1f} MB, opens from the file)", file.string(),
                      1e-6 * static_cast<double>(page.size()));
 }

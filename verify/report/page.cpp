@@ -117,8 +117,10 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
 
 }  // namespace
 
-std::string report_page(const std::string& answer, const Drawer& draw) {
-  return filled(template_text("report.html"), arranged(answer, draw), escaped_for_html);
+std::string report_page(const std::string& answer, const Drawer& draw, bool has_mathematics) {
+  TemplateData page = arranged(answer, draw);
+  page["mathematics"] = has_mathematics;
+  return filled(template_text("report.html"), page, escaped_for_html);
 }
 
 std::string report_text(const std::string& answer, const std::string& where_more_is) {

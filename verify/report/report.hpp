@@ -102,8 +102,8 @@ Json speed_plots_json(const std::vector<BenchRow>& rows);
 using Drawer = std::function<std::optional<std::string>(const std::string& script)>;
 
 /// The answer of a report as one HTML file, by the template report.html: it needs neither a network nor scripts. `draw` draws
-/// the plots; in place of a plot that it cannot draw, the page says so.
-std::string report_page(const std::string& answer, const Drawer& draw);
+/// the plots; in place of a plot that it cannot draw, the page says so. It links mathematics.html beside it where there is one.
+std::string report_page(const std::string& answer, const Drawer& draw, bool has_mathematics = false);
 
 /// The answer as one screen of 80 columns, by the template report.txt: the build, a line or two for each part, and the path
 /// of the page.
