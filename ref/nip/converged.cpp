@@ -10,6 +10,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
+#include <nipref/ref/nip/internal/proven_stresses.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
@@ -24,6 +25,8 @@ constexpr int fewest_digits = 16;
 /// Contact lengths in sheet thicknesses. Stresses inside sum the waves of all of the contact, so that they are computed of
 /// shorter ones only.
 constexpr double longest_nip = 1000, longest_inside = 80;
+/// Digits of the fields of line loads beyond those of the stresses that they make.
+constexpr int stress_guard = 4;
 /// The distance from the contact at which displacements are computed, half-thicknesses.
 constexpr double farthest = 900;
 
@@ -333,7 +336,8 @@ Estimate ConvergedNip::peak_pressure() const {
 Estimate ConvergedNip::peak_pressure_position() const {
   // The middle, of which the proof without friction shows that the pressure is largest there.
   if (parts_->sheet->is_symmetric())
-    return parts_->proof && !parts_->sheet->grips() ? exact_zero(parts_->digits) : Estimate(0, 0, parts_->digits);
+    return parts_->proof && !parts_->sheet->grips() ? exact_zero(parts_->digits)
+                                                    : Estimate(0, 0, parts_->digits);
   const auto place = [](const NipSolution& of) -> Float {
     return of.half_length() + of.offset() - place_of_largest(of, &PressureAndShear::pressure);
   };
@@ -442,13 +446,31 @@ Estimate ConvergedNip::surface_strain(double y) const {
       at_once * parts_->by_ends(x, &PressureAndShear::pressure));
 }
 
+std::optional<InnerStresses> ConvergedNip::Parts::proven_stresses_at(const InnerPoint& point) const {
+  if (!proof || proof->contact->expansion() == nullptr) return std::nullopt;
+  const WorkingDigits working(proof->working_digits);
+  const auto found = proven_stresses(*proof->contact->expansion(), place(point.y), Exact(point.depth),
+                                     digits + stress_guard);
+  if (!found) return std::nullopt;
+  const Interval unit(Exact(units.pressure), working_bits());
+  const bool no_shear = point.depth == 0 || (sheet->is_symmetric() && point.y == 0);
+  return InnerStresses{enclosure_of(unit * found->across, digits), enclosure_of(unit * found->along, digits),
+                       no_shear ? exact_zero(digits) : enclosure_of(unit * found->shear, digits)};
+}
+
 std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {
   const WorkingDigits working(parts_->working_digits());
-  const ContactField field = parts_->field();
+  std::optional<ContactField> field;
   std::vector<InnerStresses> stresses;
-  for (const InnerPoint& point : points)
-    stresses.push_back(field.at(checked_point(point, parts_->in_unit(&Unit::length)),
-                                parts_->sheet->is_symmetric(), parts_->in_unit(&Unit::pressure)));
+  for (const InnerPoint& point : points) {
+    const SheetPoint place = checked_point(point, parts_->in_unit(&Unit::length));
+    if (const auto proven = parts_->proven_stresses_at(point)) {
+      stresses.push_back(*proven);
+      continue;
+    }
+    if (!field) field.emplace(parts_->field());
+    stresses.push_back(field->at(place, parts_->sheet->is_symmetric(), parts_->in_unit(&Unit::pressure)));
+  }
   return stresses;
 }
 

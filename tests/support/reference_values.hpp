@@ -1,5 +1,7 @@
 #pragma once
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include <nipref/ref/number/estimate.hpp>
 
@@ -17,4 +19,10 @@ inline double error(const nipref::ref::Estimate& x) {
 
 inline double relative_error(const nipref::ref::Estimate& truth, double value) {
   return std::fabs(truth.error_of(value) / value);
+}
+
+/// How many random contacts a test looks at: as many as it always does, or as the environment's NIPREF_RANDOM_CONTACTS says.
+inline int random_contacts(int always) {
+  const char* const asked = std::getenv("NIPREF_RANDOM_CONTACTS");
+  return asked != nullptr ? std::stoi(asked) : always;
 }

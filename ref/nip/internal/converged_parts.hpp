@@ -78,6 +78,8 @@ struct ConvergedNip::Parts {
   void check_has_shear() const;
   [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const;
   [[nodiscard]] ContactField field() const;
+  /// At the proof's working precision; nothing where it does not reach.
+  [[nodiscard]] std::optional<InnerStresses> proven_stresses_at(const InnerPoint& point) const;
 };
 
 }  // namespace nipref::ref

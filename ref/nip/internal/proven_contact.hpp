@@ -50,6 +50,7 @@ class ProvenResults {
   [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place,
                                                        const Interval& beta) const = 0;
   [[nodiscard]] virtual std::optional<Interval> peak_pressure() const = 0;
+  [[nodiscard]] virtual const ProvenExpansion* expansion() const { return nullptr; }  ///< with friction there is none
   [[nodiscard]] virtual int terms() const = 0;
   [[nodiscard]] virtual long normal_values() const = 0;    ///< of I1, so far
   [[nodiscard]] virtual long coupling_values() const = 0;  ///< of I3, so far
@@ -88,7 +89,7 @@ class ProvenContact final : public ProvenResults {
   /// Whether all of these are known to so many digits of their scale.
   [[nodiscard]] bool is_good_to(int digits) const;
 
-  [[nodiscard]] const ProvenExpansion& expansion() const { return expansion_; }
+  [[nodiscard]] const ProvenExpansion* expansion() const override { return &expansion_; }
   [[nodiscard]] int terms() const override { return static_cast<int>(size()); }
   [[nodiscard]] long normal_values() const override { return kernel_ ? kernel_->kernel_values() : 0; }
   [[nodiscard]] long coupling_values() const override { return coupling_values_; }

@@ -33,7 +33,7 @@ std::vector<Interval> results_of(const ref::ProvenContact& contact) {
 
 TEST_CASE(
     "ref rolling contact: random ones are proven, fewer digits meet more, and double is within its errors") {
-  constexpr int nips = 3;
+  const int nips = random_contacts(3);
   std::mt19937_64 random(5);
   const auto between = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
@@ -41,7 +41,7 @@ TEST_CASE(
   int proven = 0;
   for (int i = 0; i < nips; ++i) {
     CAPTURE(i);
-    const double length = between(1e-3, 2), memory = length * between(0.1, 1e2);
+    const double length = between(1e-3, 4), memory = length * between(0.1, 1e2);
     const auto material = i % 3 == 0
                               ? data::standard_linear_solid({1, between(0.5, 2), 2, 3, memory, 2 * memory})
                           : i % 3 == 1 ? data::single_relaxation_time_solid(1, 0.375, memory)
@@ -72,7 +72,8 @@ TEST_CASE(
     CHECK(of_load.contact_length().to_double() == doctest::Approx(length).epsilon(1e-14));
     CHECK(std::fabs(of_load.load().error_of(load)) <= error(of_load.load()));
   }
-  CHECK(proven >= nips - 1);
+  MESSAGE(proven, " of ", nips, " are proven");
+  CHECK(3 * proven >= 2 * nips);
 }
 
 TEST_CASE("ref rolling contact: an error of 1e-25 in a rate or a length is outside its proof, or widens it") {
