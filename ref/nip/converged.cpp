@@ -334,14 +334,14 @@ Estimate ConvergedNip::peak_pressure() const {
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
-  // The middle, of which the proof without friction shows that the pressure is largest there.
-  if (parts_->sheet->is_symmetric())
-    return parts_->proof && !parts_->sheet->grips() ? exact_zero(parts_->digits)
-                                                    : Estimate(0, 0, parts_->digits);
+  // The middle, by symmetry if there is one peak.
+  if (parts_->sheet->is_symmetric() && (parts_->sheet->grips() || !parts_->proof))
+    return {0, 0, parts_->digits};
   const auto place = [](const NipSolution& of) -> Float {
     return of.half_length() + of.offset() - place_of_largest(of, &PressureAndShear::pressure);
   };
-  return parts_->number(&Unit::length, unproven, place, half_length_of);
+  return parts_->number(&Unit::length, std::mem_fn(&ProvenResults::peak_pressure_position), place,
+                        half_length_of);
 }
 
 Estimate ConvergedNip::peak_shear() const {
@@ -349,9 +349,9 @@ Estimate ConvergedNip::peak_shear() const {
   const auto largest = [](const NipSolution& of) -> Float {
     return abs(of.tractions(place_of_largest(of, &PressureAndShear::shear)).shear);
   };
-  return parts_->number(&Unit::pressure, unproven, largest, [](const NipSolution& of) -> Float {
-    return pressure_of(of) * SolvedNip::kernel_share();
-  });
+  return parts_->number(
+      &Unit::pressure, std::mem_fn(&ProvenResults::peak_shear), largest,
+      [](const NipSolution& of) -> Float { return pressure_of(of) * SolvedNip::kernel_share(); });
 }
 
 Estimate ConvergedNip::peak_shear_position() const {

@@ -21,8 +21,13 @@ inline double relative_error(const nipref::ref::Estimate& truth, double value) {
   return std::fabs(truth.error_of(value) / value);
 }
 
-/// How many random contacts a test looks at: as many as it always does, or as the environment's NIPREF_RANDOM_CONTACTS says.
-inline int random_contacts(int always) {
-  const char* const asked = std::getenv("NIPREF_RANDOM_CONTACTS");
+/// A number that the environment may give in place of what a test always takes: NIPREF_RANDOM_CONTACTS is how many random
+/// contacts it looks at, NIPREF_RANDOM_SEED which.
+inline int number_from(const char* variable, int always) {
+  const char* const asked = std::getenv(variable);
   return asked != nullptr ? std::stoi(asked) : always;
+}
+inline int random_contacts(int always) { return number_from("NIPREF_RANDOM_CONTACTS", always); }
+inline unsigned random_seed(int always) {
+  return static_cast<unsigned>(number_from("NIPREF_RANDOM_SEED", always));
 }

@@ -8,6 +8,7 @@
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/refined_solution.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -121,7 +122,8 @@ class GrippedContact final : public ProvenResults {
     if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
     return 2 * A_ * creep_;
   }
-  [[nodiscard]] std::optional<Interval> peak_pressure() const override { return std::nullopt; }
+  [[nodiscard]] std::optional<Interval> peak_pressure() const override { return peak(false); }
+  [[nodiscard]] std::optional<Interval> peak_shear() const override { return peak(true); }
   [[nodiscard]] int terms() const override { return static_cast<int>(size_); }
   [[nodiscard]] long normal_values() const override { return kernels_->at(0).kernel_values(); }
   [[nodiscard]] long coupling_values() const override { return (*kernels_)[1].kernel_values(); }
@@ -134,6 +136,7 @@ class GrippedContact final : public ProvenResults {
   void find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
                          const EntryBounds& decay, const Interval& entry_error);
   [[nodiscard]] Interval traction(const SurfacePoint& place, bool shear) const;
+  [[nodiscard]] std::optional<Interval> peak(bool shear) const;
 
   long size_;
   Interval A_, beta_, epsilon_, offset_;
@@ -274,6 +277,38 @@ Interval GrippedContact::traction(const SurfacePoint& place, bool shear) const {
   const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
   const Interval traction = 2 * A_ * (sine * value.widened(error));
   return shear && place.is_trailing ? -traction : traction;
+}
+
+/// gamma = g sin(theta) h, where g has the modulus 1 and the slope -2 i epsilon g/sin(theta), and h is a polynomial. As the
+/// shear is odd, its largest value is that of its magnitude.
+std::optional<Interval> GrippedContact::peak(bool shear) const {
+  const mpfr_prec_t bits = working_bits();
+  const ComplexInterval zero{Interval(bits), Interval(bits)}, twist{Interval(bits), -(2 * epsilon_)};
+  const auto traction_over = [&](const Interval& theta) -> FunctionOver {
+    const Interval sine = sin(theta), cosine = cos(theta),
+                   turn = -(2 * (epsilon_ * log(sine / (cosine + 1))));
+    ComplexInterval h = zero, slope = zero, curvature = zero;
+    for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
+      const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.real : x.imag; };
+      const Interval alpha = with_sign_of(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
+      part(h) = part(h) + wave;
+      part(slope) = part(slope) - k * (alpha * sin(k * theta));
+      part(curvature) = part(curvature) - k * k * wave;
+    }
+    const ComplexInterval g{cos(turn), sin(turn)}, first = twist * h + cosine * h + sine * slope;
+    const ComplexInterval second =
+        1 / sine * (twist * first) + twist * slope + 2 * cosine * slope + sine * (curvature - h);
+    const auto part = [&](const ComplexInterval& x) { return shear ? (g * x).imag : (g * x).real; };
+    return {part(sine * h), part(first), part(second)};
+  };
+  const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));
+  const auto found =
+      largest_value(traction_over, hull(end, Interval::pi(bits) - end), magnitude_of(error), Interval(bits));
+  // Nearer the ends tractions are smaller.
+  if (!found ||
+      mpfr_lessequal_p(found->value.lower(), (end * (sum_of_magnitudes(alpha_) + error)).upper()) != 0)
+    return std::nullopt;
+  return 2 * A_ * found->value;
 }
 
 std::shared_ptr<GrippedContact::Kernels> smooth_kernels(const GrippedKernels& kernels,

@@ -9,9 +9,6 @@
 namespace nipref::ref {
 namespace {
 
-constexpr mpfr_prec_t coarse = 64;
-constexpr long most_cells = 1 << 16;
-
 bool is_inside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.lower()) >= 0; }
 bool is_outside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.upper()) < 0; }
 
@@ -228,9 +225,35 @@ std::optional<Interval> ProvenContact::strain(const SurfacePoint& place, const I
   return 2 * half_length() * by_parts / pi - beta * pressure(place);
 }
 
+/// By theta, with d theta: |dp|/(2A) and the difference of its slope are at most sum m |dc_m|.
+std::optional<LargestValue> ProvenContact::peak() const {
+  const auto& c = expansion_.coefficients;
+  const auto pressure = [&](const Interval& theta) {
+    FunctionOver sum{Interval(working_bits()), Interval(working_bits()), Interval(working_bits())};
+    for (std::size_t m = 1; m < c.size(); m += remembers() ? 1U : 2U) {
+      const auto k = static_cast<long>(m);
+      const Interval wave = c[m] * sin(k * theta);
+      sum.value = sum.value + wave;
+      sum.slope = sum.slope + k * (c[m] * cos(k * theta));
+      sum.curvature = sum.curvature - k * k * wave;
+    }
+    return sum;
+  };
+  const Interval contact = hull(Interval(working_bits()), Interval::pi(working_bits()));
+  return largest_value(pressure, contact, expansion_.radius, expansion_.radius);
+}
+
 std::optional<Interval> ProvenContact::peak_pressure() const {
-  if (remembers() || !falls_outwards()) return std::nullopt;
-  return pressure({Interval(1L, working_bits())});
+  const auto found = peak();
+  return found ? std::optional(2 * half_length() * found->value) : std::nullopt;
+}
+
+std::optional<Interval> ProvenContact::peak_pressure_position() const {
+  const auto found = peak();
+  if (!found) return std::nullopt;
+  const Interval from_middle = half_length() * cos(found->place);
+  return remembers() ? offset_ + from_middle
+                     : either_side(magnitude_of(from_middle));  // the mirror image is one, too
 }
 
 bool ProvenContact::is_good_to(int digits) const {
@@ -241,36 +264,6 @@ bool ProvenContact::is_good_to(int digits) const {
   return is_known(half_length(), A) && is_known(offset(), A) && is_known(lever(), A) && is_known(load(), W) &&
          is_known(edge_displacement(), middle_of(edge_displacement())) &&
          upper_end(expansion_.radius) * 2 * A <= part * W / A;
-}
-
-bool ProvenContact::falls_outwards() const {
-  // F = sum_k w_k cos(2 k phi), as sin(mu phi)/sin(phi) = 1 + 2 cos(2 phi) + .. + 2 cos(2m phi).
-  std::vector<Interval> weights(static_cast<std::size_t>(size()), Interval(coarse));
-  Interval sum(coarse);
-  Interval slope(coarse);
-  for (long m = size() - 1; m >= 0; --m) {
-    Interval term(coarse);
-    mpfi_set(term.get(), ((2 * m + 1) * odd(m)).get());
-    sum = m % 2 == 0 ? sum + term : sum - term;
-    weights[static_cast<std::size_t>(m)] = m == 0 ? sum : 2 * sum;
-    slope = slope + 2 * m * magnitude_of(weights[static_cast<std::size_t>(m)]);
-  }
-  const auto falls_on = [&](long cells) {
-    const Cosines cosines(cells, coarse);
-    const Interval variation = slope * Interval::pi(coarse) / (4 * cells);
-    for (long i = 0; i < cells; ++i) {
-      Interval value(coarse);
-      for (long k = 0; k < size(); ++k) {
-        value = value + weights[static_cast<std::size_t>(k)] * cosines(k * (2 * i + 1));
-      }
-      if (mpfr_greater_p(value.lower(), variation.upper()) == 0) return false;
-    }
-    return true;
-  };
-  for (long cells = 16; cells <= most_cells; cells *= 4) {
-    if (falls_on(cells)) return true;
-  }
-  return false;
 }
 
 }  // namespace nipref::ref

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <nipref/ref/number/internal/largest_value.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
@@ -50,7 +51,13 @@ class ProvenResults {
   [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place,
                                                        const Interval& beta) const = 0;
   [[nodiscard]] virtual std::optional<Interval> peak_pressure() const = 0;
-  [[nodiscard]] virtual const ProvenExpansion* expansion() const { return nullptr; }  ///< with friction there is none
+  [[nodiscard]] virtual std::optional<Interval> peak_pressure_position() const {
+    return std::nullopt;
+  }                                                                                          ///< Y
+  [[nodiscard]] virtual std::optional<Interval> peak_shear() const { return std::nullopt; }  ///< of |shear|
+  [[nodiscard]] virtual const ProvenExpansion* expansion() const {
+    return nullptr;
+  }  ///< with friction there is none
   [[nodiscard]] virtual int terms() const = 0;
   [[nodiscard]] virtual long normal_values() const = 0;    ///< of I1, so far
   [[nodiscard]] virtual long coupling_values() const = 0;  ///< of I3, so far
@@ -83,9 +90,8 @@ class ProvenContact final : public ProvenResults {
   /// By parts and by the same nodes. Without memory.
   [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place,
                                                const Interval& beta) const override;
-  /// The largest pressure, which without memory is that in the middle if the pressure that the coefficients give falls from
-  /// there to the ends, as a proof.
   [[nodiscard]] std::optional<Interval> peak_pressure() const override;
+  [[nodiscard]] std::optional<Interval> peak_pressure_position() const override;
   /// Whether all of these are known to so many digits of their scale.
   [[nodiscard]] bool is_good_to(int digits) const;
 
@@ -106,7 +112,7 @@ class ProvenContact final : public ProvenResults {
   [[nodiscard]] Interval normal_by_pressure(const SurfacePoint& place) const;
   [[nodiscard]] Interval tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const;
   [[nodiscard]] Interval pressure_between(const SurfacePoint& place) const;
-  [[nodiscard]] bool falls_outwards() const;
+  [[nodiscard]] std::optional<LargestValue> peak() const;  ///< of p/(2A) by theta
   /// int k(A (t - s)) p/(2A) ds, |k| <= largest.
   template <class Kernel>
   [[nodiscard]] Interval smooth_integral(const SurfacePoint& place, const Kernel& kernel,

@@ -56,7 +56,7 @@ ref::NormalKernel once_wrong(const ref::NormalKernel& kernel, int count, const I
 
 TEST_CASE(
     "ref gripped contact: random ones are proven, digits and panels meet, double is within its errors") {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(random_seed(7));
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution(low, high)(random);
   };
@@ -65,9 +65,11 @@ TEST_CASE(
     const double length = std::exp(between(std::log(1e-3), std::log(4)));
     const data::ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : between(-0.9, 0.5)}};
     CAPTURE(nip.material.poisson);
+    const bool is_first = i < 2;  // what takes longest
     const auto few = ref::converged_for_length(nip, Friction::full, length, 16),
                many = ref::converged_for_length(nip, Friction::full, length, 30),
-               panels = ref::converged_for_length(nip, Friction::full, length, 20, 0);
+               panels = is_first ? ref::converged_for_length(nip, Friction::full, length, 20, 0)
+                                 : ref::converged_for_length(nip, Friction::full, length, 20);
     const auto computed = fast::converged_for_length(nip, Friction::full, length, 1e-10);
     const auto check = [&](const auto& result) {
       const ref::Estimate rough = result(few), fine = result(many), estimate = result(panels);
@@ -81,11 +83,13 @@ TEST_CASE(
     const auto good = [](const std::pair<double, double>& number) {
       CHECK(number.first <= 1e-16 * number.second);
     };
-    CHECK_FALSE(panels.load().proven);
+    CHECK(panels.load().proven != is_first);
     good(check([](const auto& of) { return of.load(); }));
     good(check([](const auto& of) { return of.indentation(); }));
     check([](const auto& of) { return of.leading_displacement(); });
     check([](const auto& of) { return of.creep_ratio(); });
+    good(check([](const auto& of) { return of.peak_pressure(); }));
+    if (nip.material.poisson < 0.49) good(check([](const auto& of) { return of.peak_shear(); }));
     good(check([](const auto& of) { return of.pressure(0); }));
     for (const double share : {-0.4, 0.4999}) {
       check([&](const auto& of) { return of.pressure(share * length); });

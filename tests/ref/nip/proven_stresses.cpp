@@ -67,7 +67,7 @@ void check_stresses(const ref::ConvergedNip& few, const ref::ConvergedNip& many,
 
 TEST_CASE(
     "proven stresses inside meet those with more digits, the estimated ones, and cover those in double") {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(random_seed(11));
   const auto between = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
   };

@@ -1,0 +1,68 @@
+#include <deque>
+#include <limits>
+
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/largest_value.hpp>
+
+namespace nipref::ref {
+namespace {
+
+bool is_below(const Interval& x, const Interval& y) { return mpfr_less_p(x.upper(), y.lower()) != 0; }
+
+Float half_width(const Interval& x) { return upper_end(distance_from(middle_of(x), x)); }
+
+Interval end_of(const Interval& x, mpfr_srcptr end) {
+  Interval result(x.precision());
+  mpfi_set_fr(result.get(), end);
+  return result;
+}
+
+}  // namespace
+
+std::optional<LargestValue> largest_value(const std::function<FunctionOver(const Interval&)>& near,
+                                          const Interval& range, const Interval& value_error,
+                                          const Interval& slope_error) {
+  constexpr int most_parts = 4000;
+  const Interval ends =
+      larger_of(near(end_of(range, range.lower())).value, near(end_of(range, range.upper())).value);
+  Interval reached = ends;
+  std::optional<LargestValue> found;
+  std::deque<Interval> parts{range};
+  for (int done = 0; !parts.empty(); ++done) {
+    if (done == most_parts) return std::nullopt;
+    const Interval part = parts.front(), middle = interval_of(middle_of(part));
+    parts.pop_front();
+    const FunctionOver here = near(middle), over = near(part);
+    reached = larger_of(reached, here.value);
+    const Interval value = here.value + over.slope * (part - middle);
+    if (is_below(value + 2 * value_error, reached) ||
+        mpfi_has_zero(over.slope.widened(slope_error).get()) == 0)
+      continue;
+    Interval rest = part;
+    if (mpfr_sgn(over.curvature.upper()) < 0) {
+      const Interval slope = here.slope.widened(slope_error);
+      mpfi_intersect(rest.get(), part.get(), (middle - slope / over.curvature).get());
+      if (mpfi_is_empty(rest.get()) != 0) continue;
+      // What Newton's method and places that are rounded cannot tell apart.
+      const Float unsure = upper_end(magnitude_of(distance_from(middle_of(slope), slope) / over.curvature)) +
+                           abs(middle_of(part)) * std::numeric_limits<Float>::epsilon();
+      if (half_width(rest) <= 4 * unsure) {
+        const LargestValue one{here.value + over.slope * (rest - middle), rest};
+        found = found ? LargestValue{larger_of(found->value, one.value), hull(found->place, rest)} : one;
+        continue;
+      }
+    }
+    if (2 * half_width(rest) < half_width(part)) {
+      parts.push_back(rest);
+    } else {
+      Interval left(rest.precision()), right(rest.precision());
+      mpfi_bisect(left.get(), right.get(), rest.get());
+      parts.push_back(left);
+      parts.push_back(right);
+    }
+  }
+  if (!found || !is_below(ends + 2 * value_error, reached)) return std::nullopt;
+  return LargestValue{larger_of(found->value, reached).widened(value_error), found->place};
+}
+
+}  // namespace nipref::ref
