@@ -47,7 +47,8 @@ std::optional<LargestValue> largest_value(const std::function<FunctionOver(const
       const Float unsure = upper_end(magnitude_of(distance_from(middle_of(slope), slope) / over.curvature)) +
                            abs(middle_of(part)) * std::numeric_limits<Float>::epsilon();
       if (half_width(rest) <= 4 * unsure) {
-        const LargestValue one{here.value + over.slope * (rest - middle), rest};
+        const Interval centre = interval_of(middle_of(rest));
+        const LargestValue one{near(centre).value + near(rest).slope * (rest - centre), rest};
         found = found ? LargestValue{larger_of(found->value, one.value), hull(found->place, rest)} : one;
         continue;
       }
