@@ -51,10 +51,10 @@ TEST_CASE("dimensionless nips: what is proven says so, and fast's errors are cov
   }
 }
 
-TEST_CASE("dimensionless nips: all numbers of a gripped contact come out of one solution") {
+TEST_CASE("dimensionless nips: all numbers of a gripped contact that is not proven come out of one solution") {
   const long before = ref::NipSolution::solved();
   for (const char* name : {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"})
-    static_cast<void>(nip_reference(name, {0.375, 0.25, 1}));
+    static_cast<void>(nip_reference(name, {5, 0.25, 1}));
   CHECK(ref::NipSolution::solved() - before == 2);  // one for the error
 }
 
