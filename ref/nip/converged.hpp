@@ -16,9 +16,9 @@ namespace nipref::ref {
 /// has them; units as in data. (thesis 2.1-2.6, 5.3, 5.5, 7.6, 7.15, 7.17; continuous form)
 ///
 /// What is proven (ref/README.md, What is proven) has Estimate::proven true and a bound of at most 10^-digits of the value
-/// for lengths, load, indentation and peaks, of the largest value for profiles; where a length found for a load is not
-/// known to so much as the distance of Y from the ends, more. All else has an error that is estimated, see
-/// internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's kind.
+/// for lengths, load, indentation and peaks, of the largest value for profiles, of the largest pressure for shears; where a
+/// length found for a load is not known to so much as the distance of Y from the ends, more. All else has an error that is
+/// estimated, see internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's kind.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit
 /// of length; finite, for displacements within 450 sheet thicknesses of the contact; otherwise BadInput.

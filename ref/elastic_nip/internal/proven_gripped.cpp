@@ -72,15 +72,16 @@ GrippedPlan plan_of(double half_length, double beta, int digits) {
   const Interval A(half_length, coarse);
   const auto digits_of = [](const Interval& x) { return std::log10(mpfr_get_d(x.upper(), MPFR_RNDU)); };
   const EntryBounds slow = gripped_bounds(A, 1);
-  const double growth = digits_of(square(A + 1) * (slow.amplitude * square_tail(slow.rate / 2, 1) + 1) /
-                                  gripped_coercivity(A, Interval(beta, coarse)));
+  const double growth =
+      digits_of(square(A + 1) * (slow.amplitude * square_tail(slow.rate / 2, 1) + 1) /
+                (1 - square(Interval(beta, coarse))) / gripped_coercivity(A, Interval(beta, coarse)));
   const auto left_out = [&](long size) {
     const EntryBounds bounds = gripped_bounds(A, size);
     return digits_of(size * size * size * (bounds.amplitude * square_tail(bounds.rate, size)));
   };
   long size = 8;
-  while (left_out(size) + growth > -digits - 1) size += 2 * (1 + size / 64);
-  const int kernel = digits + 2 + static_cast<int>(std::ceil(growth + 3 * std::log10(size)));
+  while (left_out(size) + growth > -digits - 2) size += 2 * (1 + size / 64);
+  const int kernel = digits + 3 + static_cast<int>(std::ceil(growth + 3 * std::log10(size)));
   return {size, kernel, kernel + 8};
 }
 
@@ -304,9 +305,12 @@ std::optional<Interval> GrippedContact::peak(bool shear) const {
   const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));
   const auto found =
       largest_value(traction_over, hull(end, Interval::pi(bits) - end), magnitude_of(error), Interval(bits));
-  // Nearer the ends tractions are smaller.
-  if (!found ||
-      mpfr_lessequal_p(found->value.lower(), (end * (sum_of_magnitudes(alpha_) + error)).upper()) != 0)
+  // Nearer the ends tractions are smaller: the shear is at most sin(theta) (|turn| even + odd), |turn| <= 2 epsilon ln(2/theta).
+  Interval even(bits), odd(bits);
+  for (std::size_t k = 0; k < alpha_.size(); ++k)
+    (k % 2 == 0 ? even : odd) = (k % 2 == 0 ? even : odd) + magnitude_of(alpha_[k]);
+  const Interval nearer = shear ? 2 * epsilon_ * log(2 / end) * even + odd : even + odd;
+  if (!found || mpfr_lessequal_p(found->value.lower(), (end * (nearer + error)).upper()) != 0)
     return std::nullopt;
   return 2 * A_ * found->value;
 }

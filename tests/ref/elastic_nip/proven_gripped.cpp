@@ -88,8 +88,9 @@ TEST_CASE(
     good(check([](const auto& of) { return of.indentation(); }));
     check([](const auto& of) { return of.leading_displacement(); });
     check([](const auto& of) { return of.creep_ratio(); });
-    good(check([](const auto& of) { return of.peak_pressure(); }));
-    if (nip.material.poisson < 0.49) good(check([](const auto& of) { return of.peak_shear(); }));
+    const auto peak = check([](const auto& of) { return of.peak_pressure(); });
+    good(peak);
+    CHECK(check([](const auto& of) { return of.peak_shear(); }).first <= 1e-16 * peak.second);
     good(check([](const auto& of) { return of.pressure(0); }));
     for (const double share : {-0.4, 0.4999}) {
       check([&](const auto& of) { return of.pressure(share * length); });
