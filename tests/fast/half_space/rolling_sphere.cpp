@@ -72,10 +72,12 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
   CHECK(worst < 5e-14);
 }
 
-TEST_CASE("rolling: compressive up to the compressed radius") {
-  const RollingLine line = rolling_sphere_for_span(steel, radius, 0.9, 1e-6).along({1, 0});
+TEST_CASE("rolling: compressive up to the compressed radius, and its force has an error") {
+  const auto contact = rolling_sphere_for_span(steel, radius, 0.9, 1e-6);
+  const RollingLine line = contact.along({1, 0});
   CHECK(line.normal_traction(line.compressed_radius().value * (1 - 1e-5)).value < 0);
   CHECK(line.normal_traction(line.compressed_radius().value * (1 + 1e-5)).value > 0);
+  CHECK(contact.force().error > 0);  // at least what rounding makes
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {
