@@ -139,10 +139,11 @@ std::vector<TimedWay> ways_to(const Quantity& quantity, const std::vector<Point>
   }
   if (quantity.peers.empty()) return all;
   for (const double rtol : coarse_tolerances) add_fast(rtol);
-  const auto alphas = mapped(points, [](const Point& point) { return point.front(); });
+  const auto first_arguments = mapped(points, [](const Point& point) { return point.front(); });
   for (const Peer& peer : quantity.peers)
     add(peer.method, {[=, evaluate = peer.make()](std::span<double> values) {
-          std::transform(alphas.begin(), alphas.begin() + std::ssize(values), values.begin(), evaluate);
+          std::transform(first_arguments.begin(), first_arguments.begin() + std::ssize(values),
+                         values.begin(), evaluate);
         }});
   return all;
 }
