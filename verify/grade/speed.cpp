@@ -5,6 +5,7 @@
 
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/grade/speed.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 

@@ -7,9 +7,10 @@
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/grade/plugin.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
+
+struct Contender;
 
 /// A way to compute values at points: it fills `values` for the first of them.
 struct BatchMethod {

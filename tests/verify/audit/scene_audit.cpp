@@ -121,9 +121,10 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
 
 TEST_CASE(
     "how much estimates overstate is known from what is ten times as accurate, and not of what is given") {
-  const auto found = audited(elastic, with([](const data::SceneResult&, fast::Estimate& number) {
+  // Shears inside that are 0 come as roundings, which are off by their own size.
+  const auto found = audited(elastic, with([](const data::SceneResult& what, fast::Estimate& number) {
                                number.value *= 1 + 1e-5;
-                               number.error = 1e-4 * std::fabs(number.value);
+                               number.error = (what.is_inside() ? 0 : 1e-4) * std::fabs(number.value);
                              }));
   REQUIRE(found.overestimates.size() > 3);
   for (const double overestimate : found.overestimates)

@@ -131,7 +131,7 @@ TEST_CASE("any character that is changed in a golden file or its checksum is fou
 }
 
 TEST_CASE(
-    "files that checksums do not list, and files that are gone, are found; of one's own a file needs none") {
+    "files that checksums do not list, and files that are gone, are found, and of one's own a file needs none") {
   const verify::GoldenFile file = last_of(golden("I2"), 1);
   const GoldenFolder folder;
   const auto check = [&](const std::string& what) {

@@ -47,7 +47,7 @@ int end_of(void (*work)()) {
 }  // namespace
 
 TEST_CASE(
-    "Ctrl-C: audit, bench and tables answer with what is finished, and 130; the text says that it is not all") {
+    "Ctrl-C: audit, bench and tables answer with what is finished, and 130, and the text says that it is not all") {
   if (!has_terminals()) return;
   const std::vector<std::string> audit{"audit", "I3", "I1", "I2", "I4", "I5", "I6"};
   std::vector<std::string> audit_json = audit;

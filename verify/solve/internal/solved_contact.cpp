@@ -121,7 +121,8 @@ template <class Number>
 double result_size(const SolvedContact<Number>& contact, ResultId id, double y, double accuracy) {
   using data::Scale;
   const data::SceneResult& result = data::scene_result(id);
-  if (contact.measure == Measure::itself && !result.is_inside()) return 0;
+  if (contact.measure == Measure::itself && !result.is_inside() && id != ResultId::peak_pressure_position)
+    return 0;
   const bool is_nip = contact.roller_radius > 0;
   const ContactEnds ends = contact.ends();
   const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;

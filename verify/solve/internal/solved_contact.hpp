@@ -34,7 +34,8 @@ struct ContactEnds {
 /// What the error of a result is measured against, see data::Scale.
 enum class Measure {
   size,    ///< the larger of the result and its size
-  itself,  ///< the result alone, except for stresses inside the sheet
+  itself,  ///< the result alone, except for stresses inside the sheet, and the place of the largest pressure, which
+           ///< may be 0
   truth    ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
 };
 
