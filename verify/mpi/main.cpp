@@ -41,7 +41,7 @@ int follow(int argc, const char* const* argv) try {
   const verify::CommandLine line = verify::parse_command_line(argc, argv);
   check_verb(line);
   verify::stop_gently_on_interrupt();
-  verify::do_blocks_of_ranks(verify::AuditWorks(line).all());
+  verify::do_blocks_of_ranks(verify::AuditWorks(line, false).all());
   return 0;
 } catch (const data::BadInput&) {
   return 0;
