@@ -1,3 +1,4 @@
+#include <nipref/data/material/elastic.hpp>
 #include <nipref/fast/nip/internal/traction_field.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
 
