@@ -153,8 +153,8 @@ class Tractions {
   /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
   bool add_by_product_rule(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
                            double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
-  /// Adds a panel to `count` rows from `first` on, those of its matching points; false where that needs a rule for singular
-  /// kernels.
+  /// Adds a panel to the rows of its matching points, of which `first` is the first; false where that needs a rule for
+  /// singular kernels.
   bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance, Eigen::Index first,
                      MatchingRows& result) const;
   /// Adds the layers, which are on the leading half.

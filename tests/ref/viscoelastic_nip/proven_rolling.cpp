@@ -102,6 +102,16 @@ TEST_CASE("ref rolling contact: an error of 1e-25 in a rate or a length is outsi
   }
 }
 
+TEST_CASE(
+    "ref rolling contact: a memory with an amplitude below 0 is beyond the proof, though it loses energy") {
+  const auto memories = [](double amplitude) {
+    const auto material = data::prony_solid({1, {1, amplitude}, {1, 2}}, {0.5, {0.5}, {1}});
+    return ref::proven_memories({100, 1, material, 1});
+  };
+  CHECK(memories(0.1));
+  CHECK_FALSE(memories(-0.1));
+}
+
 TEST_CASE("ref rolling contact: an interval of lengths has the contacts of each") {
   const ref::ProvenMemories memories{{{mpq_class(1, 2), mpq_class(1, 2)}}, 0, 1};
   const ref::WorkingDigits working(ref::proven_rolling_working_digits(memories, 0.7, 30));
