@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
@@ -111,7 +112,11 @@ const Estimate& SolvedNip::half_length_estimate() const {
 
 double SolvedNip::curvature() const {
   const double here = last().half_length(), left = (*load_ - last().value(last().load())) / load_growth();
-  return 15 * std::fabs(left / here) * std::fabs((here + left - neighbour().half_length()) / here);
+  double bend = 15;
+  for (const std::complex<double>& rate : equations_->resolution(nats_).rates)
+    bend =
+        std::max(bend, std::pow(5.5 + 2 * std::abs(rate) * here, 2) / 2 * std::exp(-2 * rate.real() * here));
+  return bend * std::fabs(left / here) * std::fabs((here + left - neighbour().half_length()) / here);
 }
 
 Estimate SolvedNip::extrapolated(double here, double error, const std::function<double()>& there) const {

@@ -15,8 +15,10 @@ namespace nipref::fast {
 /// The length for a load is sought with few terms first, then by secants with all of them. Let A_0 and A_1 be the last two
 /// half lengths, J_0 and J_1 a number of their contacts. For the half length A that the secant of the load shows, the number
 /// is J_1 + (A - A_1) (J_1 - J_0)/(A_1 - A_0) up to (A - A_0) (A - A_1) J''/2. Numbers of a contact are nearly powers of A,
-/// with exponents between -5 and 5 (the load of an incompressible film without slip grows like A^5), so that |J''|/2 is at
-/// most 15 |J|/A^2; that also holds for the length itself. The error of the number is that of its solution, this curvature,
+/// with exponents p between -5 and 5 (the load of an incompressible film without slip grows like A^5), so that |J''|/2 is at
+/// most 15 |J|/A^2; that also holds for the length itself. A memory of rate r has changed by e^(-2 r A) over the contact. With
+/// that as a factor |J''|/2 is |(p/A - 2 r)^2 - p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), of which the memory
+/// has left e^(-2 A Re r): more than 15 where it swings. The error of the number is that of its solution, this curvature,
 /// and |dJ/dA| times the error of the length, which is that of the load over dW/dA.
 class SolvedNip {
  public:
