@@ -19,9 +19,9 @@ struct GivenContact;
 ///
 /// It is made by converged_for_length or converged_for_load for an elastic nip without or with full friction
 /// (elastic_nip/converged.hpp), or for a viscoelastic one in steady frictionless rolling (viscoelastic_nip/converged.hpp).
-/// Up to L/B = 12, or up to 4 where more than ten digits are asked, the tractions are one expansion over the whole contact,
-/// beyond on panels that double from both ends (nip/internal/tractions.hpp). The number of terms follows from the accuracy
-/// asked. Every result is computed when it is asked for, and comes with an estimate of its error that covers what the
+/// Up to L/B = 4 the tractions are one expansion over the whole contact, up to 12 where rounding then allows the accuracy
+/// asked, beyond on panels that double from both ends (nip/internal/tractions.hpp). The number of terms follows from the
+/// accuracy. Every result is computed when it is asked for, and comes with an estimate of its error that covers what the
 /// expansions leave out and what rounding does (nip/internal/solution.hpp); with a given load also what that does to the
 /// length. Where rounding allows less than was asked (very thin sheets with full friction), the estimate says so.
 ///

@@ -196,8 +196,9 @@ SingularIntegrals make_singular_integrals(const std::tuple<PanelBasis, MatchingP
   };
   SingularIntegrals result;
   set(result.one, 0, 1, moments(basis, degrees));
+  const auto at = points.at();
   for (int number = 0; number < points.points; ++number) {
-    const PointIntegrals here(basis, points.at(number), degrees);
+    const PointIntegrals here(basis, (*at)(number), degrees);
     set(result.logarithm, number, points.points, here.logarithm);
     set(result.sign, number, points.points, here.sign);
   }
@@ -227,8 +228,14 @@ PanelBasis::Rows PanelBasis::values(const Eigen::ArrayXd& x, const Eigen::ArrayX
   return result;
 }
 
-double MatchingPoints::at(int number) const {
-  return internal::shifted_chebyshev_zero(number, about_middle ? 2 * points : points);
+std::shared_ptr<const Eigen::ArrayXd> MatchingPoints::at() const {
+  static Cache<MatchingPoints, Eigen::ArrayXd> kept([](const MatchingPoints& of) -> Eigen::ArrayXd {
+    return Eigen::ArrayXd::NullaryExpr(of.points, [&](Eigen::Index number) {
+      return internal::shifted_chebyshev_zero(static_cast<int>(number),
+                                              of.about_middle ? 2 * of.points : of.points);
+    });
+  });
+  return kept.at(*this);
 }
 
 std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees) {

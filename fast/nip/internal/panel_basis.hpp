@@ -40,7 +40,7 @@ struct MatchingPoints {
   int points;
 
   friend auto operator<=>(const MatchingPoints&, const MatchingPoints&) = default;
-  [[nodiscard]] double at(int number) const;
+  [[nodiscard]] std::shared_ptr<const Eigen::ArrayXd> at() const;  ///< rising
 };
 
 /// Integrals of a basis times ln|x - s| and the sign of x - s, a row for each matching point s, and times 1, one row.

@@ -10,9 +10,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// One expansion over the whole contact needs fewer terms than panels. In a wide one the logarithm is much larger than the
-/// kernel and cancels, so that the last digits need panels.
-constexpr double longest_whole = 12, longest_whole_for_last_digits = 4, nats_of_last_digits = 20.5;
 /// Radians and nats over the whole contact that its one expansion holds.
 constexpr double most_over_whole = 8;
 /// Of the first panel, half-thicknesses.
@@ -49,8 +46,8 @@ int degree_of_exponential(Complex rate, double left, double right, double nats) 
 
 class Layout {
  public:
-  Layout(double half_length, const Resolution& resolution)
-      : half_length_(half_length), resolution_(resolution) {}
+  Layout(double half_length, const Resolution& resolution, double longest_of_one)
+      : half_length_(half_length), resolution_(resolution), longest_whole_(longest_of_one) {}
 
   [[nodiscard]] std::vector<Panel> panels() const {
     if (is_one()) return {panel(0, 2 * half_length_)};
@@ -70,8 +67,9 @@ class Layout {
   static constexpr int most_panels = 100;
 
   [[nodiscard]] bool is_one() const {
-    const double most = resolution_.nats < nats_of_last_digits ? longest_whole : longest_whole_for_last_digits;
-    return half_length_ <= most && std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
+    return half_length_ <= longest_whole_ &&
+           resolution_.nats / log_fall(0, 2 * half_length_, half_length_, true) < 2 * most_terms &&
+           std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
              return std::abs(rate) * 2 * half_length_ < most_over_whole;
            });
   }
@@ -131,12 +129,13 @@ class Layout {
 
   double half_length_;
   const Resolution& resolution_;
+  double longest_whole_;
 };
 
 }  // namespace
 
-std::vector<Panel> panels(double half_length, const Resolution& resolution) {
-  return Layout(half_length, resolution).panels();
+std::vector<Panel> panels(double half_length, const Resolution& resolution, double longest) {
+  return Layout(half_length, resolution, longest).panels();
 }
 
 bool is_layer(Complex rate, const std::vector<Panel>& panels) {

@@ -37,7 +37,7 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
 std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats, double tolerance) const {
   CountedKernels kernels = this->kernels();
   auto solved = std::make_unique<const Solution>(
-      equations_->solve(half_length, panels(near_, equations_->resolution(nats)), tolerance, kernels));
+      equations_->solve(half_length, panels(near_, equations_->resolution(nats), longest_whole_), tolerance, kernels));
   kernels.count_system(solved->size());
   return solved;
 }
@@ -194,7 +194,14 @@ SolvedNip::Shortfall SolvedNip::shortfall() const {
 }
 
 bool SolvedNip::add_terms(const Shortfall& now, double enough) {
-  if (now.all <= enough || nats_ >= most_nats || now.all <= 2 * now.rounding) return false;
+  if (now.all <= enough) return false;
+  const bool rounding_rules = now.all <= 2 * now.rounding;
+  if (nats_ >= most_nats || rounding_rules) {
+    if (last().tractions().panels().size() > 1 || near_ <= longest_always_whole) return false;
+    longest_whole_ = longest_always_whole;
+    solve_to(nats_);
+    return true;
+  }
   const double missing = std::max(now.all > 1 ? std::log(now.all) : 0, nats_of_step);
   solve_to(std::min(nats_ + std::min(missing, 3 * nats_of_step), most_nats));
   return true;

@@ -72,7 +72,7 @@ class SolvedNip {
   struct Shortfall {
     double all, rounding;
   };
-  /// False where `enough` is met or rounding rules.
+  /// False where `enough` is met, or rounding rules whatever the panels are.
   bool add_terms(const Shortfall& now, double enough);
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] const Solution& neighbour() const;
@@ -87,8 +87,9 @@ class SolvedNip {
   std::shared_ptr<const NipEquations> equations_;
   std::optional<double> load_;
   double accuracy_;
-  double near_;    ///< the half length of the layout
-  double sought_;  ///< the best half length that is known
+  double near_;                           ///< the half length of the layout
+  double longest_whole_ = longest_whole;  ///< less once rounding has asked for panels
+  double sought_;                         ///< the best half length that is known
   double nats_ = 0;
   double exponent_;  ///< d ln load/d ln length
   std::unique_ptr<Work> work_ = std::make_unique<Work>();

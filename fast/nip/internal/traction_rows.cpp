@@ -217,7 +217,8 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
   const auto singular = singular_integrals(basis, points, degrees(panel));
   const Eigen::Index nodes = rule->at.size();
   Eigen::ArrayXXd alpha(nodes, points.points);
-  for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - points.at(j));
+  const auto places = points.at();
+  for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - (*places)(j));
   Eigen::MatrixXd on_p, on_q;
   kernel.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
   const int count = panel.terms + left_out;

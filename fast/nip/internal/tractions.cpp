@@ -70,8 +70,7 @@ void Tractions::add_sums(std::size_t p, const PanelBasis::Rows& integrals, const
 std::vector<double> Tractions::matching_points() const {
   std::vector<double> points;
   for (const Panel& panel : panels_) {
-    for (int i = 0; i < points_of(panel).points; ++i)
-      points.push_back(panel.left + panel.width() * points_of(panel).at(i));
+    for (const double at : *points_of(panel).at()) points.push_back(panel.left + panel.width() * at);
   }
   return points;
 }

@@ -1,3 +1,4 @@
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -33,8 +34,10 @@ void regular_part(Component component, const KernelOf& kernel, std::span<const d
   for (double& v : value) v += constant;
   std::vector<double> far_value(far.size());
   kernel(far_alpha, far_value);
-  for (std::size_t i = 0; i < far.size(); ++i)
-    value[far[i]] = far_value[i] + std::log(std::fabs(far_alpha[i]));
+  const auto count = static_cast<Eigen::Index>(far.size());
+  Eigen::Map<Eigen::ArrayXd>(far_value.data(), count) +=
+      Eigen::Map<const Eigen::ArrayXd>(far_alpha.data(), count).abs().log();
+  for (std::size_t i = 0; i < far.size(); ++i) value[far[i]] = far_value[i];
 }
 
 }  // namespace

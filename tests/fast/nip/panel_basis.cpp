@@ -50,7 +50,7 @@ TEST_CASE("integrals of a basis times a logarithm and a sign are those of a rule
       const MatchingPoints points{about_middle, 13};
       const auto singular = singular_integrals(basis, points, degrees);
       for (int number = 0; number < points.points; ++number) {
-        const Nodes nodes(points.at(number));
+        const Nodes nodes((*points.at())(number));
         const PanelBasis::Rows values = basis.values(nodes.x, nodes.rest, degrees);
         const auto check = [&](const Eigen::ArrayXd& f, const PanelBasis::Rows& found, int row) {
           const Eigen::RowVectorXd weights = (nodes.weight * f).matrix().transpose();
