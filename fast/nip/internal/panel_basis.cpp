@@ -56,35 +56,6 @@ std::vector<LongComplex> moments(const PanelBasis& basis, int count) {
   return weight.recurrence(total, count, [](int) { return LongComplex(0); });
 }
 
-ProductRule make_product_rule(const std::tuple<PanelBasis, int, int>& key) {
-  const auto& [basis, points, degrees] = key;
-  const std::vector<LongComplex> moment = moments(basis, degrees + points);
-  std::vector<double> cosines;
-  for (int k = 0; k < 4 * points; ++k)
-    cosines.push_back(static_cast<double>(std::cos(k * pi / (2 * points))));
-  Eigen::MatrixXd coefficients(points, points);  // of T_m, by which a function's values are summed
-  for (int i = 0; i < points; ++i) {
-    for (int m = 0; m < points; ++m)
-      coefficients(i, m) =
-          (m == 0 ? 1.0 : 2.0) / points * cosines[static_cast<std::size_t>(m * (2 * i + 1) % (4 * points))];
-  }
-  Eigen::MatrixXd real(points, degrees), imaginary(points, degrees);
-  for (int n = 0; n < degrees; ++n) {
-    for (int m = 0; m < points; ++m) {
-      const LongComplex product =
-          moment[static_cast<std::size_t>(n + m)] + moment[static_cast<std::size_t>(std::abs(n - m))];
-      real(m, n) = static_cast<double>(product.real() / 2);
-      imaginary(m, n) = static_cast<double>(product.imag() / 2);
-    }
-  }
-  ProductRule rule;
-  rule.at.resize(points);
-  for (int i = 0; i < points; ++i) rule.at(i) = internal::shifted_chebyshev_zero(points - 1 - i, points);
-  rule.weight.real = coefficients * real;
-  if (basis.exponent != 0) rule.weight.imaginary = coefficients * imaginary;
-  return rule;
-}
-
 Complex expm1(Complex z) {
   const double half = std::sin(z.imag() / 2);
   return {std::expm1(z.real()) * std::cos(z.imag()) - 2 * half * half,
@@ -93,14 +64,15 @@ Complex expm1(Complex z) {
 
 /// Integrals over [0, 1] of the factor times ln|x - s|, the sign of x - s, and 1/(x - s) as a principal value.
 struct FirstIntegrals {
-  LongComplex at_point;  ///< the factor at s
+  LongComplex at_point = 0;  ///< the factor at s
   LongComplex logarithm = 0, sign = 0, principal;
 
   FirstIntegrals(const PanelBasis& basis, double point) {
     const Weight weight(basis);
     const Long s = point, log_left = std::log(s), log_right = std::log1p(-s);
-    at_point = static_cast<Long>(weight.size) *
-               std::exp(LongComplex(weight.left) * log_left + LongComplex(weight.right) * log_right);
+    if (s > 0)
+      at_point = static_cast<Long>(weight.size) *
+                 std::exp(LongComplex(weight.left) * log_left + LongComplex(weight.right) * log_right);
     principal = at_point * (log_right - log_left);
     if (basis.exponent != 0)
       integrate(weight, point);
@@ -183,6 +155,38 @@ struct PointIntegrals {
   }
 };
 
+ProductRule make_product_rule(const std::tuple<PanelBasis, int, int, RuleFor>& key) {
+  const auto& [basis, points, degrees, integrand] = key;
+  const int count = degrees + points;
+  const std::vector<LongComplex> moment = integrand == RuleFor::times_logarithm
+                                              ? PointIntegrals(basis, 0, count).logarithm
+                                              : moments(basis, count);
+  std::vector<double> cosines;
+  for (int k = 0; k < 4 * points; ++k)
+    cosines.push_back(static_cast<double>(std::cos(k * pi / (2 * points))));
+  Eigen::MatrixXd coefficients(points, points);  // of T_m, by which a function's values are summed
+  for (int i = 0; i < points; ++i) {
+    for (int m = 0; m < points; ++m)
+      coefficients(i, m) =
+          (m == 0 ? 1.0 : 2.0) / points * cosines[static_cast<std::size_t>(m * (2 * i + 1) % (4 * points))];
+  }
+  Eigen::MatrixXd real(points, degrees), imaginary(points, degrees);
+  for (int n = 0; n < degrees; ++n) {
+    for (int m = 0; m < points; ++m) {
+      const LongComplex product =
+          moment[static_cast<std::size_t>(n + m)] + moment[static_cast<std::size_t>(std::abs(n - m))];
+      real(m, n) = static_cast<double>(product.real() / 2);
+      imaginary(m, n) = static_cast<double>(product.imag() / 2);
+    }
+  }
+  ProductRule rule;
+  rule.at.resize(points);
+  for (int i = 0; i < points; ++i) rule.at(i) = internal::shifted_chebyshev_zero(points - 1 - i, points);
+  rule.weight.real = coefficients * real;
+  if (basis.exponent != 0) rule.weight.imaginary = coefficients * imaginary;
+  return rule;
+}
+
 SingularIntegrals make_singular_integrals(const std::tuple<PanelBasis, MatchingPoints, int>& key) {
   const auto& [basis, points, degrees] = key;
   const auto set = [&](PanelBasis::Rows& rows, int row, int count, const std::vector<LongComplex>& values) {
@@ -238,10 +242,11 @@ std::shared_ptr<const Eigen::ArrayXd> MatchingPoints::at() const {
   return kept.at(*this);
 }
 
-std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees) {
-  static Cache<std::tuple<PanelBasis, int, int>, ProductRule> rules(make_product_rule, 1024);
+std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees,
+                                                RuleFor integrand) {
+  static Cache<std::tuple<PanelBasis, int, int, RuleFor>, ProductRule> rules(make_product_rule, 1024);
   constexpr int step = 32;  // so that few rules are kept
-  return rules.at({basis, points, (degrees + step - 1) / step * step});
+  return rules.at({basis, points, (degrees + step - 1) / step * step, integrand});
 }
 
 std::shared_ptr<const SingularIntegrals> singular_integrals(const PanelBasis& basis,

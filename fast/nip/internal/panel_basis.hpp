@@ -23,6 +23,9 @@ struct PanelBasis {
   [[nodiscard]] Rows values(const Eigen::ArrayXd& x, const Eigen::ArrayXd& rest, int degrees) const;
 };
 
+/// What a product rule is for: int f phi_n dx, or int f ln x phi_n dx, this for a basis at the end without exponent.
+enum class RuleFor { function, times_logarithm };
+
 /// Integrals of a basis times a function f that is analytic about the panel: int f phi_n dx = sum_i f(at_i) weight_in, of the
 /// polynomial that interpolates f at Chebyshev points. As the integrals of basis and polynomials are known in closed form,
 /// only the interpolation errs, by rho^-points where f is analytic within the ellipse of the sum of half axes rho about
@@ -31,7 +34,8 @@ struct ProductRule {
   Eigen::ArrayXd at;
   PanelBasis::Rows weight;  ///< of so many degrees at least
 };
-std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees);
+std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees,
+                                                RuleFor integrand = RuleFor::function);
 
 /// The points s of a panel where its tractions meet their equations: the zeros of T_points, or about the middle those of
 /// T_2points up to the middle.

@@ -14,7 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double decayed = 40;  ///< nats after which something counts no more
+constexpr double decayed = 40;   ///< nats after which something counts no more
+constexpr int most_points = 64;  ///< of a product rule; other rules need fewer
 
 /// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and once it
 /// has decayed what is left falls like a power: of that the rule resolves a factor of 150 in the distance, but not of an
@@ -62,7 +63,7 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, int d
   return rules.at({tolerance, 8 * ((degree + 7) / 8)});
 }
 
-/// Points of a product rule: as many as the wanted nats need if each gives so many, in steps so that few rules are kept.
+/// Points of a product rule: as many as the wanted nats need if each gives so many, in even steps so that few rules are kept.
 int points_of_rule(double nats_a_point, double nats) {
   const double points = std::min(1 + nats / nats_a_point, 1e6), step = points < 64 ? 4 : 32;
   return static_cast<int>(step * std::ceil(points / step));
@@ -188,7 +189,6 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
   // e^(2.1 gap) as large as on the panel.
   const double fall = internal::log_of_ellipse(1 + 2 * gap / width);
-  constexpr int most_points = 64;
   const int points = points_of_rule(fall, -std::log(tolerance) + 2.1 * gap);
   if (points > most_points) return false;
 
@@ -199,6 +199,36 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   kernel.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
   for (int i = 0; i < kernel.functionals; ++i)
     add_sums(p, rule->weight, width * on_p.row(i), sign * width * on_q.row(i), rows.row(i));
+  return true;
+}
+
+/// Both the factor of ln alpha and what is left are analytic for |Im alpha| < 2. On the ellipse through 2 i, which reaches as
+/// far as that, they grow with the kernel's exponentials. Where these do not change by more than e^2 over the panel, the two
+/// parts hardly cancel.
+bool Tractions::add_beside_logarithm(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
+                                     double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
+  const Panel& panel = panels_[p];
+  const double width = panel.width();
+  double rate = 0;
+  for (const Complex& of_kernel : kernel.rates) rate = std::max(rate, std::abs(of_kernel));
+  if (!kernel.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
+  const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
+  const int points = points_of_rule(fall, -std::log(tolerance) + rate * reach);
+  if (points > most_points) return false;
+  const auto rule = product_rule(basis(panel), points, degrees(panel)),
+             times_logarithm = product_rule(basis(panel), points, degrees(panel), RuleFor::times_logarithm);
+  const Eigen::ArrayXd alpha = width * rule->at;
+  const Eigen::RowVectorXd logarithm = rule->at.log().matrix().transpose();
+  const std::span<const double> at{alpha.data(), static_cast<std::size_t>(points)};
+  Eigen::MatrixXd whole, same;
+  kernel.at(at, whole, same);
+  const Eigen::MatrixXd factor = width * kernel.of_logarithm(at);
+  for (int i = 0; i < kernel.functionals; ++i) {
+    const Eigen::RowVectorXd of_logarithm = factor.row(i),
+                             rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
+    add_sums(p, rule->weight, rest, rest, rows.row(i));
+    add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
+  }
   return true;
 }
 
@@ -237,12 +267,20 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
       result.sizes(rows, columns) += std::fabs(factor) * integral.cwiseAbs();
     };
     const double scale = sign * degrees.sign * width;
-    add_part(scale,
-             values.row(functional).reshaped(nodes, points.points).transpose() * integrals(rule->weight));
+    const auto at_nodes = values.row(functional).reshaped(nodes, points.points);
+    const auto weights = integrals(rule->weight);
+    if (panel.about_middle) {
+      // The weights of a degree are even or odd about the middle.
+      const double mirrored = (component == 0) == (part == &PanelBasis::Rows::real) ? 1 : -1;
+      const Eigen::MatrixXd both =
+          at_nodes.topRows(nodes / 2) + mirrored * at_nodes.bottomRows(nodes / 2).colwise().reverse();
+      add_part(scale, both.transpose() * weights.topRows(nodes / 2));
+    } else {
+      add_part(scale, at_nodes.transpose() * weights);
+    }
     if (of_logarithm != 0) {
       add_part(scale * of_logarithm, integrals(singular->logarithm));
-      add_part(scale * of_logarithm * log_width,
-               integrals(singular->one).row(0).replicate(points.points, 1));
+      add_part(scale * of_logarithm * log_width, integrals(singular->one).row(0).replicate(points.points, 1));
     }
     if (of_jump != 0) add_part(scale * of_jump, integrals(singular->sign));
   };
@@ -272,7 +310,8 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
       if (acts_on(panel, singular_at(place, mirrored), kernel, tolerance) &&
-          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows)) {
+          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) &&
+          !add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows)) {
         const bool for_layers = !has_layers && panel.at_end && mirrored == place.trailing;
         append_panel(panel, place, mirrored, kernel, for_layers, tolerance, nodes);
         parts.layers |= for_layers;

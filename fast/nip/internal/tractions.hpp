@@ -60,6 +60,8 @@ class Tractions {
     std::vector<std::complex<double>>
         rates;  ///< with which it decays next to alpha = 0, beside half-thicknesses
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
+    /// Of kernels for alpha >= 0 that are analytic at 0 but for ln alpha times a function: that, the same on p and q.
+    std::function<Eigen::MatrixXd(std::span<const double> alpha)> of_logarithm = {};
   };
   /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
   /// on_q, and what is left, which is analytic for |Im alpha| < 2.
@@ -153,6 +155,10 @@ class Tractions {
   /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
   bool add_by_product_rule(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
                            double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Adds the panel that begins at the place, where the kernel is singular on this side alone, by product rules; false where
+  /// it is not, or where its exponentials vary too much over the panel.
+  bool add_beside_logarithm(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
+                            double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
   /// Adds a panel to the rows of its matching points, of which `first` is the first; false where that needs a rule for
   /// singular kernels.
   bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance, Eigen::Index first,

@@ -165,13 +165,32 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
     });
     column(2 * of_terms) = internal::kernel_at(internal::Kernel::I1, at, Accuracy()) / pi;
   };
+  // I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate, and its slope ln alpha e^(rate alpha).
+  const auto of_logarithm = [this, whole, of_terms, functionals](std::span<const double> alpha) {
+    Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+      auto column = factor.col(static_cast<Eigen::Index>(i));
+      for (std::size_t k = 0; k < fades_.size(); ++k) {
+        const Complex rate = sheet_.normal.terms[k].rate;
+        if (rate.imag() < 0) continue;
+        const Complex memory = alpha[i] * internal::phi1(-rate * alpha[i]) / pi,
+                      slope = std::exp(rate * alpha[i]) / pi;
+        const auto row = 2 * static_cast<Eigen::Index>(k);
+        column.segment<2>(row) << memory.real(), memory.imag();
+        if (whole) column.segment<2>(of_terms + row) << slope.real(), slope.imag();
+      }
+      if (whole) column(2 * of_terms) = -1 / pi;
+    }
+    return factor;
+  };
   return {functionals, true, rates(),
           [functionals, set](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
             for (std::size_t i = 0; i < alpha.size(); ++i)
               set(alpha[i], on_p.col(static_cast<Eigen::Index>(i)));
             on_q = on_p;
-          }};
+          },
+          of_logarithm};
 }
 
 }  // namespace nipref::fast

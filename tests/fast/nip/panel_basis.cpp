@@ -89,4 +89,17 @@ TEST_CASE("a product rule is exact for polynomials, and converges geometrically 
   }
 }
 
+TEST_CASE("a product rule with a logarithm is exact for polynomials") {
+  const Nodes nodes(0.4);
+  for (const PanelBasis& basis : bases) {
+    if (!basis.at_end || basis.exponent != 0) continue;
+    const auto polynomial = [](const Eigen::ArrayXd& x) { return (x - 0.3).pow(7).eval(); };
+    const auto rule = product_rule(basis, 8, degrees, RuleFor::times_logarithm);
+    const Eigen::RowVectorXd weights =
+        (nodes.weight * nodes.x.log() * polynomial(nodes.x)).matrix().transpose();
+    CHECK(largest_difference(weights, basis.values(nodes.x, nodes.rest, degrees).real,
+                             polynomial(rule->at).matrix().transpose() * rule->weight.real) < 2e-15);
+  }
+}
+
 }  // namespace nipref::fast
