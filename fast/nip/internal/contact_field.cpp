@@ -40,7 +40,9 @@ std::pair<double, double> peak_and_error(const SolvedNip& nip) {
 }
 
 /// A bound for the integral of the magnitude of a kernel of internal::FromFace over a contact: at any depth and any Poisson's
-/// ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet at most 0.8.
+/// ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet at most 0.8. Both
+/// are properties of the kernels alone, which a test computes: 0.956 of the first and 0.783 are reached by v under shear
+/// beside the middle plane of an incompressible sheet.
 double reach_of_displacements(double half_length) {
   const double a = std::min(half_length, 1.0);
   return std::min(0.8, 2 / std::numbers::pi * a * (2 - std::log(a)));

@@ -126,4 +126,34 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("kernels of displacements from the face are as large as errors take them for, and hardly smaller") {
+  double largest = 0, integral = 0;
+  for (const data::SheetLoad load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
+    for (const double poisson : {-0.99, -0.5, 0.0, 0.3, 0.499}) {
+      for (const double depth : {0.0, 0.05, 0.3, 0.5, 0.7, 0.9, 0.99, 0.9999}) {
+        const auto u = [&](double a) {
+          return sheet_u(a, depth, load, poisson) - depth * sheet_u(a, 1, load, poisson);
+        };
+        const auto v = [&](double a) {
+          return sheet_v(a, 0, depth, load, poisson) - sheet_v(a, 0, 1, load, poisson);
+        };
+        double of_u = 0, of_v = 0;
+        constexpr double step = 0.05;
+        for (double log_distance = -16; log_distance < 3; log_distance += step) {
+          const double a = std::exp(log_distance);
+          of_u += 2 * a * std::fabs(u(a)) * step;
+          of_v += 2 * a * std::fabs(v(a)) * step;
+          if (a < 1)
+            largest = std::max(largest, std::max(std::fabs(u(a)), std::fabs(v(a))) / (1 - log_distance));
+        }
+        integral = std::max({integral, of_u, of_v});
+      }
+    }
+  }
+  CHECK(largest * std::numbers::pi <= 1);
+  CHECK(largest * std::numbers::pi >= 0.9);
+  CHECK(integral <= 0.8);
+  CHECK(integral >= 0.75);
+}
+
 TEST_SUITE_END();
