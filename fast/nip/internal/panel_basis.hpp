@@ -26,10 +26,9 @@ struct PanelBasis {
 /// What a product rule is for: int f phi_n dx, or int f ln x phi_n dx, this for a basis at the end without exponent.
 enum class RuleFor { function, times_logarithm };
 
-/// Integrals of a basis times a function f that is analytic about the panel: int f phi_n dx = sum_i f(at_i) weight_in, of the
-/// polynomial that interpolates f at Chebyshev points. As the integrals of basis and polynomials are known in closed form,
-/// only the interpolation errs, by rho^-points where f is analytic within the ellipse of the sum of half axes rho about
-/// [0, 1], that of [-1, 1] scaled.
+/// A rule for the integrals of a function f, analytic about the panel, times a basis: int f phi_n dx = sum_i f(at_i) weight_in.
+/// It integrates the polynomial that interpolates f at Chebyshev points, in closed form, so that only the interpolation errs:
+/// by rho^-points where f is analytic within the ellipse with foci 0 and 1 whose half axes add up to rho/2.
 struct ProductRule {
   Eigen::ArrayXd at;
   PanelBasis::Rows weight;  ///< of so many degrees at least
@@ -47,7 +46,8 @@ struct MatchingPoints {
   [[nodiscard]] std::shared_ptr<const Eigen::ArrayXd> at() const;  ///< rising
 };
 
-/// Integrals of a basis times ln|x - s| and the sign of x - s, a row for each matching point s, and times 1, one row.
+/// The integrals of a basis times ln|x - s| and times the sign of x - s, one row for each matching point s; and those of the
+/// basis alone, one row.
 struct SingularIntegrals {
   PanelBasis::Rows logarithm, sign, one;
 };

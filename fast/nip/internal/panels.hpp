@@ -6,14 +6,14 @@
 
 namespace nipref::fast {
 
-/// The factor, at least, by which the coefficients at the end of each expansion fall a term.
+/// The last coefficients of each expansion fall from one term to the next by at least this factor.
 inline constexpr double least_fall = 1.6;
 
-/// What limits how fast the expansions of a kind of contact converge.
+/// How far the expansions of a contact are to converge, and what limits how fast they do.
 struct Resolution {
-  double nats;  ///< coefficients are to fall to e^-nats of the largest
-  /// Of what an end causes in the tractions, e^(-decay e) is left at the distance e, 1/half-thickness: the zero of the
-  /// kernel's transform that is nearest to the real axis.
+  double nats;  ///< the coefficients are to fall to e^-nats of the largest
+  /// The effect of an end on the tractions falls like e^(-decay e) with the distance e from it, 1/half-thickness: it is the
+  /// zero of the kernel's transform that is nearest to the real axis.
   double decay;
   int polynomial;  ///< degree of the tractions far from the ends of a long contact
   std::vector<std::complex<double>>
@@ -24,10 +24,10 @@ struct Resolution {
 /// kernel, in which it cancels: beyond the second of these half lengths panels have less rounding.
 inline constexpr double longest_whole = 12, longest_always_whole = 4;
 
-/// Panels of a contact of half length A: one that is the whole contact up to `longest`, otherwise panels that double
-/// from the end on until the end is forgotten or the middle is near, and one about the middle. The number of terms
-/// follows from the singularities of the tractions, which are at the ends and 2 i to both sides of these, and from the
-/// exponentials, whose Chebyshev coefficients are modified Bessel functions.
+/// The panels of a contact of half length A. Up to `longest` one panel is the whole contact. Otherwise the width of panels
+/// doubles from the end on, until the effect of the end is less than rounding or the middle is near, and one panel is about
+/// the middle. The number of terms follows from the singularities of the tractions, which are at the ends and 2 i to both
+/// sides of these, and from the exponentials, whose Chebyshev coefficients are modified Bessel functions.
 std::vector<Panel> panels(double half_length, const Resolution& resolution, double longest = longest_whole);
 
 /// Whether the pressure of an exponential of this rate is a layer of its own (layer.hpp) next to the leading end.

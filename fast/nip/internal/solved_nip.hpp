@@ -28,14 +28,14 @@ class SolvedNip {
             double accuracy);
 
   [[nodiscard]] const Solution& last() const { return *solution_; }
-  /// Of the contact that carries the load, from which last() differs by what the search has left.
+  /// Of the contact that carries the load; last() is next to it, as near as the search has come.
   [[nodiscard]] double half_length() const { return half_length_estimate().value; }
   [[nodiscard]] const Estimate& half_length_estimate() const;
   /// `number` gives a number of a solution; the value is that of the contact of half_length().
   [[nodiscard]] double value(const std::function<double(const Solution&)>& number) const;
   /// g at e >= 0, see Tractions; beyond the middle that of the other half.
   [[nodiscard]] std::complex<double> traction(double e) const;
-  /// A number in last() and, for a given load, in the neighbour; and what a place that is not known better adds to its error.
+  /// A number in last() and, for a given load, in the neighbour; `shift` is what the error of a place adds to its error.
   struct InBoth {
     Functional here;
     std::optional<Functional> there = {};
@@ -50,7 +50,7 @@ class SolvedNip {
   /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
   using AtPlace = std::function<Functional(const Solution&, double e)>;
   [[nodiscard]] InBoth at_place(double e, double unsure, const AtPlace& number) const;
-  /// How much such a number, which is `here` in last(), may change because the place is not known better.
+  /// How much such a number, which is `here` in last(), may change because the place has an error.
   [[nodiscard]] double shift(const Functional& here, double e, double unsure, const AtPlace& number) const;
   /// How far the place may be from e.
   [[nodiscard]] static double reach(double e, double unsure) { return unsure + 0x1p-52 * std::fabs(e); }

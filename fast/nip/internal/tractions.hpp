@@ -52,15 +52,17 @@ class Tractions {
   }
   [[nodiscard]] std::size_t panel_of(double e) const;
 
-  /// A line load at the distance alpha acts on a functional: `on_p`, `on_q` per unit of Re g and Im g, a row a functional.
-  /// alpha = y - y' is the place of the functional less that of the load.
+  /// The kernels of linear functionals of the tractions: what a line load at the distance alpha adds to each of them,
+  /// `on_p` per unit of Re g and `on_q` per unit of Im g, one row for each functional. alpha = y - y' is the place of the
+  /// functional less that of the load.
   struct Kernel {
     int functionals = 1;
-    bool decays = true;  ///< there is nothing beyond the reach
-    std::vector<std::complex<double>>
-        rates;  ///< with which it decays next to alpha = 0, beside half-thicknesses
+    bool decays = true;  ///< it is negligible beyond reach()
+    /// Of exponentials next to alpha = 0 that may vary over less than a half-thickness.
+    std::vector<std::complex<double>> rates;
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
-    /// Of kernels for alpha >= 0 that are analytic at 0 but for ln alpha times a function: that, the same on p and q.
+    /// For kernels of alpha >= 0 alone that are analytic at 0 but for ln alpha times a function: this function, which is
+    /// the same on p and q.
     std::function<Eigen::MatrixXd(std::span<const double> alpha)> of_logarithm = {};
   };
   /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
@@ -70,8 +72,8 @@ class Tractions {
     Eigen::MatrixX2d logarithm, jump;
     decltype(Kernel::at) regular;
   };
-  /// A row of columns for each place and functional: places slow. Places: e <= A, negative ones outside the contact.
-  /// `trailing`: the places are on the other half, -y.
+  /// One row for each place and functional, those of a place together; one column for each of columns(). Places: e <= A,
+  /// negative ones outside the contact. `trailing`: the places are on the other half, -y.
   [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                      double tolerance) const;
   /// The columns of the layers alone, at places on the trailing half, 0 <= e <= A.

@@ -58,10 +58,18 @@ std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
   const auto by_line_loads = [&] { return fast::line_loads_for_load(nip, 10, load).contact_length(); };
   std::vector<TimedWay> ways{length_way("thesis: m=10, 500 terms", by_thesis, error_of),
                              length_way("line loads, m=10, fast kernels", by_line_loads, error_of)};
-  for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13})
+  for (const double accuracy : {1e-4, 1e-6, 1e-10, 1e-13})
     ways.push_back(
         length_way(fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy), error_of));
   ways.push_back(length_way("converged 1e-10, full friction", converged(Friction::full, 1e-10)));
+  constexpr double relaxation_length = 0.1;
+  const data::Compliances at_once{nip.material.theta1(), nip.material.theta2()};
+  const data::ViscoelasticNip rolled{nip.roller_radius, nip.sheet_thickness,
+                                     data::single_relaxation_time_solid(at_once, relaxation_length), 1};
+  for (const double accuracy : {1e-6, 1e-10})
+    ways.push_back(length_way(fmt::format("converged {:.0e}, rolling", accuracy), [=] {
+      return fast::converged_for_load(rolled, load, accuracy).contact_length().value;
+    }));
   return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {4, rounds});
 }
 
