@@ -51,10 +51,10 @@ struct AuditOptions {
 /// The result of the audit of one quantity. Errors are upper bounds: ref's own error is added to each.
 struct AuditResult {
   const Quantity* quantity;
-  std::size_t points;         ///< points compared
-  std::size_t left_out;       ///< points at which the reference has no value of 21 digits
-  double promise;             ///< units in the last place of the scale
-  double max_error_ulp;       ///< largest error found, in those units
+  std::size_t points;    ///< points compared
+  std::size_t left_out;  ///< points at which the reference has no value of 21 digits, or which are refused
+  double promise;        ///< units in the last place of the scale
+  double max_error_ulp;  ///< largest error found, in those units
   double max_relative_error;  ///< largest |error| / |value| found
   double allowance_used;  ///< largest ratio of an error to the allowed one; the promise is kept if it is <= 1
   Point worst;            ///< the point with this ratio

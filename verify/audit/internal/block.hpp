@@ -65,13 +65,14 @@ class Comparator {
   Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
              bool is_fast = false);
 
-  /// Finds the errors at a batch of points; a point that the reference refuses has none.
+  /// Finds the errors at a batch of points; a point that either refuses has none.
   void operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const;
   [[nodiscard]] std::optional<Finding> operator()(const Point& point) const;
   /// The same for a value that was computed before.
   [[nodiscard]] std::optional<Finding> operator()(const Point& point, double value) const;
 
  private:
+  [[nodiscard]] std::vector<std::optional<double>> values(std::span<const Point> points) const;
   [[nodiscard]] std::optional<ref::Estimate> truth(const Point& point) const;
   [[nodiscard]] Finding finding(double value, const ref::Estimate& truth, const Point& point) const;
   [[nodiscard]] double allowed_ulps(double scale, const Point& point) const;
@@ -84,7 +85,7 @@ class Comparator {
   bool checks_own_error_;
 };
 
-/// The points for which the reference has a value, with the findings at them.
+/// The points at which both have a value, with the findings there.
 struct Compared {
   std::vector<Point> points;
   std::vector<Finding> findings;
@@ -93,8 +94,9 @@ struct Compared {
 
 /// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks.
 struct AuditTally {
-  std::uint64_t points = 0;    ///< points compared
-  std::uint64_t left_out = 0;  ///< points at which the reference has no value of 21 digits
+  std::uint64_t points = 0;  ///< points compared
+  std::uint64_t left_out =
+      0;  ///< points at which the reference has no value of 21 digits, or which are refused
   double max_ulp = 0, max_relative = 0;
   double allowance_used = -1;  ///< the largest; -1 without points
   std::uint64_t worst_block = 0;

@@ -22,11 +22,25 @@ void Comparator::operator()(std::span<const Point> points, std::span<std::option
     truths.push_back(truth(point));
     if (truths.back()) known.push_back(point);
   }
-  std::vector<double> values(known.size());
-  evaluator_(known, values);
+  const auto found = values(known);
   for (std::size_t i = 0, next = 0; i < points.size(); ++i) {
-    if (truths[i]) findings[i] = finding(values[next++], *truths[i], points[i]);
+    if (!truths[i]) continue;
+    if (const auto value = found[next++]) findings[i] = finding(*value, *truths[i], points[i]);
   }
+}
+
+std::vector<std::optional<double>> Comparator::values(std::span<const Point> points) const {
+  try {
+    std::vector<double> found(points.size());
+    evaluator_(points, found);
+    return {found.begin(), found.end()};
+  } catch (const data::BadInput&) {
+    if (points.size() == 1) return {std::nullopt};
+  }
+  // Which of them are refused?
+  std::vector<std::optional<double>> found;
+  for (const Point& point : points) found.push_back(values({&point, 1}).front());
+  return found;
 }
 
 std::optional<Finding> Comparator::operator()(const Point& point) const {

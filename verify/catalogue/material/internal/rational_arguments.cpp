@@ -143,8 +143,8 @@ void draw_prony(const NamedNumbers& x, double soft, double time, Random& random)
   std::vector<double> rates, first, second;
   for (std::size_t k = 0; k < terms; ++k) {
     const double apart = (slow > 0 ? slow : 1 / time) * random.log_uniform(1e-3, 1e3);
-    // fast refuses five rates that nearly coincide.
-    rates.push_back(k == 0 ? slow : slow > 0 && k < 3 ? other_rate(slow, random) : apart);
+    const bool is_near = slow > 0 && (k < 3 || random.chance(0.3));
+    rates.push_back(k == 0 ? slow : is_near ? other_rate(slow, random) : apart);
     first.push_back(soft * random.log_uniform(1e-3, 1e3) * (rates[k] == 0 ? 1 / time : rates[k]));
     second.push_back(k > 0 && random.chance(0.2) ? 0 : first[k] * part());
   }
