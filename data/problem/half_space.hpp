@@ -68,6 +68,8 @@ struct HalfSpaceProblem {
   std::optional<Profile> profile = {};
   /// Angle psi - direction of the line along which pressure and shear are wanted, degrees; profile.direction
   std::optional<double> line = {};
+  double depth =
+      0;  ///< of that line below the surface, for displacements, >= 0, unit of length; profile.depth
 };
 
 }  // namespace nipref::data

@@ -110,14 +110,14 @@ constexpr auto results = std::to_array<SceneResult>({
      "shear on the sheet along Y; on a half-space along the motion, under a rolling sphere along the line",
      Scale::shear, Shape::profile, every_scene},
     {ResultId::normal_displacement, "normal_displacement", "length",
-     "displacement u towards the middle plane; u3 of a half-space's surface into it, exact method",
+     "displacement u towards the middle plane; u3 of a half-space into it, at profile.depth, exact method",
      Scale::roller_rise, Shape::profile, every_scene},
     {ResultId::tangential_displacement, "tangential_displacement", "length",
-     "displacement v along Y, relative to the line through the rollers' centres; of a half-space's surface "
-     "along the motion, relative to what is far away, exact method",
+     "displacement v along Y, relative to the line through the rollers' centres; of a half-space along "
+     "the motion, relative to what is far away, at profile.depth, exact method",
      Scale::distance_times_creep, Shape::profile, every_scene},
     {ResultId::transverse_displacement, "transverse_displacement", "length",
-     "displacement of a half-space's surface across the motion, 90 degrees counterclockwise from it, exact "
+     "displacement of a half-space across the motion, 90 degrees counterclockwise from it, at profile.depth, exact "
      "method",
      Scale::roller_rise, Shape::profile, SceneKind::half_space},
     {ResultId::surface_strain, "surface_strain", "1",
@@ -161,10 +161,10 @@ constexpr auto scale_texts = std::to_array<std::string_view>({
     "L/2",
     "L/2 times the load",
     "50 L, as a traction's slope is known less well than the traction",
-    "(L/2)^2/(2R), the rise of the roller's parabola over L/2; on a half-space normal_displacement at the centre",
+    "(L/2)^2/(2R), the rise of the roller's parabola over L/2; on a half-space normal_displacement below the centre",
     "L/(4R)",
     "L/(4R), more next to an end of the contact",
-    "L/(4R) times |Y|, outside the contact times L/2; on a half-space normal_displacement at the centre",
+    "L/(4R) times |Y|, outside the contact times L/2; on a half-space normal_displacement below the centre",
     "the pressure in the middle, more next to an end of the contact",
     "a tenth of the pressure in the middle, on a half-space all of it, more next to an end of the contact",
     "a tenth of the pressure in the middle",

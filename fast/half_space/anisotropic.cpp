@@ -58,6 +58,11 @@ LineResponse AnisotropicHalfSpace::along(Direction psi) const {
           answers.shear_compliance_across};
 }
 
+PressureWave AnisotropicHalfSpace::inside(Direction psi) const {
+  const LineResponse surface = along(psi);  // refuses what is not subcritical
+  return {surface, *implementation_->line.decay(psi, implementation_->motion)};
+}
+
 ShearResponse AnisotropicHalfSpace::shear_along(Direction psi) const {
   const internal::AnisotropicAnswers answers = implementation_->at(psi);
   return {answers.in_line, answers.across};

@@ -28,6 +28,7 @@ class AnisotropicHalfSpace {
   ~AnisotropicHalfSpace();
 
   [[nodiscard]] LineResponse along(Direction psi) const;
+  [[nodiscard]] PressureWave inside(Direction psi) const;
   /// The response in the direction of the shear itself.
   [[nodiscard]] ShearResponse shear_along(Direction psi) const;
 

@@ -42,13 +42,14 @@ class EllipticContact {
   /// The pressure under a load of this contact at the distance x from the centre in the direction psi, 0 outside the
   /// contact; unit of stress. x must be finite and psi of unit length, else BadInput.
   [[nodiscard]] Estimate pressure(const EllipticLoad& load, Direction psi, double x) const;
-  /// The displacement of the surface, against what is far away, of a half-space with this response, which may be one of two
-  /// bodies: along x1, along x2 and into it, unit of length, at the distance x from the centre in the direction psi, inside
-  /// the contact or outside. Accuracy: that of the ellipse, times their size where the first two vanish. x must be finite,
-  /// else BadInput. (brock2012 17, with its kernels corrected, at x3 = 0)
+  /// The displacement, against what is far away, of a half-space with these waves, which may be one of two bodies: along x1,
+  /// along x2 and into it, unit of length, at the distance x from the centre in the direction psi, inside the contact or
+  /// outside, at this depth below the surface; at depth 0 waves of the surface alone suffice. Accuracy: that of the ellipse,
+  /// times their size where the first two vanish. x must be finite, the depth finite and >= 0, else BadInput. (brock2012 17,
+  /// with its kernels corrected)
   [[nodiscard]] std::array<Estimate, 3> displacement(const EllipticLoad& load,
-                                                     const SurfaceResponse& half_space, Direction psi,
-                                                     double x) const;
+                                                     const PressureWaves& half_space, Direction psi, double x,
+                                                     double depth = 0) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(
       double approach) const;  ///< > 0, finite, unit of length, else BadInput

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
+#include <nipref/fast/half_space/internal/pressure_potential.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 
 namespace nipref::fast {
@@ -22,118 +25,160 @@ struct Scaled {
   }
 };
 
-/// artanh t for 0 <= t < 1, arcoth t beyond; at t = 1, where it is infinite, its value a rounding away.
-double area_function(double t) {
-  return std::log1p(2 * std::min(t, 1.0) / std::max(std::fabs(1 - t), 0x1p-53)) / 2;
-}
-
-/// g(t) = t + (1 - t^2) area_function(t) for t >= 0: H[max(0, 1 - xi^2)](t) = -(2/pi) g(t).
-double hilbert_of_parabola(double t) {
-  if (t < 2) return t + (1 - t * t) * area_function(t);
-  // In powers of 1/t, as the terms above cancel.
-  double sum = 0, power = 1 / t;
-  for (double k = 1; power > 0x1p-55 * sum; k += 2, power /= t * t) sum += 2 * power / (k * (k + 2));
-  return sum;
-}
-
-/// A part of the integral over the lines: m = start turned by +-angle, angle from lower to upper. The place is on the line
-/// of m for which t = at_start cos(angle) + slope sin(angle), with which t keeps its digits where it is small.
+/// A part of the integral over the lines: m = start turned by +-angle(v), v from 0 to `last`. The place is on the line of m
+/// for which t = at_start cos(angle) + slope sin(angle), with which t keeps its digits where it is small.
 struct Arc {
   Scaled start;
-  double sense, at_start, slope, lower, upper;
+  double sense, at_start, slope;
+  double from, core, last;  ///< core: its sign is that of the sense in which v counts
+
+  [[nodiscard]] double angle(double v) const { return from + core * std::sinh(v); }
+  [[nodiscard]] double slope_of_angle(double v) const { return std::fabs(core) * std::cosh(v); }
 };
 
-/// The lines of half a turn for the place e: in both senses from the major axis to the line across e, where t = 0. Each half of
-/// an arc begins at its own end, where w and t may be small; the lines that touch the ellipse part it.
-std::vector<Arc> arcs_to(const Scaled& e) {
+/// The lines of half a turn for the place e, at a depth with b as unit of length: in both senses from the major axis to the
+/// line across e, where t = 0. Each half of an arc begins at its own end, where w and t may be small; the lines that touch the
+/// ellipse part it, or the line nearest to that if the place is within it. In the surface the integrand has a kink there,
+/// below it bends where t changes by the depth over w. So narrow a bend would be seen by no panel: v counts in units of it
+/// next to the line, and farther off in those of the logarithm.
+std::vector<Arc> arcs_to(const Scaled& e, double ratio, double depth) {
+  constexpr double half_turn = std::numbers::pi;
   const double distance = std::hypot(e.first, e.second);
   Scaled across = distance > 0 ? Scaled{-e.second / distance, e.first / distance} : Scaled{0, 1};
   if (std::signbit(across.second)) across = {-across.first, -across.second};
-  const double touching = distance > 1 ? std::asin(1 / distance) : std::numbers::pi;
+  const double touching = distance > 1 ? std::asin(1 / distance) : half_turn / 2;
+  const double slope_of_t = std::sqrt(std::max(0.0, (distance - 1) * (distance + 1)));
   std::vector<Arc> arcs;
   for (const double sense : {1.0, -1.0}) {
     const double length = std::atan2(across.second, sense * across.first), half = length / 2;
     const auto add = [&](Arc arc, double touches) {
       const double edge = std::clamp(touches, 0.0, half);
-      for (const auto& [lower, upper] : {std::pair(0.0, edge), std::pair(edge, half)}) {
-        if (!(upper > lower)) continue;
-        arc.lower = lower;
-        arc.upper = upper;
+      const Scaled m = arc.start.turned(arc.sense * edge);
+      // t = distance cos(angle from e) changes by this next to the line.
+      const double change = depth * std::hypot(ratio * m.first, m.second) + std::max(0.0, 1 - distance);
+      const double bend =
+          2 * change / (slope_of_t + std::sqrt(slope_of_t * slope_of_t + 2 * distance * change) + 0x1p-500);
+      // What happens within 2^-30 is less than a rounding of the integral.
+      const double core = std::max(std::min(bend, half_turn) + std::fabs(touches - edge), 0x1p-30);
+      const auto add_part = [&](double from, double unit, double size) {
+        if (!(size > 0)) return;
+        arc.from = from;
+        arc.core = unit;
+        arc.last = std::asinh(size / std::fabs(unit));
         arcs.push_back(arc);
-      }
+      };
+      add_part(0, edge / 2, edge / 2);
+      add_part(edge, -core, edge / 2);
+      add_part(edge, core, half - edge);
     };
-    add({{1, 0}, sense, e.first, sense * e.second, 0, 0}, length - touching);
+    add({{1, 0}, sense, e.first, sense * e.second, 0, 0, 0}, length - touching);
     const double slope = e.first * -across.second + e.second * across.first;
-    add({across, -sense, 0, -sense * slope, 0, 0}, touching);
+    add({across, -sense, 0, -sense * slope, 0, 0, 0}, touching);
   }
   return arcs;
 }
 
-/// What a line adds to the displacement: its response, its width w, and R and H[R] over pi p0 a/2, all with b as unit of
-/// length.
+/// What a line adds to the displacement over pi p0 a/4, with b as unit of length: its wave at the place t + i g depth/w, in the
+/// surface Re Y (1 - t^2) w and Im Y H[1 - t^2] w.
 struct Line {
-  LineResponse y;
-  Direction n;  ///< from the motion
-  double t, width, pressed, pulled;
+  PressureWave wave;
+  Direction n;          ///< from the motion
+  double width, depth;  ///< depth over width
+  std::array<internal::PressurePotential, 3> potentials;
+
+  Line(PressureWave of, Direction along, double t, double w, double z)
+      : wave(std::move(of)), n(along), width(w), depth(z / w) {
+    std::array<std::complex<double>, 3> places;
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      const std::complex<double> down = std::complex(0.0, depth) * wave.decays[j];
+      places[j] = {t + down.real(), down.imag()};
+    }
+    potentials = internal::pressure_potentials(places, depth > 0 ? wave.count : 1);
+    std::complex<double> factor = width / std::numbers::pi;
+    for (std::size_t j = 0; j < wave.count; ++j, factor *= std::complex(0.0, depth))
+      for (auto& component : wave.shares[j]) component *= factor;
+  }
 
   /// The displacement along the motion, across it and into the half-space, and its size. That is added to the first two, which
   /// may vanish, so that they are integrated to the rounding of their size.
   [[nodiscard]] std::array<double, 4> terms() const {
-    const double size = y.compliance * (pressed + std::fabs(pulled));
-    const double along = y.shear_compliance * pressed + y.coupling * pulled;
-    const double across = y.shear_compliance_across * pressed + y.coupling_across * pulled;
-    return {n.cosine * along - n.sine * across + size, n.sine * along + n.cosine * across + size,
-            y.compliance * pressed, size};
+    std::array<double, 3> sums{};
+    double size = 0;
+    for (std::size_t j = 0; j < wave.count; ++j) {
+      for (std::size_t i = 0; i < sums.size(); ++i)
+        sums[i] += (wave.shares[j][i] * potentials[j].parabola).imag();
+      size += length(wave.shares[j]) * std::abs(potentials[j].parabola);
+    }
+    return {n.cosine * sums[0] - n.sine * sums[1] + size, n.sine * sums[0] + n.cosine * sums[1] + size,
+            sums[2], size};
   }
-  /// By a relative change of the force or the response the displacement in the surface and that into it change at most by
-  /// these times as much; by one of the width w by three times that, as w d/dw of (1 - t^2)/w and g/w is at most 2/w and
-  /// (3 g + 2 area_function)/w.
-  [[nodiscard]] std::array<double, 2> changes() const {
-    const double inside = std::fabs(t) < 1 ? width : 0;
-    const double shear = std::fabs(y.shear_compliance) + std::fabs(y.shear_compliance_across),
-                 coupling = std::fabs(y.coupling) + std::fabs(y.coupling_across);
-    const double logarithm = 2 / std::numbers::pi * width * area_function(std::fabs(t));
-    return {(y.compliance + shear) * inside + (y.compliance + coupling) * (std::fabs(pulled) + logarithm),
-            y.compliance * inside};
+  /// By a relative change of the force or the response the displacement in the surface and that into it change at most by the
+  /// first two times as much; by one of the width w by three times that, as w d/dw of C(s/w)/w is (2 L - 3 C)/w. The third is
+  /// what roundings of that into it are relative to.
+  [[nodiscard]] std::array<double, 3> changes() const {
+    std::array<double, 3> sums{};
+    for (std::size_t j = 0; j < wave.count; ++j) {
+      const auto& [parabola, logarithm] = potentials[j];
+      const std::complex<double> into = wave.shares[j][2];
+      const double size = std::abs(parabola) + std::abs(logarithm);
+      sums[0] += length(wave.shares[j]) * size;
+      sums[1] += std::fabs((into * parabola).imag()) + std::fabs((into * logarithm).imag());
+      sums[2] += std::abs(into) * size;
+    }
+    const double distance = depth * std::abs(wave.decays[0] - wave.decays[2]);
+    if (wave.count == 3 && distance > 0) {
+      const double size = std::abs(potentials[1].parabola) + std::abs(potentials[1].logarithm);
+      const double rounding = length(wave.shares[2]) * size / distance;
+      sums[0] += rounding;
+      sums[2] += rounding;
+    }
+    return sums;
+  }
+
+ private:
+  static double length(const PressureWave::Vector& x) {
+    return std::sqrt(std::norm(x[0]) + std::norm(x[1]) + std::norm(x[2]));
   }
 };
 
 }  // namespace
 
-// With R = (pi p0 a b/2 w) (1 - t^2) the integral of the pressure over the line n.x = s, t = s/w, the displacement is
-// (1/2 pi) int (Re Y R + Im Y H[R]) dpsi over half a turn, Y the third column of the inverse impedance: the responses to waves
-// along n and -n are conjugate. With m, the unit vector along (a n1, b n2), dpsi/w = w dm/(a b).
+// With R = (pi p0 a b/2 w) (1 - t^2) the integral of the pressure over the line n.x = s, t = s/w, the displacement of the
+// surface is (1/2 pi) int (Re Y R + Im Y H[R]) dpsi over half a turn, Y the third column of the inverse impedance: the
+// responses to waves along n and -n are conjugate. R - i H[R] is -i p0 a b C(t)/(2 w), so that it is (p0 a b/4 pi)
+// int Im(Y C(t))/w dpsi. Inside, where a wave falls as e^{-Gkz}, C(t) becomes C(t + i G z/w). With m, the unit vector along
+// (a n1, b n2), dpsi/w = w dm/(a b).
 std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
-                                                      const SurfaceResponse& half_space, Direction psi,
-                                                      double x) const {
+                                                      const PressureWaves& half_space, Direction psi,
+                                                      double x, double depth) const {
   if (!std::isfinite(x)) throw data::BadInput("x", x, "must be a finite number");
+  if (!(std::isfinite(depth) && depth >= 0)) throw data::BadInput("depth", depth, "must be finite and >= 0");
   const double a = load.semi_major.value, b = load.semi_minor.value, ratio = b / a;
   const Direction place = psi.turned({major_.cosine, -major_.sine, major_.cosine_low, -major_.sine_low});
   const auto line_at = [&](const Arc& arc, double angle) -> Line {
     const Scaled m = arc.start.turned(arc.sense * angle);
-    const double t = arc.at_start * std::cos(angle) + arc.slope * std::sin(angle), size = std::fabs(t);
+    const double t = arc.at_start * std::cos(angle) + arc.slope * std::sin(angle);
     const double over_width = std::hypot(ratio * m.first, m.second);
     const Direction n = Direction{ratio * m.first / over_width, m.second / over_width}.turned(major_);
-    return {half_space(n),
-            n,
-            t,
-            1 / over_width,
-            std::max(0.0, (1 - size) * (1 + size)) / over_width,
-            -2 / std::numbers::pi * std::copysign(hilbert_of_parabola(size), t) / over_width};
+    return {half_space(n), n, t, 1 / over_width, depth / b};
   };
   std::array<Estimate, 4> sums{};
-  std::array<double, 2> changes{};
-  for (const Arc& arc : arcs_to({x * place.cosine / a, x * place.sine / b})) {
-    const auto terms = [&](double angle) { return line_at(arc, angle).terms(); };
-    const auto [panels, integral] = internal::adapt_panels<4>(terms, arc.lower, arc.upper);
+  std::array<double, 3> changes{};
+  for (const Arc& arc : arcs_to({x * place.cosine / a, x * place.sine / b}, ratio, depth / b)) {
+    const auto terms = [&](double v) {
+      auto found = line_at(arc, arc.angle(v)).terms();
+      for (double& term : found) term *= arc.slope_of_angle(v);
+      return found;
+    };
+    const auto [panels, integral] = internal::adapt_panels<4>(terms, 0, arc.last);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       sums[i].value += integral[i].value;
       sums[i].error += integral[i].error;
     }
     for (const internal::Subinterval& panel : panels) {
-      internal::visit_nodes(panel, [&](double angle, double weight) {
-        const auto here = line_at(arc, angle).changes();
-        for (std::size_t i = 0; i < here.size(); ++i) changes[i] += weight * here[i];
+      internal::visit_nodes(panel, [&](double v, double weight) {
+        const auto here = line_at(arc, arc.angle(v)).changes();
+        for (std::size_t i = 0; i < here.size(); ++i) changes[i] += weight * arc.slope_of_angle(v) * here[i];
       });
     }
   }
@@ -147,7 +192,8 @@ std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
                     unit * (sum.error + sums[3].error + change * changes[0])};
   };
   return {in_surface(sums[0]), in_surface(sums[1]),
-          Estimate{unit * sums[2].value, unit * (sums[2].error + change * changes[1])}};
+          Estimate{unit * sums[2].value,
+                   unit * (sums[2].error + change * changes[1] + internal::response_rounding * changes[2])}};
 }
 
 }  // namespace nipref::fast

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
@@ -95,6 +96,20 @@ LineResponse response_of(const IsotropicLine& line, double modulus) {
 
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   return response_of(internal::isotropic_line(solid, speed, from_motion), solid.shear);
+}
+
+// With e^{-wS kz} = e^{-wD kz} + (wS - wD) f[wD, wS] and wD^2 - wS^2 = X (1 - cD^-2) nothing cancels at rest.
+PressureWave isotropic_pressure_wave(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  const IsotropicLine line = internal::isotropic_line(solid, speed, from_motion);
+  const LineResponse y = response_of(line, solid.shear);
+  const double wS = line.shear_decay.high, wD = line.pressure_decay.high;
+  const double share =
+      2 * y.compliance * (one - internal::inverse_squared_pressure_speed(solid.poisson)).high / (wS + wD);
+  PressureWave wave(y);
+  wave.decays = {wD, wS};
+  wave.count = 2;
+  wave.shares[1] = {std::complex(0.0, wS * share), 0, -share};
+  return wave;
 }
 
 LineResponse isotropic_response_beyond(const data::IsotropicSolid& solid, double speed,

@@ -17,7 +17,11 @@ namespace nipref::fast {
 /// X/cD^2 and R = 4 wS wD - (2 - X)^2 they are X wD/(mu R) and (2 - X - 2 wS wD)/(mu R). (brock2012 18a)
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
-/// The same between the Rayleigh speed and that of shear waves along the line, where K < 0: the surface rises under
+/// The same inside: u3 = wD/(mu R) (2 e^{-wS kz} - (2 - X) e^{-wD kz}) and, along the line, i/(mu R) ((2 - X) e^{-wD kz} -
+/// 2 wS wD e^{-wS kz}), over k. (brock2012 17)
+PressureWave isotropic_pressure_wave(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
+/// The response between the Rayleigh speed and that of shear waves along the line, where K < 0: the surface rises under
 /// pressure. BadInput at other speeds. (brock2012 section 8)
 LineResponse isotropic_response_beyond(const data::IsotropicSolid& solid, double speed,
                                        Direction from_motion);

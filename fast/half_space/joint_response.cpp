@@ -38,6 +38,7 @@ double critical_speed(const data::IsotropicSolid& solid) {
 /// A surface and its critical speed; of a rigid body's nothing and infinity.
 struct Surface {
   SurfaceResponse response;
+  PressureWaves inside = {};  ///< of a half-space
   double critical_speed = std::numeric_limits<double>::infinity();
 };
 
@@ -50,6 +51,9 @@ struct HalfSpaceOf {
     return {[solid, speed = problem.speed](Direction from_motion) {
               return isotropic_response(solid, speed, from_motion);
             },
+            [solid, speed = problem.speed](Direction from_motion) {
+              return isotropic_pressure_wave(solid, speed, from_motion);
+            },
             critical};
   }
   Surface operator()(const data::TransverselyIsotropicBody& body) const {
@@ -57,6 +61,7 @@ struct HalfSpaceOf {
     const auto surface =
         std::make_shared<const TransverselyIsotropicHalfSpace>(body.solid, body.axis, motion, problem.speed);
     return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
+            [surface, motion](Direction from_motion) { return surface->inside(from_motion.turned(motion)); },
             surface->critical_speed()};
   }
   Surface operator()(const data::Stiffness& solid) const {
@@ -70,6 +75,7 @@ struct HalfSpaceOf {
     }
     const auto surface = std::make_shared<const AnisotropicHalfSpace>(solid, motion, problem.speed);
     return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
+            [surface, motion](Direction from_motion) { return surface->inside(from_motion.turned(motion)); },
             critical.speed};
   }
 };
@@ -102,6 +108,7 @@ JointResponse::JointResponse(const data::HalfSpaceProblem& problem) {
   const Surface half_space = std::visit(HalfSpaceOf{problem}, problem.half_space),
                 body = std::visit(BodyOf{problem.speed}, problem.body);
   half_space_ = half_space.response;
+  inside_ = half_space.inside;
   body_ = body.response;
   critical_speed_ = std::min(half_space.critical_speed, body.critical_speed);
 }
@@ -112,8 +119,9 @@ LineResponse JointResponse::operator()(Direction from_motion) const {
   return body_ ? in_contact(half_space, body_(from_motion)) : half_space;
 }
 
-SurfaceResponse JointResponse::of_half_space() const {
-  return [response = half_space_, evaluations = evaluations_](Direction from_motion) {
+PressureWaves JointResponse::of_half_space(double depth) const {
+  return [response = depth > 0 ? inside_ : PressureWaves(half_space_),
+          evaluations = evaluations_](Direction from_motion) {
     ++*evaluations;
     return response(from_motion);
   };

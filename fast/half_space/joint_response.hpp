@@ -16,7 +16,8 @@ class JointResponse {
   explicit JointResponse(const data::HalfSpaceProblem& problem);
 
   [[nodiscard]] LineResponse operator()(Direction from_motion) const;
-  [[nodiscard]] SurfaceResponse of_half_space() const;  ///< alone
+  /// Of the half-space alone: at the surface, where the depth is 0, or inside.
+  [[nodiscard]] PressureWaves of_half_space(double depth = 0) const;
   // Compliances, couplings and the smallest critical speed of this motion, unit of speed; the errors are of rounding.
   [[nodiscard]] Estimate compliance(double degrees) const;
   [[nodiscard]] Estimate coupling(double degrees) const;
@@ -25,6 +26,7 @@ class JointResponse {
 
  private:
   SurfaceResponse half_space_, body_;
+  PressureWaves inside_;
   double critical_speed_;
   std::shared_ptr<std::uint64_t> evaluations_ = std::make_shared<std::uint64_t>(0);
 };

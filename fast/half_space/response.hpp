@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <complex>
+#include <cstddef>
 #include <functional>
 
 #include <nipref/fast/half_space/direction.hpp>
@@ -27,5 +30,25 @@ inline LineResponse in_contact(const LineResponse& lower, const LineResponse& up
 /// The response of the two bodies of a contact, combined by in_contact, along the lines of each direction. Opposite
 /// directions have the same compliance, the same couplings, and shear compliances of opposite sign.
 using SurfaceResponse = std::function<LineResponse(Direction)>;
+
+/// What a wave of pressure e^{ikx} along a line, k > 0, does inside the half-space: at the depth z it displaces it by
+/// e^{ikx}/k times f[g0] v0 + f[g0, g1] v1 + f[g0, g1, g2] v2 along the line, across it and downwards, with divided
+/// differences of f(g) = e^{-gkz}. That is e^{-Gkz} v0 for a matrix G with the eigenvalues g, some of which may be equal.
+struct PressureWave {
+  using Vector = std::array<std::complex<double>, 3>;
+
+  Vector decays;                 ///< g, Re g > 0
+  std::array<Vector, 3> shares;  ///< v, 1/stress
+  std::size_t count = 1;         ///< of shares that are not 0
+
+  /// At the surface alone.
+  PressureWave(const LineResponse& y)
+      : decays{},
+        shares{{{std::complex(y.shear_compliance, y.coupling),
+                 std::complex(y.shear_compliance_across, y.coupling_across), y.compliance}}} {}
+  /// G in the same axes, by rows.
+  PressureWave(const LineResponse& y, const std::array<Vector, 3>& matrix);
+};
+using PressureWaves = std::function<PressureWave(Direction)>;
 
 }  // namespace nipref::fast

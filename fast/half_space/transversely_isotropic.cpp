@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 #include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/check_moduli.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
@@ -50,10 +51,23 @@ double critical_above(double speed, const internal::TransverselyIsotropicLine& l
   return critical.speed;
 }
 
+/// The same solid; with a normal axis one whose motion under pressure is the same, and whose waves polarised across the line
+/// are as fast as its longest, so that they never radiate: then c66 does not matter.
+internal::AnisotropicLine general_line(const data::TransverselyIsotropicSolid& solid,
+                                       data::SymmetryAxis axis) {
+  data::Stiffness general = data::Stiffness::of(solid, axis);
+  if (axis == data::SymmetryAxis::normal) {
+    general.voigt[5][5] = solid.c11;
+    general.voigt[0][1] = general.voigt[1][0] = -solid.c11;
+  }
+  return internal::AnisotropicLine(general);
+}
+
 }  // namespace
 
 struct TransverselyIsotropicHalfSpace::Implementation {
   internal::TransverselyIsotropicLine line;
+  internal::AnisotropicLine general;
   internal::Motion motion;
   double speed, critical;
 
@@ -71,8 +85,8 @@ TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::Trans
                                                                double speed, SpeedUnit unit) {
   const internal::TransverselyIsotropicLine line = checked_line(solid, axis);
   const double critical = critical_above(speed, line, solid, axis, motion, unit);
-  implementation_ = std::make_unique<const Implementation>(
-      Implementation{line, {motion, speed * Two{unit.high, unit.low}}, speed, critical});
+  implementation_ = std::make_unique<const Implementation>(Implementation{
+      line, general_line(solid, axis), {motion, speed * Two{unit.high, unit.low}}, speed, critical});
 }
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =
@@ -86,9 +100,16 @@ LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
   return {answers.compliance, answers.coupling, answers.coupling_across};
 }
 
+PressureWave TransverselyIsotropicHalfSpace::inside(Direction psi) const {
+  const LineResponse surface = along(psi);
+  const auto decay = implementation_->general.decay(psi, implementation_->motion);
+  if (!decay) throw data::BadInput("speed", implementation_->speed, "must be subcritical on the line");
+  return {surface, *decay};
+}
+
 double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
   static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
-  const auto& [line, motion, speed, critical] = *implementation_;
+  const auto& [line, general, motion, speed, critical] = *implementation_;
   const double condition = line.condition(psi, motion);
   if (!std::isfinite(condition))
     throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");

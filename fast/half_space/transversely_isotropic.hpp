@@ -42,6 +42,9 @@ class TransverselyIsotropicHalfSpace {
   /// couplings added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
+  /// Some 60 microseconds.
+  [[nodiscard]] PressureWave inside(Direction psi) const;
+
   /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound
   /// towards the critical speed; its error is at most 3e-13 max(1, itself) up to 1 - 1e-8 of that speed.
   [[nodiscard]] double condition(Direction psi) const;

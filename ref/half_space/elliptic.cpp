@@ -313,7 +313,8 @@ Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
 }
 
 std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_space, const Exact& degrees,
-                                                      const Exact& x) const {
+                                                      const Exact& x, const Exact& depth) const {
+  if (depth.sign() < 0) throw data::BadInput("depth", depth.text(), "must not be negative");
   const auto& [load, curvature, digits, working, exponent, levels] = *implementation_;
   const WorkingDigits scope(working);
   const WorkingSurface lines(half_space, working, exponent);
@@ -324,7 +325,8 @@ std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_
     return {scale * root, scale / root, level.ellipse.alpha(), scale * 2 * curvature / level.moment};
   };
   const auto by_rule = [&](const Level& level, int digits_of_rule) {
-    return displacement_under(pressed(level), lines, peak, psi, to_float(x), digits_of_rule);
+    return displacement_under(pressed(level), lines, peak, {psi, to_float(x), to_float(depth)},
+                              digits_of_rule);
   };
   const auto fine = by_rule(levels.fine, working + digits), coarse = by_rule(levels.coarse, working);
   // The rounding, and what is left out as it is narrower than a rounding of the angle: of the size of all lines together.

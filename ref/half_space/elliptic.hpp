@@ -44,10 +44,11 @@ class EllipticContact {
   [[nodiscard]] Estimate peak_pressure() const;
   /// The pressure at x on a line, 0 outside the contact.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
-  /// The displacement at x on a line of the surface of a half-space, which may be one of two bodies, against what is far
-  /// away: along the motion, across it and into the half-space, unit of length.
+  /// The displacement at x on a line, at this depth below the surface, of a half-space, which may be one of two bodies, against
+  /// what is far away: along the motion, across it and into the half-space, unit of length. Below the surface the half-space's
+  /// answers must have a decay. BadInput "depth" if it is negative.
   [[nodiscard]] std::array<Estimate, 3> displacement(const SurfaceAnswer& half_space, const Exact& degrees,
-                                                     const Exact& x) const;
+                                                     const Exact& x, const Exact& depth = Exact(0.0)) const;
 
  private:
   struct Implementation;

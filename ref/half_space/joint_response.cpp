@@ -59,18 +59,20 @@ void JointResponse::check_subcritical() const {
   if (body_) check(*body_);
 }
 
-LineResponse JointResponse::along(const Surface& surface, const Exact& from_motion, int digits) const {
+LineResponse JointResponse::along(const Surface& surface, const Exact& from_motion, int digits,
+                                  bool with_decay) const {
   ++*evaluations_;
   const Exact psi(mpq_class(from_motion.value() + Exact(direction_).value()));
   return line_response(surface.solid, Exact(surface.speed), SurfaceDirection::of_degrees(Exact(direction_)),
-                       SurfaceDirection::of_degrees(psi), digits);
+                       SurfaceDirection::of_degrees(psi), digits, with_decay);
 }
 
-SurfaceAnswer JointResponse::of_half_space() const {
-  return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
-    const LineResponse line = surface.along(surface.half_space_, degrees, digits);
+SurfaceAnswer JointResponse::of_half_space(const Exact& depth) const {
+  return [surface = *this, is_below = depth.sign() > 0](const Exact& degrees, int digits) -> LineAnswer {
+    LineResponse line = surface.along(surface.half_space_, degrees, digits, is_below);
     return {line.compliance.value, line.coupling.value,         line.coupling_across.value,
-            line.in_line.value,    line.shear_compliance.value, line.shear_compliance_across.value};
+            line.in_line.value,    line.shear_compliance.value, line.shear_compliance_across.value,
+            std::move(line.decay)};
   };
 }
 

@@ -20,9 +20,9 @@ class JointResponse {
   /// lines are scanned, which takes seconds.
   void check_subcritical() const;
 
-  // To as many digits as they are asked for: of both bodies, and of the half-space alone.
+  // To as many digits as they are asked for: of both bodies, and of the half-space alone, with its decay if the depth is not 0.
   [[nodiscard]] SurfaceAnswer answer() const;
-  [[nodiscard]] SurfaceAnswer of_half_space() const;
+  [[nodiscard]] SurfaceAnswer of_half_space(const Exact& depth = Exact(0.0)) const;
   /// The error bounds are proven.
   [[nodiscard]] Enclosure compliance(double degrees) const;
   [[nodiscard]] Enclosure coupling(double degrees) const;
@@ -41,7 +41,8 @@ class JointResponse {
     bool moves = true;  ///< whether the contact moves over it, possibly at speed 0
   };
   struct SurfaceOf;
-  [[nodiscard]] LineResponse along(const Surface& surface, const Exact& degrees, int digits) const;
+  [[nodiscard]] LineResponse along(const Surface& surface, const Exact& degrees, int digits,
+                                   bool with_decay = false) const;
   [[nodiscard]] Estimate critical(const Surface& surface) const;
 
   int digits_;

@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
+#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/response.hpp>
 
 namespace nipref::ref {
@@ -33,14 +36,22 @@ Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& 
   return result;
 }
 
-std::optional<Components> components_at(mpfr_prec_t precision, const ExactStiffness& solid,
-                                        const Exact& speed, const SurfaceDirection& motion,
-                                        const SurfaceDirection& psi) {
-  const Interval inertia = inertia_of(solid, speed, cosine_between(motion, psi, precision));
-  const auto impedance = surface_impedance(acoustic_matrices(solid, psi, inertia));
-  if (!impedance) return std::nullopt;
-  return components(hermitian_inverse(*impedance), psi.at(precision),
-                    Interval(Exact(solid.voigt[2][2]), precision));
+/// t^-1 (M + i r^T), turned to the axes of the line.
+Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance,
+               const SurfaceDirection::Cosines& n) {
+  const Interval zero(0L, impedance.precision()), one(1L, impedance.precision());
+  const std::array<Interval, 9> entries{n.cosine, n.sine, zero, -n.sine, n.cosine, zero, zero, zero, one};
+  const auto axes = IntervalMatrix::real([&](std::size_t i, std::size_t k) { return entries[3 * i + k]; });
+  const ComplexMatrix found = middle(
+      axes * (hermitian_inverse(matrices.t) * (impedance + times_i(matrices.r.adjoint()))) * axes.adjoint());
+  Decay decay;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      decay.re[i][k] = found.re(static_cast<Matrix::Index>(i), static_cast<Matrix::Index>(k));
+      decay.im[i][k] = found.im(static_cast<Matrix::Index>(i), static_cast<Matrix::Index>(k));
+    }
+  }
+  return decay;
 }
 
 /// Whether every component has an error of at most 10^-digits of the largest diagonal component.
@@ -64,13 +75,21 @@ bool are_narrow(const Components& components, int digits) {
 }  // namespace
 
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
-                           const SurfaceDirection& psi, int digits) {
+                           const SurfaceDirection& psi, int digits, bool with_decay) {
   std::optional<Components> found;
+  std::optional<Decay> decay;
   const auto compliance = [&](double nats) {
     mpfr_prec_t precision = static_cast<mpfr_prec_t>(nats / std::numbers::ln2) + spare_bits;
     for (int doubling = 0; doubling <= most_doublings; ++doubling, precision *= 2) {
-      found = components_at(precision, solid, speed, motion, psi);
-      if (found && are_narrow(*found, digits)) return found->front();
+      const Interval inertia = inertia_of(solid, speed, cosine_between(motion, psi, precision));
+      const AcousticMatrices matrices = acoustic_matrices(solid, psi, inertia);
+      const auto impedance = surface_impedance(matrices);
+      if (!impedance) continue;
+      const auto n = psi.at(precision);
+      found = components(hermitian_inverse(*impedance), n, Interval(Exact(solid.voigt[2][2]), precision));
+      if (!are_narrow(*found, digits)) continue;
+      if (with_decay) decay = decay_of(matrices, *impedance, n);
+      return found->front();
     }
     throw data::BadInput("speed", speed.text(),
                          "must stay below the limiting speed of the direction psi, which is where bulk "
@@ -80,7 +99,7 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
   const double first_nats = Exact(solid.voigt[2][2]).log2_magnitude() * std::numbers::ln2;
   const Enclosure first = enclose(digits, std::max(0.0, first_nats), compliance);
   const auto other = [&](std::size_t k) { return enclosure_of((*found)[k], digits); };
-  return {first, other(1), other(2), other(3), other(4), other(5), other(6)};
+  return {first, other(1), other(2), other(3), other(4), other(5), other(6), std::move(decay)};
 }
 
 }  // namespace nipref::ref

@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <functional>
+#include <optional>
 
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
@@ -8,6 +10,11 @@
 #include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
+
+/// G: a wave e^{ikx} along a line, k > 0, falls with depth as e^{-Gkz}. In the axes n, t and e3 below, by rows.
+struct Decay {
+  std::array<std::array<Float, 3>, 3> re, im;
+};
 
 /// The response of the surface of an anisotropic half-space x3 > 0 to steadily moving tractions sigma33, tau =
 /// sigma_3n and tau' = sigma_3t that depend only on the coordinate x along a direction n; t = e3 x n is the direction
@@ -24,6 +31,8 @@ struct LineResponse {
   Enclosure coupling, coupling_across;
   Enclosure shear_compliance, shear_compliance_across;
   Enclosure in_line, across;
+  std::optional<Decay> decay =
+      {};  ///< if asked for, with an error of about 10^-digits of its norm, which is not proven
 };
 
 /// The response along lines of the direction `psi` to loads that move at `speed` (unit sqrt(modulus/density), its sign
@@ -37,12 +46,13 @@ struct LineResponse {
 /// BadInput "speed" unless speed |cos(psi - theta)| is below the limiting speed of psi by at least about 1e-16 of
 /// itself; "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
-                           const SurfaceDirection& psi, int digits);
+                           const SurfaceDirection& psi, int digits, bool with_decay = false);
 
 /// The components of the response that contacts need, from line_response() or from elsewhere.
 struct LineAnswer {
   Float compliance, coupling, coupling_across, in_line;
   Float shear_compliance = zero_of_bits(64), shear_compliance_across = zero_of_bits(64);  ///< 0
+  std::optional<Decay> decay = {};  ///< needed below the surface
 };
 
 /// The response along lines at an angle from the motion in degrees, with relative error 10^-digits.

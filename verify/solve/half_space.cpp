@@ -69,9 +69,9 @@ class LoadedEllipse {
   [[nodiscard]] fast::Estimate pressure(Direction psi, double x) const {
     return contact_.pressure(load_, psi, x);
   }
-  [[nodiscard]] std::array<fast::Estimate, 3> displacement(const fast::SurfaceResponse& half_space,
-                                                           Direction psi, double x) const {
-    return contact_.displacement(load_, half_space, psi, x);
+  [[nodiscard]] std::array<fast::Estimate, 3> displacement(const fast::PressureWaves& half_space,
+                                                           Direction psi, double x, double depth) const {
+    return contact_.displacement(load_, half_space, psi, x, depth);
   }
   [[nodiscard]] fast::Estimate axis_ratio() const { return contact_.axis_ratio(); }
   [[nodiscard]] fast::Estimate approach() const { return load_.approach; }
@@ -154,7 +154,7 @@ struct BodyOnHalfSpace {
   int digits;  ///< the reference's
   Contact (*make)(const Surface&, const Problem&, int digits);
   std::optional<Contact> made = {};
-  std::map<double, std::array<Number, 3>> displacements = {};  ///< at x on the scene's line
+  std::map<double, std::array<Number, 3>> displacements = {};  ///< at x on the scene's line, at its depth
 
   const Contact& contact() {
     if (!made) made = make(surface, problem, digits);
@@ -185,8 +185,10 @@ struct BodyOnHalfSpace {
     auto known = displacements.find(x);
     if (known == displacements.end()) {
       const auto line = Path::line(*problem.line);
-      known =
-          displacements.emplace(x, contact().displacement(surface.of_half_space(), line, Position(x))).first;
+      const Position depth(problem.depth);
+      known = displacements
+                  .emplace(x, contact().displacement(surface.of_half_space(depth), line, Position(x), depth))
+                  .first;
     }
     return known->second[component];
   }

@@ -104,6 +104,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
     const TomlTable profile = file.table("profile");
     problem.profile = read_profile(profile, origin, SceneKind::half_space);
     if (profile.has("direction")) problem.line = profile.number("direction");
+    if (profile.has("depth")) problem.depth = profile.number("depth");
   }
   return problem;
 }

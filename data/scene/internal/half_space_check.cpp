@@ -84,8 +84,10 @@ void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
         "must be stationary-force for a rolling sphere: no exact solution is known, and (30) is a die's");
   }
   if (problem.rule != ContourRule::exact) return;
-  require(problem.friction == 0, origin, "sliding.friction", problem.friction,
-          "must be 0 with the exact method, which is frictionless");
+  require(
+      problem.friction == 0, origin, "sliding.friction", problem.friction,
+      "must be 0 with the exact method: friction raises the surface on one side and lowers it on the other, so that no "
+      "semi-ellipsoidal pressure fits the body");
 }
 
 }  // namespace
@@ -95,13 +97,14 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult&
   const auto is_one_of = [&result](std::initializer_list<ResultId> ids) {
     return std::ranges::find(ids, result.id) != ids.end();
   };
+  const bool is_displacement = is_one_of(
+      {ResultId::normal_displacement, ResultId::tangential_displacement, ResultId::transverse_displacement});
   if (problem.rule != ContourRule::exact &&
-      is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach,
-                 ResultId::normal_displacement, ResultId::tangential_displacement,
-                 ResultId::transverse_displacement}))
+      (is_displacement || is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach})))
     origin.refuse(
         key, result.name,
-        "must be wanted of the exact method only: the others fit the body line by line, which does not define it");
+        "must be wanted of the exact method only: the others fit the body on each line by itself, and their "
+        "pressures together press the surface into no body's shape");
   if (problem.rule == ContourRule::similar_contour && result.id == ResultId::peak_pressure)
     origin.refuse(key, result.name,
                   "must be left out with similar-contour: each line has its own, peak_on_line");
@@ -112,6 +115,9 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult&
   if (result.is_along_line() && !problem.line)
     origin.refuse(key, result.name,
                   "must be wanted with profile.direction, the angle of its line from the motion");
+  if (problem.depth > 0 && !is_displacement)
+    origin.refuse(key, result.name,
+                  "must be wanted without profile.depth: only displacements are known below the surface");
   if (!result.is_along_line() && problem.line)
     origin.refuse(key, result.name, "must be wanted without profile.direction: it belongs to whole lines");
 }
@@ -128,6 +134,7 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   check_rule(problem, origin);
   if (problem.profile) check_profile(*problem.profile, origin);
   if (problem.line) check_domain(*problem.line, origin, "profile.direction");
+  check_domain(problem.depth, origin, "profile.depth");
 }
 
 }  // namespace nipref::data

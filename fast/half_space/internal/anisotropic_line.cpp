@@ -92,6 +92,30 @@ std::optional<AnisotropicAnswers> AnisotropicLine::at(Direction psi, const Motio
                             answer(ss * y11 + cc * y22 - turned)};
 }
 
+// G = T^-1 (M + i R^T), as the traction of the wave on planes of depth is -k M u = -(T G - i R^T) k u.
+std::optional<Square<std::complex<double>, 3>> AnisotropicLine::decay(Direction psi,
+                                                                      const Motion& motion) const {
+  const StrohBlocks line = blocks(psi);
+  const auto m = impedance(line, stress_density(density_, psi, motion) / squared_length(psi));
+  if (!m) return std::nullopt;
+  const double c = psi.cosine, s = psi.sine;
+  const Square<double, 3> axes{{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
+  Square<std::complex<double>, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Two re{}, im{};
+      for (std::size_t j = 0; j < 3; ++j) {
+        re = re + line.t_inverse[i][j] * m->re[j][k];
+        im = im + line.t_inverse[i][j] * (m->im[j][k] + line.r[k][j]);
+      }
+      for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+          result[row][column] += axes[row][i] * axes[column][k] * std::complex(re.high, im.high);
+    }
+  }
+  return result;
+}
+
 double AnisotropicLine::limit(Direction psi) const {
   const Two limit = limit_within(psi, 0x1p-56);
   return limit.low < 0 ? std::nextafter(limit.high, 0) : limit.high;

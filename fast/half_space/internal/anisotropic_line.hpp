@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <complex>
 #include <optional>
 
 #include <nipref/data/material/stiffness.hpp>
@@ -24,6 +26,10 @@ class AnisotropicLine final : public LineLimits {
 
   /// Nothing if the line is not subcritical.
   [[nodiscard]] std::optional<AnisotropicAnswers> at(Direction psi, const Motion& motion) const;
+  /// G: a wave e^{ikx} along the line falls with depth as e^{-Gkz}; in the axes along the line, across it and down.
+  /// Nothing if the line is not below its limiting speed.
+  [[nodiscard]] std::optional<Square<std::complex<double>, 3>> decay(Direction psi,
+                                                                     const Motion& motion) const;
   [[nodiscard]] double limit(Direction psi) const override;
   [[nodiscard]] Two limit_in_two_words(Direction psi) const override;
 

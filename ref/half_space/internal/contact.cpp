@@ -63,8 +63,13 @@ std::size_t size_of_nodes(const UnitNodes& nodes) {
 WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
   const LineAnswer line = answer_(degrees, digits_);
   const auto in_unit = [&](const Float& real) { return ldexp(number(real), exponent_); };
-  return {in_unit(line.compliance), in_unit(line.coupling),         in_unit(line.coupling_across),
-          in_unit(line.in_line),    in_unit(line.shear_compliance), in_unit(line.shear_compliance_across)};
+  return {in_unit(line.compliance),
+          in_unit(line.coupling),
+          in_unit(line.coupling_across),
+          in_unit(line.in_line),
+          in_unit(line.shear_compliance),
+          in_unit(line.shear_compliance_across),
+          line.decay};
 }
 
 long stress_exponent(const SurfaceAnswer& surface) {

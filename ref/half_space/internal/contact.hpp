@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <nipref/ref/half_space/indenter.hpp>
@@ -19,6 +20,7 @@ namespace nipref::ref {
 /// LineAnswer at working digits.
 struct WorkingAnswer {
   Float compliance, coupling, coupling_across, in_line, shear_compliance, shear_compliance_across;
+  std::optional<Decay> decay;
 };
 
 /// The surface at working digits.

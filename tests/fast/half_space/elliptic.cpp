@@ -1,8 +1,10 @@
 // The exact frictionless contact: its work, slender ellipses, compliances with peaks and kinks.
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
+#include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
 
@@ -210,4 +212,52 @@ TEST_CASE("elliptic: both paths displace a surface without any symmetry alike") 
       CHECK(found[i].error < 1e-12 * std::fabs(found[2].value));
     }
   }
+}
+
+TEST_CASE(
+    "elliptic: below a sphere at rest a solid is displaced as Boussinesq has it, whatever it is called") {
+  // The sum over the pressure of what point loads do, r = sin(angle) from the centre, with mu = 1.
+  const data::IsotropicSolid solid{1, any_poisson, 1};
+  const SurfaceResponse response = isotropic(any_poisson, 0);
+  const EllipticContact contact(response, Indenter::sphere(7));
+  const EllipticLoad load = contact.for_force(0.3);
+  const double a = load.semi_major.value;
+  const fast::AnisotropicHalfSpace anisotropic(data::Stiffness::of(solid), {1, 0}, 0);
+  const double lame = 2 * any_poisson / (1 - 2 * any_poisson);
+  const fast::TransverselyIsotropicHalfSpace transverse({lame + 2, lame + 2, lame, 1, 1, 1},
+                                                        data::SymmetryAxis::normal, {1, 0}, 0);
+  for (const auto& [x, z] :
+       {std::pair(0.0, 0.7), std::pair(0.8, 0.4), std::pair(3.0, 0.9), std::pair(0.3, 30.0)}) {
+    CAPTURE(x);
+    double into = 0, outward = 0;
+    constexpr int rings = 200, parts = 400;
+    for (int i = 0; i < rings; ++i) {
+      const double angle = pi / 2 * (i + 0.5) / rings, r = std::sin(angle),
+                   p = std::pow(std::cos(angle), 2) * r;
+      for (int k = 0; k < parts; ++k) {
+        const double psi = 2 * pi * k / parts, dx = x - r * std::cos(psi),
+                     far = std::hypot(dx, r * std::sin(psi), z);
+        into += p * (2 * (1 - any_poisson) / far + z * z / (far * far * far));
+        outward += p * dx * (z / (far * far * far) - (1 - 2 * any_poisson) / (far * (far + z)));
+      }
+    }
+    const double unit = load.peak_pressure.value * a / (4 * pi) * (pi / 2 / rings) * (2 * pi / parts);
+    const fast::PressureWaves isotropic_waves = [&](Direction psi) {
+      return fast::isotropic_pressure_wave(solid, 0, psi);
+    };
+    for (const auto& waves :
+         {isotropic_waves, fast::PressureWaves([&](Direction psi) { return anisotropic.inside(psi); }),
+          fast::PressureWaves([&](Direction psi) { return transverse.inside(psi); })}) {
+      const auto found = contact.displacement(load, waves, {1, 0}, x * a, z * a);
+      // The rule of the rings leaves out h^2/24 of the integrand's slope in the middle.
+      CHECK(std::fabs(found[0].value - unit * outward) <= 2e-5 * unit * into);
+      CHECK(found[2].value == approx(unit * into, 2e-5));
+      CHECK(found[2].error < 1e-12 * found[2].value);
+      const auto first = contact.displacement(load, isotropic_waves, {1, 0}, x * a, z * a);
+      for (std::size_t i = 0; i < 3; ++i)
+        CHECK(std::fabs(found[i].value - first[i].value) <= found[i].error + first[i].error);
+    }
+  }
+  CHECK_THROWS_WITH_AS((void)contact.displacement(load, response, {1, 0}, 0, -1),
+                       doctest::Contains("depth = -1"), data::BadInput);
 }

@@ -121,6 +121,11 @@ void set_line(Random& random, data::ContourRule rule, double half, DrawnScene& d
   if (rule == data::ContourRule::exact)
     wanted.insert(wanted.end(), {ResultId::normal_displacement, ResultId::tangential_displacement,
                                  ResultId::transverse_displacement});
+  if (rule == data::ContourRule::exact && random.chance(0.5)) {
+    std::erase(wanted, ResultId::pressure);
+    std::erase(wanted, ResultId::shear);
+    drawn.set("profile.depth", half * random.log_uniform(1e-9, 1e4));
+  }
   drawn.set_wanted(wanted);
   drawn.set("profile.direction", random.uniform(-90, 90));
   drawn.set("profile.positions",
