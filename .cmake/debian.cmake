@@ -2,7 +2,6 @@
 # same bytes.
 #   nipref         the program, what it reads, manual, completion, kernel.h
 #   libnipref-dev  libraries, headers, what find_package and pkg-config read
-#   nipref-mpi     nipref-mpi, where it is built
 #   python3-nipref the package for Python
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "nipref <nipref@localhost>")
@@ -25,10 +24,6 @@ set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS "nipref ${of_this_version}, libgmp-dev, libmpfr-dev, libmpc-dev, libmpfi-dev, \
 libboost1.81-dev | libboost-dev (>= 1.81), libgsl-dev, libfmt-dev, libssl-dev")
 
-set(CPACK_DEBIAN_MPI_PACKAGE_NAME nipref-mpi)
-set(CPACK_DEBIAN_MPI_DESCRIPTION "${PROJECT_DESCRIPTION}: audits by the ranks of an MPI job")
-set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "nipref ${of_this_version}")
-
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-nipref)
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: for Python")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
@@ -42,5 +37,4 @@ endforeach()
 foreach(component data ref fast fast-shared verify c)
   cpack_add_component(${component} GROUP libraries)
 endforeach()
-cpack_add_component(mpi GROUP mpi)
 cpack_add_component(python GROUP python)

@@ -186,40 +186,28 @@ AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
   }
 }
 
-std::optional<BlockAt> AuditRun::next() {
-  for (; at_.work < all_.size(); at_ = {at_.work + 1, 0}) {
-    while (at_.block < all_[at_.work]->blocks()) {
-      const BlockAt here{at_.work, at_.block++};
-      if (shard_.has(here.block) && !(stored_ && stored_->has(here.work, here.block))) return here;
-    }
-  }
-  return std::nullopt;
-}
-
-void AuditRun::keep(BlockAt at, const Json& found) {
-  if (file_) file_->append(*all_[at.work], at.block, found);
-  ++blocks_done_[at.work];
-  ++done_;
-}
-
 void AuditRun::do_blocks(Progress& progress) try {
   progress.begin("audit", all_.size());
-  std::size_t begun = 0;  // works
-  while (const auto at = next()) {
-    stop_if_interrupted();
-    BlockWork& work = *all_[at->work];
-    for (; begun <= at->work; ++begun) progress.next(all_[begun]->name());
-    const auto of_work = [&](double part) {
-      progress.at((static_cast<double>(at->block) + part) / static_cast<double>(work.blocks()));
-    };
-    keep(*at, work.do_block(at->block, of_work));
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    BlockWork& work = *all_[i];
+    progress.next(work.name());
+    for (std::size_t block = 0; block < work.blocks(); ++block) {
+      if (!shard_.has(block) || (stored_ && stored_->has(i, block))) continue;
+      stop_if_interrupted();
+      const Json found = work.do_block(block, [&](double part) {
+        progress.at((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
+      });
+      if (file_) file_->append(work, block, found);
+      ++blocks_done_[i];
+      ++done_;
+    }
   }
 } catch (const Interrupted&) {
 }
 
 std::size_t AuditRun::finished() const {
   std::size_t work = 0;
-  while (work < all_.size() && work <= at_.work && blocks_done_[work] == all_[work]->blocks()) ++work;
+  while (work < all_.size() && blocks_done_[work] == all_[work]->blocks()) ++work;
   return work;
 }
 

@@ -48,23 +48,14 @@ class AuditWorks {
   std::unique_ptr<ScenesWork> scenes_;         ///< null if contacts are not audited
 };
 
-struct BlockAt {
-  std::size_t work, block;
-};
-
-/// Hands out the blocks of an audit and takes back their findings. With --out they are kept in a folder, from which a
-/// later process continues.
+/// Does the blocks of an audit. With --out their findings are kept in a folder, from which a later process continues.
 class AuditRun {
  public:
   /// BadInput for anything wrong in the command line or the folder.
   explicit AuditRun(const CommandLine& line, bool keeps_points = false);
 
-  [[nodiscard]] const std::vector<BlockWork*>& works() const { return all_; }
-  /// The next block without findings; nothing when all have been handed out.
-  std::optional<BlockAt> next();
-  /// Stores the findings of a block that was handed out. OutputError if they cannot be written to the folder.
-  void keep(BlockAt at, const Json& found);
-  /// Computes one block after the other, each on all cores, until all are done or the process is interrupted.
+  /// Computes one block after the other, each on all cores, until all are done or the process is interrupted. OutputError
+  /// if findings cannot be written to the folder.
   void do_blocks(Progress& progress);
 
   /// The findings of the works that are finished.
@@ -84,7 +75,6 @@ class AuditRun {
   std::optional<ShardFile> file_;
   std::optional<StoredBlocks> stored_;    ///< at the start
   std::vector<std::size_t> blocks_done_;  ///< of each work
-  BlockAt at_{0, 0};                      ///< the block to be considered next
   std::size_t done_ = 0;
 };
 
