@@ -6,22 +6,19 @@
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/golden/confirm/stroh.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
 /// The solid in the units of the seed's steel, whose constants are decimal numbers.
-template <unsigned digits>
-StrohSolid<digits> transverse_solid(Arguments x) {
-  using Float = Number<digits>;
+StrohSolid transverse_solid(Arguments x) {
   const bool is_normal = x["axis"] < 0.5;
   const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
                              c44 = x["c44"] / shear;
   // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
   const Float c66 = is_normal ? c11 : Float(x["c66"] / shear);
-  StrohSolid<digits> solid{{}, Float(x["density"]) / 7860};
+  StrohSolid solid{{}, Float(x["density"]) / 7860};
   const std::size_t along = is_normal ? 2 : 1;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -34,48 +31,45 @@ StrohSolid<digits> transverse_solid(Arguments x) {
 }
 
 /// The solid of the upper triangle of Voigt's matrix row by row, which begins with c11.
-template <unsigned digits>
-StrohSolid<digits> any_solid(Arguments x) {
-  StrohSolid<digits> solid{{}, Number<digits>(x["density"])};
+StrohSolid any_solid(Arguments x) {
+  StrohSolid solid{{}, x["density"]};
   auto modulus = x.from("c11").begin();
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *modulus++;
   return solid;
 }
 
-Confirmation by_stroh(const Wave& value, const Wave& scale) {
-  return confirmation<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
+Confirmation by_stroh(const Float& value, const Float& scale) {
+  return confirmation("Stroh's eigenproblem", value, abs(scale) * Float("1e-80"));
 }
 
 enum class Part { re, minus_im };
 
 /// An entry of Y of the solid that the arguments have.
-Confirm entry_of(StrohSolid<150> (*solid)(Arguments), std::size_t row, std::size_t column, Part part) {
+Confirm entry_of(StrohSolid (*solid)(Arguments), std::size_t row, std::size_t column, Part part) {
   return [=](Arguments x) {
-    const Number<150> phase = Number<150>(x["speed"]) * cosine_between<150>(x["psi_deg"], x["theta_deg"]);
+    const Float phase = Float(x["speed"]) * cosine_between(x["psi_deg"], x["theta_deg"]);
     const auto y = solid(x).admittance(x["psi_deg"], phase);
-    const Wave value(part == Part::re ? Wave(y[row][column].real()) : Wave(-y[row][column].imag()));
-    return by_stroh(
-        value, std::max({abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real())), abs(Wave(y[2][2].real()))}));
+    const Float value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
+    return by_stroh(value, std::max({abs(Float(y[0][0].real())), abs(Float(y[1][1].real())),
+                                     abs(Float(y[2][2].real()))}));
   };
 }
 
-/// d ln K/d ln speed by a central difference.
+/// d ln K/d ln speed by a central difference, which loses 40 of the digits.
 Confirmation condition_by_difference(Arguments x) {
-  constexpr unsigned digits = 240;
-  using Float = Number<digits>;
-  const StrohSolid<digits> solid = transverse_solid<digits>(x);
-  const Float cosine = cosine_between<digits>(x["psi_deg"], x["theta_deg"]), step("1e-50");
+  const StrohSolid solid = transverse_solid(x);
+  const Float cosine = cosine_between(x["psi_deg"], x["theta_deg"]), step("1e-40");
   const auto ln_K = [&](const Float& factor) -> Float {
     return log(solid.admittance(x["psi_deg"], factor * x["speed"] * cosine)[2][2].real());
   };
   const Float slope = (ln_K(1 + step) - ln_K(1 - step)) / (2 * step);
-  return by_stroh(Wave(slope), std::max<Wave>(1, abs(Wave(slope))));
+  return confirmation("Stroh's eigenproblem", slope, std::max<Float>(1, abs(slope)) * Float("1e-58"));
 }
 
 Confirmation rayleigh(Arguments x) {
   const double near = find_quantity("ti.rayleigh").by_fast(x.from("theta_deg"), {});
-  return by_secant(surface_wave<130>(transverse_solid<130>(x), x["psi_deg"], x["theta_deg"], near));
+  return by_secant(surface_wave(transverse_solid(x), x["psi_deg"], x["theta_deg"], near));
 }
 
 /// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
@@ -94,11 +88,11 @@ CriticalLine critical_line(Arguments x) {
 /// The minimum over the lines by Newton's iteration for its slope.
 Confirmation critical(Arguments x) {
   const CriticalLine near = critical_line(x);
-  return lowest_surface_wave(transverse_solid<130>(x), near.psi, x["theta_deg"], near.speed);
+  return lowest_surface_wave(transverse_solid(x), near.psi, x["theta_deg"], near.speed);
 }
 
 Confirmation critical_of_any(Arguments x) {
-  const auto exact = any_solid<130>(x);
+  const auto exact = any_solid(x);
   data::Stiffness solid{{}, x["density"]};
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t k = 0; k < 6; ++k) solid.voigt[i][k] = static_cast<double>(exact.voigt[i][k]);
@@ -108,40 +102,36 @@ Confirmation critical_of_any(Arguments x) {
 
 /// Eigenvalues of Christoffel's matrix.
 Confirmation branch(Arguments x) {
-  const Wave cosine = cosine_of(x["theta_deg"]), sine = sine_of(x["theta_deg"]), cc = cosine * cosine,
-             ss = sine * sine;
-  const Wave c11 = x["c11"], c33 = x["c33"], c13 = x["c13"], c44 = x["c44"], c66 = x["c66"],
-             density = x["density"];
-  const Wave g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
-  const Wave root = sqrt((g11 - g22) * (g11 - g22) + 4 * g12 * g12);
-  const Wave larger = (g11 + g22 + root) / 2;
-  const Wave modulus = x["which"] == 0   ? Wave(c66 * cc + c44 * ss)
-                       : x["which"] == 1 ? larger
-                                         : Wave((g11 * g22 - g12 * g12) / larger);
-  const Wave speed = sqrt(modulus / density * 7860 / Wave("77.2"));
-  return confirmation<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
+  const Float cosine = cosine_of(x["theta_deg"]), sine = sine_of(x["theta_deg"]), cc = cosine * cosine,
+              ss = sine * sine;
+  const Float c11 = x["c11"], c33 = x["c33"], c13 = x["c13"], c44 = x["c44"], c66 = x["c66"],
+              density = x["density"];
+  const Float g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
+  const Float root = sqrt((g11 - g22) * (g11 - g22) + 4 * g12 * g12);
+  const Float larger = (g11 + g22 + root) / 2;
+  const Float modulus = x["which"] == 0   ? Float(c66 * cc + c44 * ss)
+                        : x["which"] == 1 ? larger
+                                          : Float((g11 * g22 - g12 * g12) / larger);
+  const Float speed = sqrt(modulus / density * 7860 / Float("77.2"));
+  return confirmation("eigenvalue in closed form", speed, speed * Float("1e-80"));
 }
 
-template <unsigned digits>
-LineAnswerByFormula sphere_line(const StrohSolid<digits>& solid, Arguments x, const Wave& from_motion) {
-  using Float = Number<digits>;
-  const Float psi = Float(from_motion) + x["theta_deg"], speed = x["speed"];
-  const auto y = solid.admittance(psi, speed * cosine_between<digits>(psi, x["theta_deg"]));
-  const Wave along = Wave(x["patch"]) * x["speed"] * cosine_of(from_motion);
-  const LineAnswerByFormula steel = isotropic_answer(Wave("0.29529"), along * along);
-  return {Wave(y[2][2].real()) + steel.compliance, Wave(-y[2][0].imag()) - steel.coupling,
-          Wave(-y[2][1].imag()), 0};
+LineAnswerByFormula sphere_line(const StrohSolid& solid, Arguments x, const Float& from_motion) {
+  const auto y = solid.admittance(from_motion + x["theta_deg"], x["speed"] * cosine_of(from_motion));
+  const Float along = Float(x["patch"]) * x["speed"] * cosine_of(from_motion);
+  const LineAnswerByFormula steel = isotropic_answer(Float("0.29529"), along * along);
+  return {Float(y[2][2].real()) + steel.compliance, Float(-y[2][0].imag()) - steel.coupling,
+          Float(-y[2][1].imag()), 0};
 }
 
-template <unsigned digits>
-SlidingShape sphere_shape(const StrohSolid<digits>& solid, Arguments x, const Wave& degrees) {
+SlidingShape sphere_shape(const StrohSolid& solid, Arguments x, const Float& degrees) {
   return {sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees)};
 }
 
 Confirmation span_ratio(Arguments x) {
-  const StrohSolid<150> solid = transverse_solid<150>(x);
+  const StrohSolid solid = transverse_solid(x);
   const SlidingShape along = sphere_shape(solid, x, 0), line = sphere_shape(solid, x, x["phi_deg"]);
-  const Wave ratio = along.Q / line.Q * line.h / along.h;
+  const Float ratio = along.Q / line.Q * line.h / along.h;
   return by_stroh(ratio, ratio);
 }
 
@@ -154,92 +144,90 @@ class CrowdedLines {
   explicit CrowdedLines(Arguments x) {
     const CriticalLine critical = critical_line(x);
     const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));
-    stretch_ = sqrt(Wave(width));
-    centre_ = Wave(critical.psi) - x["theta_deg"];
+    stretch_ = sqrt(Float(width));
+    centre_ = Float(critical.psi) - x["theta_deg"];
   }
 
   struct At {
-    Wave degrees, weight;  ///< psi counted from the motion, dpsi/du
+    Float degrees, weight;  ///< psi counted from the motion, dpsi/du
   };
   [[nodiscard]] At at(int k, int count) const {
-    const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
-    return {centre_ + atan2(sine, cosine) * 180 / pi<Wave>(), stretch_ / (cosine * cosine + sine * sine)};
+    const Float u = pi() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
+    return {centre_ + atan2(sine, cosine) * 180 / pi(), stretch_ / (cosine * cosine + sine * sine)};
   }
 
  private:
-  Wave stretch_, centre_;
+  Float stretch_, centre_;
 };
 
 /// Adds the nodes of the rule, whose number is doubled until the value no longer changes. `value`: with so many nodes.
 template <class Add, class Value>
 Confirmation by_trapezoidal_rule(const Add& add, const Value& value) {
   for (int k = 0; k < CrowdedLines::first; ++k) add(k, CrowdedLines::first);
-  Wave last = value(CrowdedLines::first), change = 1;
-  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Wave("1e-34") * last;
+  Float last = value(CrowdedLines::first), change = 1;
+  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Float("1e-34") * last;
        count *= 2) {
     for (int k = 1; k < count; k += 2) add(k, count);
-    const Wave finer = value(count);
+    const Float finer = value(count);
     change = abs(finer - last);
     last = finer;
   }
-  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", last,
-                            change + last * Wave("1e-60"));
+  return confirmation("trapezoidal rule over Stroh's eigenproblems", last, change + last * Float("1e-60"));
 }
 
 Confirmation sphere_axis_ratio(Arguments x) {
-  const StrohSolid<80> solid = transverse_solid<80>(x);
+  const StrohSolid solid = transverse_solid(x);
   const CrowdedLines crowded(x);
   std::vector<WeightedLine> lines;
   const auto add = [&](int k, int count) {
     const auto [degrees, weight] = crowded.at(k, count);
-    const Wave psi = radians(degrees);
+    const Float psi = radians(degrees);
     lines.push_back({cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance});
   };
-  return by_trapezoidal_rule(add, [&](int) { return Wave(exp(-ContactEllipse(lines, 1).eta)); });
+  return by_trapezoidal_rule(add, [&](int) { return Float(exp(-ContactEllipse(lines, 1).eta)); });
 }
 
 Confirmation sphere_exponent(Arguments x) {
-  return by_stroh(-sphere_shape(transverse_solid<150>(x), x, x["phi_deg"]).ahead, 1);
+  return by_stroh(-sphere_shape(transverse_solid(x), x, x["phi_deg"]).ahead, 1);
 }
 
 Confirmation sphere_force(Arguments x) {
-  const StrohSolid<80> solid = transverse_solid<80>(x);
+  const StrohSolid solid = transverse_solid(x);
   const SlidingShape along = sphere_shape(solid, x, 0);
-  const Wave steepness = along.Q / along.h;
+  const Float steepness = along.Q / along.h;
   const CrowdedLines lines(x);
-  Wave sum = 0;
+  Float sum = 0;
   const auto add = [&](int k, int count) {
     const auto [degrees, weight] = lines.at(k, count);
     const SlidingShape line = sphere_shape(solid, x, degrees);
-    const Wave span = steepness * line.h / line.Q;
+    const Float span = steepness * line.h / line.Q;
     sum += weight * span * span * span / line.h * line.moment();
   };
-  return by_trapezoidal_rule(add, [&](int count) { return Wave(sum * pi<Wave>() / count); });
+  return by_trapezoidal_rule(add, [&](int count) { return Float(sum * pi() / count); });
 }
 
 }  // namespace
 
 const Methods& anisotropic_methods() {
-  static const Methods methods{
-      {"ti.compliance", entry_of(transverse_solid<150>, 2, 2, Part::re)},
-      {"ti.coupling", entry_of(transverse_solid<150>, 2, 0, Part::minus_im)},
-      {"ti.coupling_across", entry_of(transverse_solid<150>, 2, 1, Part::minus_im)},
-      {"ti.condition", condition_by_difference},
-      {"ti.rayleigh", rayleigh},
-      {"ti.branch", branch},
-      {"ti.critical", critical},
-      {"ti.span_ratio", span_ratio},
-      {"ti.axis_ratio", sphere_axis_ratio},
-      {"ti.exponent", sphere_exponent},
-      {"ti.force", sphere_force},
-      {"anisotropic.compliance", entry_of(any_solid<150>, 2, 2, Part::re)},
-      {"anisotropic.coupling", entry_of(any_solid<150>, 2, 0, Part::minus_im)},
-      {"anisotropic.coupling_across", entry_of(any_solid<150>, 2, 1, Part::minus_im)},
-      {"anisotropic.shear_compliance", entry_of(any_solid<150>, 2, 0, Part::re)},
-      {"anisotropic.shear_compliance_across", entry_of(any_solid<150>, 2, 1, Part::re)},
-      {"anisotropic.in_line", entry_of(any_solid<150>, 0, 0, Part::re)},
-      {"anisotropic.across", entry_of(any_solid<150>, 1, 1, Part::re)},
-      {"anisotropic.critical", critical_of_any}};
+  static const Methods methods{{"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
+                               {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
+                               {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
+                               {"ti.condition", condition_by_difference},
+                               {"ti.rayleigh", rayleigh},
+                               {"ti.branch", branch},
+                               {"ti.critical", critical},
+                               {"ti.span_ratio", span_ratio},
+                               {"ti.axis_ratio", sphere_axis_ratio},
+                               {"ti.exponent", sphere_exponent},
+                               {"ti.force", sphere_force},
+                               {"anisotropic.compliance", entry_of(any_solid, 2, 2, Part::re)},
+                               {"anisotropic.coupling", entry_of(any_solid, 2, 0, Part::minus_im)},
+                               {"anisotropic.coupling_across", entry_of(any_solid, 2, 1, Part::minus_im)},
+                               {"anisotropic.shear_compliance", entry_of(any_solid, 2, 0, Part::re)},
+                               {"anisotropic.shear_compliance_across", entry_of(any_solid, 2, 1, Part::re)},
+                               {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
+                               {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
+                               {"anisotropic.critical", critical_of_any}};
   return methods;
 }
 

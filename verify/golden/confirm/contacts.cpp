@@ -13,35 +13,35 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-RolledContact::RolledContact(const Solved& half_length, const std::function<Solved(const Solved& x)>& share,
-                             const std::function<Solved(const Solved& x)>& rest, int points)
+RolledContact::RolledContact(const Float& half_length, const std::function<Float(const Float& x)>& share,
+                             const std::function<Float(const Float& x)>& rest, int points)
     : half_length_(half_length) {
-  const Solved half_turn = pi<Solved>(), step = half_turn / points;
+  const Float half_turn = pi(), step = half_turn / points;
   // All angles are multiples of half a step; this table has cos(m step/2).
-  std::vector<Solved> cosine;
-  for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Solved(step * m / 2)));
-  const auto wave = [&](long j, long i) -> const Solved& {
+  std::vector<Float> cosine;
+  for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Float(step * m / 2)));
+  const auto wave = [&](long j, long i) -> const Float& {
     return cosine[static_cast<std::size_t>((j * (2 * i + 1)) % (4 * points))];
   };
   for (int i = 0; i < points; ++i) nodes_.push_back(wave(1, i));
   // The integral at node k of -ln|t - s| times the interpolant that is 1 at node i and 0 at the other nodes is the
   // sum of a function of the sum of the two angles and of the same function of their difference.
-  std::vector<Solved> logarithm;
+  std::vector<Float> logarithm;
   for (int m = 0; m < 2 * points; ++m) {
-    Solved sum = half_turn * log(Solved(2)) / 2;
+    Float sum = half_turn * log(Float(2)) / 2;
     for (long j = 1; j < points; ++j)
       sum += half_turn / j * cosine[static_cast<std::size_t>((2 * j * m) % (4 * points))];
     logarithm.push_back(sum / points);
   }
-  const Solved own_logarithm = -log(half_length_);
-  using Matrix = Eigen::Matrix<Solved, Eigen::Dynamic, Eigen::Dynamic>;
-  using Vector = Eigen::Matrix<Solved, Eigen::Dynamic, 1>;
+  const Float own_logarithm = -log(half_length_);
+  using Matrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
   Matrix system = Matrix::Zero(points + 2, points + 2);
   Vector right = Vector::Zero(points + 2);
   for (int k = 0; k < points; ++k) {
     for (int i = 0; i < points; ++i) {
-      const Solved x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
-      const Solved of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
+      const Float x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
+      const Float of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
       system(k, i) = half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
     }
     // The right side is D + slope t - (A t)^2.
@@ -51,41 +51,41 @@ RolledContact::RolledContact(const Solved& half_length, const std::function<Solv
   }
   for (int end = 0; end < 2; ++end) {
     for (int i = 0; i < points; ++i) {
-      Solved sum = 1;
+      Float sum = 1;
       for (long j = 1; j < points; ++j) sum += (end == 0 || j % 2 == 0 ? 2 : -2) * wave(j, i);
       system(points + end, i) = sum;
     }
   }
   const Vector found = system.partialPivLu().solve(right);
   values_.assign(found.begin(), found.end());
-  const Solved slope = values_[at(points) + 1], level = values_[at(points)];
+  const Float slope = values_[at(points) + 1], level = values_[at(points)];
   values_.resize(at(points));
   // The same parabola is d0 - (offset + A t)^2.
   offset_ = -slope / (2 * half_length_);
   indentation_ = level + offset_ * offset_;
 }
 
-Solved RolledContact::integral(const std::function<Solved(const Solved& x)>& f) const {
-  Solved sum = 0;
+Float RolledContact::integral(const std::function<Float(const Float& x)>& f) const {
+  Float sum = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) sum += values_[i] * f(half_length_ * nodes_[i]);
-  return sum * half_length_ * pi<Solved>() / nodes_.size();
+  return sum * half_length_ * pi() / nodes_.size();
 }
 
-Solved RolledContact::load() const {
-  return integral([](const Solved&) { return Solved(1); });
+Float RolledContact::load() const {
+  return integral([](const Float&) { return Float(1); });
 }
 
-Solved RolledContact::moment() const {
-  return integral([](const Solved& x) { return x; });
+Float RolledContact::moment() const {
+  return integral([](const Float& x) { return x; });
 }
 
-Solved RolledContact::middle_pressure() const {
+Float RolledContact::middle_pressure() const {
   const long points = static_cast<long>(nodes_.size());
-  Solved sum = 0;
+  Float sum = 0;
   for (long i = 0; i < points; ++i) {
-    Solved weight = 1;
+    Float weight = 1;
     for (long j = 2; j < points; j += 2)
-      weight += (j % 4 == 0 ? 2 : -2) * cos(pi<Solved>() * j * (2 * i + 1) / (2 * points));
+      weight += (j % 4 == 0 ? 2 : -2) * cos(pi() * j * (2 * i + 1) / (2 * points));
     sum += weight * values_[static_cast<std::size_t>(i)];
   }
   return sum / points;
@@ -98,13 +98,11 @@ int smooth_points(double reach, double digits) {
 
 namespace {
 
-using Digits = Number<40>;
-
 /// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther. In the
 /// plane of w the nearest singularities are images of the ends, seen in the sheet's faces. Beyond the last node the
 /// tractions are taken to decay as at an end, (A - x)^(1/2 +- i epsilon), which leaves out e^(-3 w).
 struct Grid {
-  Digits step;
+  Float step;
   int last, beyond;  ///< nodes that are unknown, and those that follow from the last of them
 
   Grid(double half_length, double digits) {
@@ -114,13 +112,13 @@ struct Grid {
     last = static_cast<int>(std::ceil(nats / 3 / about));
     beyond = 2 * last;
   }
-  [[nodiscard]] Digits node(int j) const { return step * j; }
-  [[nodiscard]] Digits middle(int k) const { return step * k + step / 2; }
+  [[nodiscard]] Float node(int j) const { return step * j; }
+  [[nodiscard]] Float middle(int k) const { return step * k + step / 2; }
 };
 
 /// The kernels of the sheet's surface without the term -ln|x|, and their slopes; lengths in half-thicknesses.
 struct Kernels {
-  Smooth normal, stretch, coupling;  ///< I1 + ln|x|, the part of I6 that depends on alpha + ln|x|, I3
+  Interpolant normal, stretch, coupling;  ///< I1 + ln|x|, the part of I6 that depends on alpha + ln|x|, I3
 
   Kernels(double half_length, double digits)
       : normal(made(
@@ -131,18 +129,18 @@ struct Kernels {
             half_length, digits, [](const mpq_class& x) { return kernel_I3(x).value(); }, false)) {}
 
   template <class Kernel>
-  static Smooth made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
-    return {Solved(-2 * half_length), Solved(2 * half_length), smooth_points(2 * half_length, digits),
-            [&](const Solved& x) {
+  static Interpolant made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
+    return {Float(-2 * half_length), Float(2 * half_length), smooth_points(2 * half_length, digits),
+            [&](const Float& x) {
               const Float value = kernel(exactly(x));
-              return Solved(has_logarithm ? Float(value + log(abs(Float(x)))) : value);
+              return Float(has_logarithm ? Float(value + log(abs(x))) : value);
             }};
   }
 };
 
-Digits sinc(const Digits& x) {
+Float sinc(const Float& x) {
   if (x == 0) return 1;
-  const Digits angle = pi<Digits>() * x;
+  const Float angle = pi() * x;
   return sin(angle) / angle;
 }
 
@@ -151,41 +149,39 @@ class Contact {
  public:
   Contact(double half_length, double poisson, double digits)
       : half_length_(half_length),
-        beta_((1 - 2 * Digits(poisson)) / (2 * (1 - Digits(poisson)))),
+        beta_((1 - 2 * Float(poisson)) / (2 * (1 - Float(poisson)))),
         grid_(half_length, digits),
         kernels_(half_length, digits + 5) {
-    const Digits turning = 2 * atanh(beta_) / pi<Digits>();
+    const Float turning = 2 * atanh(beta_) / pi();
     for (int m = 0; m <= grid_.beyond; ++m) {
-      const Digits way = grid_.node(m);
+      const Float way = grid_.node(m);
       along_.push_back(exp(-way) * cos(turning * way));
       across_.push_back(exp(-way) * sin(turning * way));
     }
     solve();
   }
 
-  [[nodiscard]] std::vector<Solved> numbers() const {
-    Digits load = 0, depth = 0;
+  [[nodiscard]] std::vector<Float> numbers() const {
+    Float load = 0, depth = 0;
     for (int j = -nodes(); j <= nodes(); ++j) {
-      const Digits weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
+      const Float weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
       // The distance A - x from the end, without cancellation.
-      const Digits distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
+      const Float distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
       load += weight * pressure(j);
-      depth += weight * (pressure(j) * (Digits(kernels_.normal(Solved(distance))) - log(distance)) -
-                         shear(j) * Digits(kernels_.coupling(Solved(distance))));
+      depth += weight * (pressure(j) * (kernels_.normal(distance) - log(distance)) -
+                         shear(j) * kernels_.coupling(distance));
     }
-    const Digits area = square(half_length_);
-    const auto number = [](const Digits& x) { return Solved(x); };
-    return {number(load / (8 * area)), number((depth / pi<Digits>() + area) / (8 * area)),
-            number(strain_ / (4 * half_length_)), number(pressure(0) / (4 * half_length_)),
-            number(largest_shear() / (4 * half_length_))};
+    const Float area = square(half_length_);
+    return {load / (8 * area), (depth / pi() + area) / (8 * area), strain_ / (4 * half_length_),
+            pressure(0) / (4 * half_length_), largest_shear() / (4 * half_length_)};
   }
 
  private:
-  static Digits square(const Digits& x) { return x * x; }
+  static Float square(const Float& x) { return x * x; }
   [[nodiscard]] int nodes() const { return grid_.last + grid_.beyond; }
-  [[nodiscard]] Digits pressure(int j) const { return pressure_[static_cast<std::size_t>(std::abs(j))]; }
-  [[nodiscard]] Digits shear(int j) const {
-    return j < 0 ? Digits(-shear_[static_cast<std::size_t>(-j)]) : shear_[static_cast<std::size_t>(j)];
+  [[nodiscard]] Float pressure(int j) const { return pressure_[static_cast<std::size_t>(std::abs(j))]; }
+  [[nodiscard]] Float shear(int j) const {
+    return j < 0 ? Float(-shear_[static_cast<std::size_t>(-j)]) : shear_[static_cast<std::size_t>(j)];
   }
 
   void solve() {
@@ -193,25 +189,25 @@ class Contact {
     const auto of_pressure = [](int j) { return std::abs(j); };
     const auto of_shear = [&](int j) { return last + std::abs(j); };
     const int of_strain = 2 * last + 1;
-    using Matrix = Eigen::Matrix<Digits, Eigen::Dynamic, Eigen::Dynamic>;
-    using Vector = Eigen::Matrix<Digits, Eigen::Dynamic, 1>;
+    using Matrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
     Matrix system = Matrix::Zero(of_strain + 1, of_strain + 1);
     Vector right = Vector::Zero(of_strain + 1);
     for (int k = 0; k <= last; ++k) {
       const int slope = k, strain = last + 1 + k;
-      const Digits w = grid_.middle(k), x = half_length_ * tanh(w);
+      const Float w = grid_.middle(k), x = half_length_ * tanh(w);
       for (int j = -last; j <= last; ++j) {
         const int sign = j < 0 ? -1 : 1;
-        const Solved way(x - half_length_ * tanh(grid_.node(j)));
+        const Float way(x - half_length_ * tanh(grid_.node(j)));
         // They do not change beyond the last node.
-        const Digits normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
+        const Float normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
             shared(kernels_.coupling.slope(way));
         for (int m = 0; m <= (std::abs(j) == last ? grid_.beyond : 0); ++m) {
-          const Digits v = grid_.node(j + sign * m), weight = half_length_ * grid_.step / square(cosh(v));
-          const Digits singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
-          const Digits local = pi<Digits>() * beta_ * sinc((w - v) / grid_.step), coupling = weight * shared;
-          const auto add = [&](int row, const Digits& of_p, const Digits& of_q) {
-            const Digits &c = along_[at(m)], &s = across_[at(m)];
+          const Float v = grid_.node(j + sign * m), weight = half_length_ * grid_.step / square(cosh(v));
+          const Float singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
+          const Float local = pi() * beta_ * sinc((w - v) / grid_.step), coupling = weight * shared;
+          const auto add = [&](int row, const Float& of_p, const Float& of_q) {
+            const Float &c = along_[at(m)], &s = across_[at(m)];
             system(row, of_pressure(j)) += c * of_p + s * of_q;
             if (j != 0) system(row, of_shear(j)) += c * of_q - s * of_p;
           };
@@ -219,14 +215,14 @@ class Contact {
           add(strain, coupling - local, sign * (singular + weight * stretch));
         }
       }
-      right(slope) = -2 * pi<Digits>() * x;
-      system(strain, of_strain) = -pi<Digits>();
+      right(slope) = -2 * pi() * x;
+      system(strain, of_strain) = -pi();
     }
     const Vector found = system.partialPivLu().solve(right);
     pressure_.assign(found.begin(), found.begin() + last + 1);
-    shear_.assign(1, Digits(0));
+    shear_.assign(1, Float(0));
     shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
-    const Digits p = pressure_.back(), q = shear_.back();
+    const Float p = pressure_.back(), q = shear_.back();
     for (int m = 1; m <= grid_.beyond; ++m) {
       pressure_.emplace_back(along_[at(m)] * p - across_[at(m)] * q);
       shear_.emplace_back(across_[at(m)] * p + along_[at(m)] * q);
@@ -234,38 +230,38 @@ class Contact {
     strain_ = found(of_strain);
   }
 
-  [[nodiscard]] Digits shear_at(const Digits& w) const {
-    Digits sum = 0;
+  [[nodiscard]] Float shear_at(const Float& w) const {
+    Float sum = 0;
     for (int j = -nodes(); j <= nodes(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
     return abs(sum);
   }
   /// By golden section search about the largest of the known values.
-  [[nodiscard]] Digits largest_shear() const {
+  [[nodiscard]] Float largest_shear() const {
     int largest = 1;
     for (int j = 1; j < grid_.last; ++j) {
       if (abs(shear(j)) > abs(shear(largest))) largest = j;
     }
-    const Digits part = (sqrt(Digits(5)) - 1) / 2;
-    Digits from = grid_.node(largest - 1), to = grid_.node(largest + 1);
+    const Float part = (sqrt(Float(5)) - 1) / 2;
+    Float from = grid_.node(largest - 1), to = grid_.node(largest + 1);
     for (int i = 0; i < 60; ++i) {
-      const Digits left = to - part * (to - from), right = from + part * (to - from);
+      const Float left = to - part * (to - from), right = from + part * (to - from);
       (shear_at(left) < shear_at(right) ? from : to) = shear_at(left) < shear_at(right) ? left : right;
     }
     return shear_at((from + to) / 2);
   }
 
-  Digits half_length_, beta_;
+  Float half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
-  std::vector<Digits> along_,
+  std::vector<Float> along_,
       across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
-  std::vector<Digits> pressure_, shear_;
-  Digits strain_;
+  std::vector<Float> pressure_, shear_;
+  Float strain_;
 };
 
 }  // namespace
 
-std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine) {
+std::vector<Float> gripped_numbers(double half_length, double poisson, bool fine) {
   return Contact(half_length, poisson, fine ? 21 : 19).numbers();
 }
 

@@ -7,9 +7,6 @@
 
 namespace nipref::verify::confirm {
 
-/// Enough digits for a memory whose terms cancel to 20 digits.
-using Solved = Number<60>;
-
 /// A frictionless contact by Kress's rule. The pressure is g(t)/sqrt(1 - t^2), where g is given by its values at the
 /// zeros of T_n. The logarithm of the kernel is integrated exactly on each T_j, the rest by the Gauss-Chebyshev rule.
 /// Two more equations, g(+-1) = 0 for a bounded pressure, determine the position and the depth of the contact.
@@ -19,20 +16,20 @@ class RolledContact {
  public:
   /// The half length A > 0, and the displacement of the surface times pi at the distance x downstream of a unit load,
   /// share(x) (-ln|x|) + rest(x), in which both functions are analytic; `points` > 3.
-  RolledContact(const Solved& half_length, const std::function<Solved(const Solved& x)>& share,
-                const std::function<Solved(const Solved& x)>& rest, int points);
+  RolledContact(const Float& half_length, const std::function<Float(const Float& x)>& share,
+                const std::function<Float(const Float& x)>& rest, int points);
 
-  [[nodiscard]] Solved load() const;
-  [[nodiscard]] Solved offset() const { return offset_; }  ///< of the middle towards the leading end
-  [[nodiscard]] Solved indentation() const { return indentation_; }  ///< in b^2/(2 R)
-  [[nodiscard]] Solved moment() const;  ///< of the pressure, about the contact's middle
-  [[nodiscard]] Solved middle_pressure() const;
+  [[nodiscard]] Float load() const;
+  [[nodiscard]] Float offset() const { return offset_; }            ///< of the middle towards the leading end
+  [[nodiscard]] Float indentation() const { return indentation_; }  ///< in b^2/(2 R)
+  [[nodiscard]] Float moment() const;  ///< of the pressure, about the contact's middle
+  [[nodiscard]] Float middle_pressure() const;
   /// The integral of the pressure times f(x).
-  [[nodiscard]] Solved integral(const std::function<Solved(const Solved& x)>& f) const;
+  [[nodiscard]] Float integral(const std::function<Float(const Float& x)>& f) const;
 
  private:
-  Solved half_length_, offset_, indentation_;
-  std::vector<Solved> nodes_, values_;
+  Float half_length_, offset_, indentation_;
+  std::vector<Float> nodes_, values_;
 };
 
 /// Longer contacts, L/B, without friction, with full friction, and rolling ones need too many points and are not confirmed.
@@ -42,11 +39,11 @@ inline constexpr double longest_confirmed = 4, longest_gripped_confirmed = 4, lo
 struct RollingSheet {
   /// A term of the memory: its amplitudes are divided by its rate and by the instantaneous normal compliance N.
   struct Memory {
-    mpq_class rate, of_normal, of_theta2;
+    Float rate, of_normal, of_theta2;
   };
 
-  mpq_class half_length;
-  mpq_class theta2;  ///< instantaneous, over N
+  Float half_length;
+  Float theta2;  ///< instantaneous, over N
   std::vector<Memory> memories;
 
   /// Joins terms of equal rate.
@@ -61,10 +58,8 @@ struct RollingSheet {
   }
 };
 
-/// rolling_nip.resistance, .leading_share, .load, .indentation, .creep.
+/// rolling_nip.resistance, .leading_share, .load, .indentation, .creep, and the pressure in the middle as nip.peak_pressure.
 std::vector<Confirmation> rolling_numbers(const RollingSheet& sheet);
-
-using Smooth = Interpolant<Solved>;
 
 /// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2
 /// away from the real axis.
@@ -74,6 +69,6 @@ int smooth_points(double reach, double digits);
 /// collocation: x = A tanh w, so that the tractions decay in w. The tractions are values at multiples of a step in w.
 /// The slopes of the surface are required half a step away from them, where the trapezoidal rule converges although
 /// the integrals are principal values. The rule is fine or coarse.
-std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine);
+std::vector<Float> gripped_numbers(double half_length, double poisson, bool fine);
 
 }  // namespace nipref::verify::confirm

@@ -108,17 +108,17 @@ Split far_sum(Component part, bool normal, const InnerPoint& at, const mpq_class
   Split value = around_poles(at.alpha, is_sine(part, normal), residues, [&](const Pole& pole) {
     return integrand<Complex>(part, normal, at.depth, t1, pole.z, pole.I7, pole.I5);
   });
-  if (normal && part == Component::v) value.rest += pi<Float>() / 4 * (2 * t1 - 1);
-  if (!normal && part == Component::sy) value.rest -= pi<Float>() / 2;
-  if (!normal && part == Component::u) value.rest += pi<Float>() / 4 * (2 * t1 - 1) * at.depth;
+  if (normal && part == Component::v) value.rest += pi() / 4 * (2 * t1 - 1);
+  if (!normal && part == Component::sy) value.rest -= pi() / 2;
+  if (!normal && part == Component::u) value.rest += pi() / 4 * (2 * t1 - 1) * at.depth;
   if (!normal && part == Component::v) value.quarters = -alpha;
   return value;
 }
 
 Split sum_of(Component part, bool normal, const mpq_class& alpha, const mpq_class& depth,
              const mpq_class& poisson) {
-  const InnerPoint at{to_number<Float>(abs(alpha)), to_number<Float>(abs(depth))};
-  const Float t1 = 1 / to_number<Float>(2 * (1 - poisson));
+  const InnerPoint at{to_number(abs(alpha)), to_number(abs(depth))};
+  const Float t1 = 1 / to_number(2 * (1 - poisson));
   Split value = abs(alpha) < far ? near_sum(part, normal, at, t1) : far_sum(part, normal, at, abs(alpha), t1);
   const bool odd_in_depth = part == Component::txy || part == Component::u;
   const int sign = (is_sine(part, normal) ? sgn(alpha) : 1) * (odd_in_depth ? sgn(depth) : 1);
@@ -126,9 +126,9 @@ Split sum_of(Component part, bool normal, const mpq_class& alpha, const mpq_clas
 }
 
 Confirmation over_pi(const Split& sum) {
-  const Float value = sum.value() / pi<Float>();
-  return confirmation<Float>("half-planes and an integral along the real axis or around the poles", value,
-                             sum.error / pi<Float>() + abs(value) * Float("1e-90"));
+  const Float value = sum.value() / pi();
+  return confirmation("half-planes and an integral along the real axis or around the poles", value,
+                      sum.error / pi() + abs(value) * Float("1e-90"));
 }
 
 bool is_normal(Arguments x) { return x["load"] == 0; }
@@ -187,13 +187,13 @@ Split far_face(const FaceSlope& slope, bool second, const Float& a) {
     const Complex &z = pole.z, turned = second ? Complex(-z.imag(), z.real()) : Complex(1);
     return Complex(-(slope.of_sinh ? pole.I7 : pole.I5) * (slope.rises ? sinh(z) : cosh(z)) * turned);
   });
-  if (!slope.of_sinh && !second) value.rest -= pi<Float>() / 4;
+  if (!slope.of_sinh && !second) value.rest -= pi() / 4;
   return value;
 }
 
 Confirmation on_face(const FaceSlope& slope, Arguments x) {
   const mpq_class alpha(x["alpha"]);
-  const Float a = to_number<Float>(abs(alpha));
+  const Float a = to_number(abs(alpha));
   const bool second = x["order"] != 0, odd = slope.sine != second;
   return over_pi(Split{}.add(odd ? sgn(alpha) : 1,
                              abs(alpha) < far ? near_face(slope, second, a) : far_face(slope, second, a)));

@@ -12,18 +12,17 @@ using boost::math::quadrature::gauss;
 
 /// I1 + ln |w|, or the odd kernel over w, for |w| < 3. The nearest singularity, +-i, is on Bernstein's ellipse of parameter
 /// 2.4.
-const Interpolant<Float>& smooth_part(const Remembered& kernel) {
+const Interpolant& smooth_part(const Remembered& kernel) {
   static const auto made = [](const Remembered& of) {
-    return Interpolant<Float>(0, far, 180, [of](const Float& w) {
+    return Interpolant(0, far, 180, [of](const Float& w) {
       const Float value = of.at(exactly(w)).value();
       return of.is_odd ? Float(value / w) : Float(value + log(w));
     });
   };
-  static const std::map<Split (*)(const mpq_class&), Interpolant<Float>> all{
-      {kernel_I1, made(remembered_I1)},
-      {kernel_I3, made(remembered_I3)},
-      {kernel_I4, made(remembered_I4)},
-      {kernel_I5, made(remembered_I5)}};
+  static const std::map<Split (*)(const mpq_class&), Interpolant> all{{kernel_I1, made(remembered_I1)},
+                                                                      {kernel_I3, made(remembered_I3)},
+                                                                      {kernel_I4, made(remembered_I4)},
+                                                                      {kernel_I5, made(remembered_I5)}};
   return all.at(kernel.at);
 }
 
@@ -79,9 +78,9 @@ Complex close_piece(const Remembered& kernel, Piece piece, bool coarse) {
     }
   }
   const bool has_logarithm = !kernel.is_odd;
-  const Interpolant<Float>& smooth = smooth_part(kernel);
+  const Interpolant& smooth = smooth_part(kernel);
   const auto remembered = [&](const Float& x) -> Complex {
-    return Float(has_logarithm ? smooth(x) - log(x) : smooth(x) * x - pi<Float>() / 4) * piece.left(x);
+    return Float(has_logarithm ? smooth(x) - log(x) : smooth(x) * x - pi() / 4) * piece.left(x);
   };
   const auto without_logarithm = [&](const Float& x) -> Complex { return smooth(x) * piece.left(x); };
   const auto over = [&](const auto& f, const Float& a, const Float& b) {
@@ -125,7 +124,7 @@ Complex far_piece(const Remembered& kernel, const Piece& piece, bool endless) {
     const Complex mirrored = conj(residue) * of_wave(Complex(-conj(z)), piece, endless);
     sum += kernel.is_odd ? Complex(wave + mirrored) : Complex((wave - mirrored) * i);
   }
-  return sum * pi<Float>();
+  return sum * pi();
 }
 
 /// The integral over the distances from `near` to `distant`, or to infinity without `distant`, on one side of the load.
@@ -134,10 +133,10 @@ Complex one_side(const Remembered& kernel, const mpq_class& near, const std::opt
   const mpq_class border = far;
   const bool goes_far = !distant || *distant > border;
   Complex sum = 0;
-  const auto freshest_at = [&] { return to_number<Float>(freshest_near ? near : *distant); };
+  const auto freshest_at = [&] { return to_number(freshest_near ? near : *distant); };
   if (near < border) {
     const mpq_class end = goes_far ? border : *distant;
-    const Piece piece{to_number<Float>(near), to_number<Float>(end), freshest_near, rate};
+    const Piece piece{to_number(near), to_number(end), freshest_near, rate};
     // The piece counts the decay from its own end, so that the decay up to this end is a factor.
     const Complex faded =
         freshest_near ? Complex(1) : exp(Complex(-rate * Float(freshest_at() - piece.distant)));
@@ -145,8 +144,7 @@ Complex one_side(const Remembered& kernel, const mpq_class& near, const std::opt
   }
   if (goes_far) {
     const mpq_class begin = std::max(near, border);
-    const Piece piece{to_number<Float>(begin), distant ? to_number<Float>(*distant) : Float(0), freshest_near,
-                      rate};
+    const Piece piece{to_number(begin), distant ? to_number(*distant) : Float(0), freshest_near, rate};
     const Complex faded =
         freshest_near ? exp(Complex(-rate * Float(piece.near - freshest_at()))) : Complex(1);
     sum += faded * far_piece(kernel, piece, !distant);
@@ -166,7 +164,7 @@ Complex history(const Remembered& kernel, const mpq_class& from, const std::opti
   }
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
-    const Complex faded = exp(Complex(-rate * to_number<Float>(mpq_class(begin - from))));
+    const Complex faded = exp(Complex(-rate * to_number(mpq_class(begin - from))));
     sum += faded * one_side(kernel, begin, to, true, rate, coarse);
   }
   return sum;

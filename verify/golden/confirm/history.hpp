@@ -5,10 +5,6 @@
 
 namespace nipref::verify::confirm {
 
-/// Numbers with more digits, for terms that cancel.
-using Long = Number<700>;
-using LongComplex = ComplexNumber<700>;
-
 /// A kernel whose history is taken: its values and the residues of its symbol.
 struct Remembered {
   Split (*at)(const mpq_class& x);

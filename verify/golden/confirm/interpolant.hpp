@@ -9,14 +9,13 @@ namespace nipref::verify::confirm {
 
 /// The interpolant of a smooth function on an interval at Chebyshev points, which are not in its middle if their number is
 /// even.
-template <class Float>
 class Interpolant {
  public:
   Interpolant(const Float& from, const Float& to, int points, const std::function<Float(const Float& x)>& f)
       : middle_((from + to) / 2), half_((to - from) / 2) {
     const auto count = static_cast<std::size_t>(points);
     std::vector<Float> values, cosine;
-    for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(pi<Float>() * m / (2 * points)));
+    for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(pi() * m / (2 * points)));
     for (std::size_t k = 0; k < count; ++k) values.push_back(f(middle_ + half_ * cosine[2 * k + 1]));
     for (std::size_t n = 0; n < count; ++n) {
       Float sum = 0;

@@ -27,19 +27,19 @@ const std::vector<Node>& nodes() {
 }
 
 Split even_far(const mpq_class& x, Complex Pole::*residue) {
-  return around_poles(to_number<Float>(abs(x)), false, 8, [=](const Pole& at) { return at.*residue; });
+  return around_poles(to_number(abs(x)), false, 8, [=](const Pole& at) { return at.*residue; });
 }
 
 Split odd_far(const mpq_class& x, Complex Pole::*residue) {
   return Split{sgn(x), 0, 0}.add(
-      sgn(x), around_poles(to_number<Float>(abs(x)), true, 8, [=](const Pole& at) { return at.*residue; }));
+      sgn(x), around_poles(to_number(abs(x)), true, 8, [=](const Pole& at) { return at.*residue; }));
 }
 
 bool is_far(const mpq_class& x) { return abs(x) >= far; }
 
 Split odd(const mpq_class& x, Float Node::*symbol, Complex Pole::*residue) {
   if (is_far(x)) return odd_far(x, residue);
-  const Float at = to_number<Float>(x);
+  const Float at = to_number(x);
   return integral(nodes(), [&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
 }
 
@@ -53,15 +53,15 @@ std::complex<double> near_root(std::size_t n) {
 
 /// I1 as - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
 Split I1_near(const mpq_class& alpha) {
-  const Float at = abs(to_number<Float>(alpha));
+  const Float at = abs(to_number(alpha));
   Split sum = integral(nodes(), [&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
-  sum.rest -= log(tanh(pi<Float>() * at / 4));
+  sum.rest -= log(tanh(pi() * at / 4));
   return sum;
 }
 
 /// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx.
 Split eta_from_far(const mpq_class& eta) {
-  const Float at = to_number<Float>(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
+  const Float at = to_number(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
   return integral(nodes(), [&](const Node& node) -> Float {
     return 2 * node.I6_eta * sin(half_sum * node.x) * sin(half_difference * node.x);
   });
@@ -69,7 +69,7 @@ Split eta_from_far(const mpq_class& eta) {
 
 /// int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x.
 Split alpha_from_far(const mpq_class& alpha) {
-  const Float at = to_number<Float>(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
+  const Float at = to_number(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
   return integral(nodes(), [&](const Node& node) -> Float {
     const Float lifted = sinh(node.x / 2);
     return 2 * node.I6_alpha *
@@ -89,14 +89,14 @@ void double_exponential_rule(int end, const std::function<void(const Float& x, c
 }
 
 Split& Split::add(const mpq_class& factor, const Split& term) {
-  const Float by = to_number<Float>(factor);
+  const Float by = to_number(factor);
   quarters += factor * term.quarters;
   rest += by * term.rest;
   error += abs(by) * term.error;
   return *this;
 }
 
-Float Split::value() const { return to_number<Float>(quarters) * pi<Float>() / 4 + rest; }
+Float Split::value() const { return to_number(quarters) * pi() / 4 + rest; }
 
 Pole pole_by_circle(std::size_t n) {
   constexpr int points = 128;
@@ -106,7 +106,7 @@ Pole pole_by_circle(std::size_t n) {
   Pole pole{};
   Complex moment = 0;
   for (int k = 0; k < points; ++k) {
-    const Float angle = 2 * pi<Float>() * k / points;
+    const Float angle = 2 * pi() * k / points;
     const Complex arm(radius * cos(angle), radius * sin(angle)), z = centre + arm;
     const Complex sine = sinh(z), cosine = cosh(z);
     const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));  // of 2/S
@@ -139,8 +139,8 @@ Split around_poles(const Float& x, bool is_sine, int size,
     const Pole& at = pole(n);
     sum += residue(at) * exp(Complex(-at.z.imag() * x, at.z.real() * x));
   }
-  return {0, 2 * pi<Float>() * (is_sine ? sum.real() : Float(-sum.imag())),
-          size * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * x) + abs(sum) * Float("1e-90")};
+  return {0, 2 * pi() * (is_sine ? sum.real() : Float(-sum.imag())),
+          size * exp(-(2 * static_cast<int>(poles) + 1) * pi() / 2 * x) + abs(sum) * Float("1e-90")};
 }
 
 Split kernel_I1(const mpq_class& alpha) {
@@ -154,7 +154,7 @@ Split kernel_I5(const mpq_class& eta) { return odd(eta, &Node::I5, &Pole::I5); }
 
 Split kernel_I7(const mpq_class& eta) {
   if (is_far(eta)) return even_far(eta, &Pole::I7);
-  const Float at = to_number<Float>(eta);
+  const Float at = to_number(eta);
   return integral(nodes(), [&](const Node& node) -> Float { return node.I7 * cos(at * node.x); });
 }
 

@@ -10,9 +10,6 @@
 /// that it uses no formula for a residue and no known root.
 namespace nipref::verify::confirm {
 
-using Float = Number<100>;
-using Complex = ComplexNumber<100>;
-
 /// The number quarters pi/4 + rest. At large arguments the rest decays, but it may be all that remains of a sum.
 struct Split {
   mpq_class quarters;

@@ -9,21 +9,15 @@
 namespace nipref::verify::confirm {
 namespace {
 
-using SolidFunction = Exponentials<700>;
-
 struct SolidTerms {
-  SolidFunction theta1, theta2;
+  Exponentials theta1, theta2;
 };
 
 enum class MovingModel { thesis = 1, prony, operators, two_moduli };
 
-SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
-  return {at_once, {{LongComplex(at_once * rate), LongComplex(rate * rate_factor)}}};
-}
-
 /// function: theta1 or theta2.
-SolidFunction terms_of(Arguments x, const std::string& function) {
-  SolidFunction sum{Long(x[function + "_instantaneous"]), {}};
+Exponentials terms_of(Arguments x, const std::string& function) {
+  Exponentials sum{Long(x[function + "_instantaneous"]), {}};
   const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
   for (std::size_t k = 0; k < amplitudes.size(); ++k) {
     if (amplitudes[k] != 0) sum.terms.push_back({LongComplex(amplitudes[k]), LongComplex(rates[k])});
@@ -31,56 +25,40 @@ SolidFunction terms_of(Arguments x, const std::string& function) {
   return sum;
 }
 
-/// The material of a moving load. Roots of the operators by the method of Durand and Kerner.
+/// The material of a moving load.
 SolidTerms solid_terms(Arguments x) {
   const auto model = static_cast<MovingModel>(static_cast<int>(x["material"]));
   if (model == MovingModel::prony) return {terms_of(x, "theta1"), terms_of(x, "theta2")};
-  if (model == MovingModel::operators) {
-    const auto of = [&](const std::string& name) {
-      const auto coefficients = x.list(name + "_0");
-      Polynomial<Long> polynomial(coefficients.begin(), coefficients.end());
-      polynomial.normalize();
-      return polynomial;
-    };
-    const Polynomial<Long> p = of("P"), q = of("Q"), p_bulk = of("P_dilatation"), q_bulk = of("Q_dilatation");
-    const SolidFunction theta1 = in_exponentials<700>({p, Long(2) * q});
-    // A common factor of p and p_bulk would be a double root of their product.
-    if (p == p_bulk) return {theta1, in_exponentials<700>({Long(3) * p, Long(6) * q_bulk + Long(2) * q})};
-    return {theta1,
-            in_exponentials<700>({Long(3) * p * p_bulk, Long(6) * q_bulk * p + Long(2) * q * p_bulk})};
-  }
-  const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
-  const Long shear = model == MovingModel::two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);
-  return {relaxing(1 / (2 * shear), rate, 1),
-          relaxing(3 / (6 * bulk + 2 * shear), rate, model == MovingModel::thesis ? 2 : 1)};
+  const Long bulk = x["bulk"],
+             shear = model == MovingModel::two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);
+  const Compliance of = model == MovingModel::operators ? Compliance(operator_moduli(x))
+                                                        : Compliance(bulk, shear, x["relaxation_time"],
+                                                                     model == MovingModel::thesis ? 2 : 1);
+  return {in_exponentials(of.theta1), in_exponentials(of.theta2)};
 }
 
-using Closed = Number<250>;
-using ClosedComplex = ComplexNumber<250>;
-
-Confirmation closed_form(const Closed& value) {
-  return confirmation<Closed>("closed form", value, abs(value) * Closed("1e-100"));
+Confirmation closed_form(const Long& value) {
+  return confirmation("closed form", value, abs(value) * Long("1e-100"));
 }
 
 /// e^shift int_from^to e^(rate w) dw by its antiderivative.
-ClosedComplex exponential(const ClosedComplex& rate, const Closed& shift, const Closed& from,
-                          const Closed& to) {
-  if (rate == ClosedComplex(0)) return exp(shift) * (to - from);
-  return (exp(ClosedComplex(rate * to + shift)) - exp(ClosedComplex(rate * from + shift))) / rate;
+LongComplex exponential(const LongComplex& rate, const Long& shift, const Long& from, const Long& to) {
+  if (rate == LongComplex(0)) return exp(shift) * (to - from);
+  return (exp(LongComplex(rate * to + shift)) - exp(LongComplex(rate * from + shift))) / rate;
 }
 
 /// J2 + i J1 as an integral over the distances w = T - tau ahead of the load.
-ClosedComplex ahead(Arguments x) {
-  const Closed lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
+LongComplex ahead(Arguments x) {
+  const Long lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (T <= 0) return 0;
-  return exponential(ClosedComplex(-lambda - a, b), lambda * (T - t), std::max<Closed>(T - t, 0), T);
+  return exponential(LongComplex(-lambda - a, b), lambda * (T - t), std::max<Long>(T - t, 0), T);
 }
 
 /// J4 - i J3 as an integral over the distances w = tau - T behind the load.
-ClosedComplex behind(Arguments x) {
-  const Closed lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
+LongComplex behind(Arguments x) {
+  const Long lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (t <= T) return 0;
-  return exponential(ClosedComplex(lambda - a, b), -lambda * (t - T), std::max<Closed>(-T, 0), t - T);
+  return exponential(LongComplex(lambda - a, b), -lambda * (t - T), std::max<Long>(-T, 0), t - T);
 }
 
 /// int_from^to e^(-lambda v) dv by Gauss's rule on panels, until the integrand is negligible.
@@ -102,8 +80,8 @@ Confirmation of_sign(Arguments x) {
   const Float behind = passed > 0 ? faded_by_gauss(lambda, 0, passed) : Float(0);
   const Float ahead = passed < t ? faded_by_gauss(lambda, passed, t) : Float(0);
   const Float at_once = T > t ? gamma0 : T < t ? Float(-gamma0) : Float(0);
-  return confirmation<Float>("Gauss's rule", at_once + gamma * (ahead - behind),
-                             (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
+  return confirmation("Gauss's rule", at_once + gamma * (ahead - behind),
+                      (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
 }
 
 /// The load's path relative to a point, in half-thicknesses: the present distance, and the distance at the start.
@@ -115,7 +93,7 @@ struct LoadPath {
 /// The convolution theta * I.
 class Convolution {
  public:
-  Convolution(SolidFunction theta, double speed, double half_thickness) : theta_(std::move(theta)) {
+  Convolution(Exponentials theta, double speed, double half_thickness) : theta_(std::move(theta)) {
     const Long way_per_time = Long(speed) / Long(half_thickness);
     for (auto& [amplitude, rate] : theta_.terms) {
       amplitude /= way_per_time;
@@ -131,7 +109,7 @@ class Convolution {
     };
     if (!kernel.is_odd || sgn(way.alpha) != 0) {
       const Split now = kernel.at(way.alpha);
-      const Float rest = kernel.is_odd ? Float(now.value() - sgn(way.alpha) * pi<Float>() / 4) : now.rest;
+      const Float rest = kernel.is_odd ? Float(now.value() - sgn(way.alpha) * pi() / 4) : now.rest;
       const Float exact_rest = now.quarters != 0 ? now.rest : rest;
       part(LongComplex(theta_.instantaneous), exact_rest, exact_rest);
     }
@@ -157,7 +135,7 @@ class Convolution {
  private:
   static bool is_at_rest(const LoadPath& way) { return way.start && *way.start == way.alpha; }
 
-  SolidFunction theta_;
+  Exponentials theta_;
 };
 
 /// The sheet's two convolutions.
@@ -172,7 +150,7 @@ struct Sheet {
 };
 
 Confirmation over_pi(const Long& sum, const Float& error) {
-  return confirmation<Long>("direct convolution over the way", sum / pi<Long>(), Long(error / pi<Float>()));
+  return confirmation("direct convolution over the way", sum / pi<Long>(), Long(error / pi()));
 }
 
 Confirmation Un(const Sheet& sheet, const LoadPath& way) {

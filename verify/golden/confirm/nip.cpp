@@ -11,118 +11,96 @@ namespace {
 
 using Numbers = std::vector<Confirmation>;
 
-std::vector<Confirmation> compared(const char* method, const std::vector<Solved>& fine,
-                                   const std::vector<Solved>& coarse) {
+std::vector<Confirmation> compared(const char* method, const std::vector<Float>& fine,
+                                   const std::vector<Float>& coarse) {
   std::vector<Confirmation> result;
   for (std::size_t i = 0; i < fine.size(); ++i)
-    result.push_back(confirmation<Solved>(method, fine[i], fine[i] - coarse[i]));
+    result.push_back(confirmation(method, fine[i], fine[i] - coarse[i]));
   return result;
-}
-
-std::vector<Solved> without_friction(Arguments x, double digits) {
-  const Solved half_length = x["L_over_B"], poisson = x["poisson"];
-  const Solved beta = (1 - 2 * poisson) / (2 * (1 - poisson));
-  const Smooth rest(
-      -2 * half_length, 2 * half_length, smooth_points(2 * x["L_over_B"], digits),
-      [](const Solved& w) { return Solved(kernel_I1(exactly(w)).value() + log(abs(Float(w)))); });
-  const RolledContact contact(
-      half_length, [](const Solved&) { return Solved(1); }, [&](const Solved& w) { return rest(w); },
-      smooth_points(x["L_over_B"], digits) + 1);
-  const Solved stretched = contact.integral(
-      [&](const Solved& at) { return Solved(kernel_I3(exactly(Solved(half_length - at))).value()); });
-  const Solved square = half_length * half_length;
-  return {contact.load() / (8 * square), contact.indentation() / (8 * square),
-          (stretched / pi<Solved>() - beta * contact.load() / 2) / (4 * square),
-          contact.middle_pressure() / (4 * half_length), 0};
-}
-
-Numbers elastic_numbers(Arguments x) {
-  if (x["L_over_B"] > (x["friction"] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
-    const Solved unknown = std::numeric_limits<double>::infinity();
-    return Numbers(5, confirmation<Solved>("no rule for so long a contact", 0, unknown));
-  }
-  if (x["friction"] == 0) {
-    return compared("Kress's rule in Chebyshev's singular weight", without_friction(x, 24),
-                    without_friction(x, 19));
-  }
-  return compared("sinc rule", gripped_numbers(x["L_over_B"], x["poisson"], true),
-                  gripped_numbers(x["L_over_B"], x["poisson"], false));
 }
 
 /// The memory term int_0^inf e^(-rate w) I(x - w) dw of a kernel of the rolling sheet, x downstream. An odd kernel is
 /// taken without its term pi/4 sign.
-Solved remembered(const Remembered& kernel, const Solved& x, const mpq_class& rate, bool coarse) {
+Float remembered(const Remembered& kernel, const Float& x, const Float& rate, bool coarse) {
   // The integration variable is v = w - x, so that an odd kernel changes its sign.
-  const Float sum = history(kernel, -exactly(x), {}, Complex(to_number<Float>(rate)), coarse).real();
-  return Solved(kernel.is_odd ? Float(-sum) : sum);
+  const Float sum = history(kernel, -exactly(x), {}, Complex(rate), coarse).real();
+  return kernel.is_odd ? Float(-sum) : sum;
 }
 
 /// int_0^inf rate e^(-rate w) sign(x - w) dw
-Solved remembered_sign(const Solved& x, const Solved& rate) {
-  return x > 0 ? Solved(1 - 2 * exp(-rate * x)) : Solved(-1);
+Float remembered_sign(const Float& x, const Float& rate) {
+  return x > 0 ? Float(1 - 2 * exp(-rate * x)) : Float(-1);
 }
 
-std::vector<Solved> rolling(const RollingSheet& sheet, bool coarse) {
-  const auto number = [](const mpq_class& x) { return to_number<Solved>(x); };
-  const Solved half_length = number(sheet.half_length);
-  const auto share = [&](const Solved& w) {
-    Solved sum = 1;
-    for (const auto& memory : sheet.memories)
-      sum -= number(memory.of_normal) * expm1(Solved(-number(memory.rate) * w));
+/// What rolling_numbers() returns; a sheet without memory is an elastic one.
+std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
+  const Float& half_length = sheet.half_length;
+  const auto share = [&](const Float& w) {
+    Float sum = 1;
+    for (const auto& memory : sheet.memories) sum -= memory.of_normal * expm1(-memory.rate * w);
     return sum;
   };
-  const auto normal = [&](const Solved& w) {
-    Solved sum = Solved(kernel_I1(exactly(w)).value());
+  const auto normal = [&](const Float& w) {
+    Float sum = kernel_I1(exactly(w)).value();
     for (const auto& memory : sheet.memories)
-      sum += number(memory.of_normal * memory.rate) * remembered(remembered_I1, w, memory.rate, coarse);
+      sum += memory.of_normal * memory.rate * remembered(remembered_I1, w, memory.rate, coarse);
     return sum;
   };
-  // More points, an even number, for the growing exponentials.
-  const double reach = sheet.half_length.get_d(),
-               fastest =
-                   std::ranges::max(sheet.memories, {}, [](auto&m) { return m.rate.get_d(); }).rate.get_d();
-  const int more = (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * fastest / 2);
-  const Smooth rest(-2 * half_length, 2 * half_length, smooth_points(2 * reach, 11) + more,
-                    [&](const Solved& w) { return Solved(normal(w) + share(w) * log(abs(w))); });
+  // A memory needs more points, an even number, for the growing exponentials.
+  const double reach = half_length.convert_to<double>(), elastic_digits = coarse ? 19 : 24,
+               digits = sheet.memories.empty() ? elastic_digits : 11;
+  int more = 0;
+  for (const auto& memory : sheet.memories)
+    more = std::max(
+        more, (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * memory.rate.convert_to<double>() / 2));
+  const Interpolant rest(-2 * half_length, 2 * half_length, smooth_points(2 * reach, digits) + more,
+                         [&](const Float& w) { return Float(normal(w) + share(w) * log(abs(w))); });
   const RolledContact contact(
-      half_length, share, [&](const Solved& w) { return rest(w); }, smooth_points(reach, 11) + more);
+      half_length, share, [&](const Float& w) { return rest(w); }, smooth_points(reach, digits) + more);
   // The kernel theta2 * I2 - N * I3.
-  const auto tangential = [&](const Solved& w) {
-    const Solved quarter = pi<Solved>() / 4;
-    Solved sum =
-        2 * quarter * number(sheet.theta2) * (w > 0 ? 1 : -1) - Solved(kernel_I3(exactly(w)).value());
+  const auto tangential = [&](const Float& w) {
+    const Float quarter = pi() / 4;
+    Float sum = 2 * quarter * sheet.theta2 * (w > 0 ? 1 : -1) - kernel_I3(exactly(w)).value();
     for (const auto& memory : sheet.memories) {
-      const Solved rate = number(memory.rate), step = quarter * remembered_sign(w, rate);
-      sum -= number(memory.of_normal) * (rate * remembered(remembered_I3, w, memory.rate, coarse) + step);
-      sum += 2 * number(memory.of_theta2) * step;
+      const Float &rate = memory.rate, step = quarter * remembered_sign(w, rate);
+      sum -= memory.of_normal * (rate * remembered(remembered_I3, w, rate, coarse) + step);
+      sum += 2 * memory.of_theta2 * step;
     }
     return sum;
   };
-  const Solved stretched = contact.integral(
-      [&](const Solved& at) { return Solved(tangential(at - half_length) - tangential(at + half_length)); });
-  const Solved square = half_length * half_length;
+  const Float stretched = contact.integral(
+      [&](const Float& at) { return Float(tangential(at - half_length) - tangential(at + half_length)); });
+  const Float square = half_length * half_length;
   return {(contact.offset() + contact.moment() / contact.load()) / (2 * half_length),
-          (contact.offset() + half_length) / (2 * half_length), contact.load() / (8 * square),
-          contact.indentation() / (8 * square), stretched / pi<Solved>() / (8 * square)};
+          (contact.offset() + half_length) / (2 * half_length),
+          contact.load() / (8 * square),
+          contact.indentation() / (8 * square),
+          stretched / pi() / (8 * square),
+          contact.middle_pressure() / (4 * half_length)};
 }
 
-}  // namespace
-
-Numbers rolling_numbers(const RollingSheet& sheet) {
-  return compared("Kress's rule in Chebyshev's singular weight", rolling(sheet, false), rolling(sheet, true));
+Numbers elastic_numbers(Arguments x) {
+  if (x["L_over_B"] > (x["friction"] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
+    const Float unknown = std::numeric_limits<double>::infinity();
+    return Numbers(5, confirmation("no rule for so long a contact", Float(0), unknown));
+  }
+  if (x["friction"] != 0)
+    return compared("sinc rule", gripped_numbers(x["L_over_B"], x["poisson"], true),
+                    gripped_numbers(x["L_over_B"], x["poisson"], false));
+  const Float poisson = x["poisson"];
+  const Numbers all = rolling_numbers({x["L_over_B"], (1 - 2 * poisson) / (2 - 2 * poisson), {}});
+  return {all[2], all[3], all[4], all[5], confirmation(all[5].method, Float(0), Float(0))};
 }
-
-namespace {
 
 /// The sheet of rolling_nip.*, whose constants are doubles.
 RollingSheet rolling_sheet(Arguments x) {
   const double time = x["memory_over_L"] * x["L_over_B"], theta1 = 1 + x["poisson"],
                theta2 = theta1 * (1 - 2 * x["poisson"]), more_soft = x["softening"] - 1;
-  const mpq_class compliance = mpq_class(theta1) + mpq_class(theta2);
-  RollingSheet sheet{x["L_over_B"], mpq_class(theta2) / compliance, {}};
+  const Float compliance = Float(theta1) + theta2;
+  RollingSheet sheet{x["L_over_B"], theta2 / compliance, {}};
   const auto remember = [&](double at_once, double rate, bool is_theta2) {
-    const mpq_class amplitude = mpq_class(at_once * more_soft / time) / rate / compliance;
-    sheet.remember({mpq_class(rate) / 2, amplitude, is_theta2 ? amplitude : mpq_class(0)});
+    const Float amplitude = at_once * more_soft / time / Float(rate) / compliance;
+    sheet.remember({Float(rate) / 2, amplitude, is_theta2 ? amplitude : Float(0)});
   };
   remember(theta1, 1 / time, false);
   remember(theta2, (x["material"] == 0 ? 1 : 2) / time, true);
@@ -145,6 +123,10 @@ void add_family(Methods& methods, std::string_view family, Numbers (*solve)(Argu
 }
 
 }  // namespace
+
+Numbers rolling_numbers(const RollingSheet& sheet) {
+  return compared("Kress's rule in Chebyshev's singular weight", rolling(sheet, false), rolling(sheet, true));
+}
 
 const Methods& nip_methods() {
   static const Methods methods = [] {

@@ -20,27 +20,34 @@ template <unsigned digits>
 using ComplexNumber = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<digits>,
                                                     boost::multiprecision::et_off>;
 
-template <class Float>
-Float pi() {
-  return boost::math::constants::pi<Float>();
+/// A hundred of the digits are left where half-spaces at the squared phase speed 1e-44 cancel.
+using Float = Number<150>;
+using Complex = ComplexNumber<150>;
+/// For the terms of memories, which cancel more.
+using Long = Number<700>;
+using LongComplex = ComplexNumber<700>;
+
+template <class Real = Float>
+Real pi() {
+  return boost::math::constants::pi<Real>();
 }
 
-template <class Float>
-Float to_number(const mpq_class& x) {
-  Float value;
+template <class Real = Float>
+Real to_number(const mpq_class& x) {
+  Real value;
   mpfr_set_q(value.backend().data(), x.get_mpq_t(), MPFR_RNDN);
   return value;
 }
 
-template <class Float>
-mpq_class exactly(const Float& x) {
+template <class Real>
+mpq_class exactly(const Real& x) {
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), x.backend().data());
   return value;
 }
 
-template <class Float>
-Confirmation confirmation(std::string method, const Float& value, const Float& error) {
+template <class Real>
+Confirmation confirmation(std::string method, const Real& value, const Real& error) {
   ref::Float v = ref::zero_of_bits(mpfr_get_prec(value.backend().data())), e = ref::zero_of_bits(64);
   mpfr_set(ref::raw(v), value.backend().data(), MPFR_RNDN);
   mpfr_abs(ref::raw(e), error.backend().data(), MPFR_RNDU);

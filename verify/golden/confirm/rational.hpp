@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <boost/math/tools/polynomial.hpp>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <nipref/verify/golden/confirm/number.hpp>
@@ -10,35 +11,32 @@
 namespace nipref::verify::confirm {
 
 /// The coefficient of the power 0 comes first.
-template <class Float>
-using Polynomial = boost::math::tools::polynomial<Float>;
+template <class Real>
+using PolynomialOf = boost::math::tools::polynomial<Real>;
+using Polynomial = PolynomialOf<Long>;
 
-template <class Float>
 struct Ratio {
-  Polynomial<Float> above, below;
+  Polynomial above, below;
 
   friend Ratio operator+(const Ratio& a, const Ratio& b) {
     return {a.above * b.below + b.above * a.below, a.below * b.below};
   }
-  friend Ratio operator*(const Float& a, const Ratio& b) { return {a * b.above, b.below}; }
+  friend Ratio operator*(const Long& a, const Ratio& b) { return {a * b.above, b.below}; }
 };
 
-template <class Float>
-Ratio<Float> inverse(const Ratio<Float>& a) {
-  return {a.below, a.above};
-}
+inline Ratio inverse(const Ratio& a) { return {a.below, a.above}; }
 
-template <class Float, class Complex>
-Complex value_at(const Polynomial<Float>& polynomial, const Complex& z) {
-  Complex sum(0);
-  for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * z + Complex(polynomial[k]);
+template <class Real, class Root>
+Root value_at(const PolynomialOf<Real>& polynomial, const Root& z) {
+  Root sum(0);
+  for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * z + Root(polynomial[k]);
   return sum;
 }
 
 /// The product of root_i - root_j over all other roots.
-template <class Complex>
-Complex apart(const std::vector<Complex>& roots, std::size_t i) {
-  Complex product(1);
+template <class Root>
+Root apart(const std::vector<Root>& roots, std::size_t i) {
+  Root product(1);
   for (std::size_t j = 0; j < roots.size(); ++j) {
     if (j != i) product *= roots[i] - roots[j];
   }
@@ -47,7 +45,7 @@ Complex apart(const std::vector<Complex>& roots, std::size_t i) {
 
 /// All roots by the method of Durand and Kerner.
 template <unsigned digits>
-std::vector<ComplexNumber<digits>> roots_of(const Polynomial<Number<digits>>& polynomial) {
+std::vector<ComplexNumber<digits>> roots_of(const PolynomialOf<Number<digits>>& polynomial) {
   using Coefficient = Number<digits>;
   using Root = ComplexNumber<digits>;
   const std::size_t n = polynomial.size() - 1;
@@ -70,34 +68,52 @@ std::vector<ComplexNumber<digits>> roots_of(const Polynomial<Number<digits>>& po
   return roots;
 }
 
+/// G and K of a material by its operators.
+struct Moduli {
+  Ratio G, K;
+};
+Moduli operator_moduli(std::span<const double> p, std::span<const double> q,
+                       std::span<const double> p_dilatation, std::span<const double> q_dilatation);
+inline Moduli operator_moduli(Arguments x) {
+  return operator_moduli(x.list("P_0"), x.list("Q_0"), x.list("P_dilatation_0"), x.list("Q_dilatation_0"));
+}
+
+/// theta1 = 1/(2G) and theta2 = 3/(6K + 2G).
+struct Compliance {
+  Ratio theta1, theta2;
+
+  Compliance(const Ratio& first, const Ratio& second) : theta1(first), theta2(second) {}
+  explicit Compliance(const Moduli& of)
+      : theta1(inverse(Long(2) * of.G)), theta2(Long(3) * inverse(Long(6) * of.K + Long(2) * of.G)) {}
+  /// Both relax at one rate, theta2 at `rate_factor` times it.
+  Compliance(const Long& bulk, const Long& shear, const Long& relaxation_time, int rate_factor);
+};
+
 /// instantaneous delta(t) + sum amplitude e^(-rate t)
-template <unsigned digits>
 struct Exponentials {
   struct Term {
-    ComplexNumber<digits> amplitude, rate;
+    LongComplex amplitude, rate;
   };
-  Number<digits> instantaneous;
+  Long instantaneous;
   std::vector<Term> terms;
 };
 
-/// The function of time of a ratio: by the roots of its denominator, without those that the numerator has, too. Both
-/// polynomials are without zeros at their ends.
-template <unsigned digits>
-Exponentials<digits> in_exponentials(const Ratio<Number<digits>>& ratio) {
-  using Coefficient = Number<digits>;
-  using Root = ComplexNumber<digits>;
-  const auto& [above, below] = ratio;
-  const Coefficient last = below.data().back();
+/// The function of time of a ratio: by the roots of its denominator, without those that the numerator has, too.
+inline Exponentials in_exponentials(Ratio ratio) {
+  auto& [above, below] = ratio;
+  above.normalize();
+  below.normalize();
+  const Long last = below.data().back();
   const bool at_once = above.size() == below.size();
-  Exponentials<digits> function{at_once ? Coefficient(above.data().back() / last) : Coefficient(0), {}};
+  Exponentials function{at_once ? Long(above.data().back() / last) : Long(0), {}};
   // The root 0 of a fluid is split off exactly.
   const bool flows = below.size() > 1 && below[0] == 0;
-  std::vector<Root> roots = roots_of<digits>(flows ? below >> 1 : below);
+  std::vector<LongComplex> roots = roots_of<700>(flows ? below >> 1 : below);
   if (flows) roots.emplace_back(0);
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const Root value = value_at(above, roots[i]);
-    const Coefficient parts = value_at(above, Root(Coefficient(abs(roots[i])))).real();
-    if (abs(value) > Coefficient("1e-90") * abs(parts))
+    const LongComplex value = value_at(above, roots[i]);
+    const Long parts = value_at(above, LongComplex(Long(abs(roots[i])))).real();
+    if (abs(value) > Long("1e-90") * abs(parts))
       function.terms.push_back({value / (last * apart(roots, i)), -roots[i]});
   }
   return function;

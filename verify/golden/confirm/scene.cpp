@@ -4,6 +4,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/golden/confirm/contacts.hpp>
+#include <nipref/verify/golden/confirm/rational.hpp>
 #include <nipref/verify/golden/confirm/scene.hpp>
 
 namespace nipref::verify {
@@ -66,68 +67,47 @@ Solver solver_of(const data::ElasticNipProblem& problem) {
                        std::move(rows));
 }
 
-/// at_once delta(t) + sum amplitude e^(-rate t), exactly.
-struct ExactFunction {
-  mpq_class at_once;
-  std::vector<std::pair<mpq_class, mpq_class>> terms;  ///< rates and amplitudes
-};
+using BothFunctions = std::pair<confirm::Exponentials, confirm::Exponentials>;
 
-ExactFunction relaxing(const mpq_class& at_once, const mpq_class& amplitude_rate, const mpq_class& rate) {
-  return {at_once, {{rate, at_once * amplitude_rate}}};
-}
-
-/// (a + b p)/(c + d p) as a function of time.
-ExactFunction ratio(const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d) {
-  const mpq_class at_once = b / d, rate = c / d;
-  return {at_once, {{rate, a / d - at_once * rate}}};
-}
-
-/// What is rounded from springs, and operators, are taken apart here where that needs no root.
-std::optional<std::pair<ExactFunction, ExactFunction>> exact_functions(
-    const data::ViscoelasticMaterial& material) {
-  if (const auto* one = std::get_if<data::SingleRelaxationTimeSolid>(&material.constants())) {
-    const mpq_class shear = one->shear, bulk = one->bulk, rate = 1 / mpq_class(one->relaxation_time);
-    return std::pair(relaxing(1 / (2 * shear), rate, rate),
-                     relaxing(3 / (6 * bulk + 2 * shear), rate, rate * one->theta2_rate_factor));
-  }
-  if (const auto* all = std::get_if<data::DifferentialOperators>(&material.constants())) {
-    if (all->p.size() != 2 || all->q.size() != 2 || all->p_dilatation.size() != 1 ||
-        all->q_dilatation.size() != 1)
-      return {};
-    const mpq_class bulk = mpq_class(all->q_dilatation[0]) / mpq_class(all->p_dilatation[0]), p0 = all->p[0],
-                    p1 = all->p[1], q0 = all->q[0], q1 = all->q[1];
-    return std::pair(ratio(p0, p1, 2 * q0, 2 * q1),
-                     ratio(3 * p0, 3 * p1, 6 * bulk * p0 + 2 * q0, 6 * bulk * p1 + 2 * q1));
-  }
-  if (!std::holds_alternative<std::monostate>(material.constants())) return {};
+/// theta1 and theta2 of the numbers that a material's doubles are rounded from; nothing for springs that are not alike.
+std::optional<BothFunctions> functions_of(const data::ViscoelasticMaterial& material) {
+  const auto both = [](const confirm::Compliance& of) {
+    return BothFunctions(in_exponentials(of.theta1), in_exponentials(of.theta2));
+  };
+  const data::MaterialConstants& constants = material.constants();
+  if (const auto* one = std::get_if<data::SingleRelaxationTimeSolid>(&constants))
+    return both({one->bulk, one->shear, one->relaxation_time, one->theta2_rate_factor});
+  if (const auto* all = std::get_if<data::DifferentialOperators>(&constants))
+    return both(
+        confirm::Compliance(confirm::operator_moduli(all->p, all->q, all->p_dilatation, all->q_dilatation)));
+  if (!std::holds_alternative<std::monostate>(constants)) return {};
   const auto exactly = [](const data::MaterialFunction& function) {
-    ExactFunction exact{function.instantaneous, {}};
-    for (const data::RelaxationTerm& term : function.terms)
-      exact.terms.emplace_back(term.rate.real(), term.amplitude.real());
+    confirm::Exponentials exact{function.instantaneous, {}};
+    for (const auto& [amplitude, rate] : function.terms)
+      exact.terms.push_back({{amplitude.real(), amplitude.imag()}, {rate.real(), rate.imag()}});
     return exact;
   };
-  for (const auto* const function : {&material.functions()->theta1, &material.functions()->theta2}) {
-    for (const data::RelaxationTerm& term : function->terms) {
-      if (term.rate.imag() != 0) return {};
-    }
-  }
-  return std::pair(exactly(material.functions()->theta1), exactly(material.functions()->theta2));
+  return BothFunctions(exactly(material.functions()->theta1), exactly(material.functions()->theta2));
 }
 
 Solver solver_of(const data::ViscoelasticNipProblem& problem) {
+  using confirm::Float;
   const auto length = given_length(problem.given);
-  const auto functions = exact_functions(problem.nip.material);
+  const auto functions = functions_of(problem.nip.material);
   const mpq_class thickness = problem.nip.sheet_thickness, radius = problem.nip.roller_radius;
   if (!length || !functions || *length > confirm::longest_rolling_confirmed * thickness) return {};
   const auto& [theta1, theta2] = *functions;
-  const mpq_class compliance = theta1.at_once + theta2.at_once, slope = *length / radius,
-                  depth = slope * *length, rate_unit = thickness / 2 / mpq_class(problem.nip.speed);
-  RollingSheet sheet{*length / thickness, theta2.at_once / compliance, {}};
+  const confirm::Long compliance = theta1.instantaneous + theta2.instantaneous;
+  const mpq_class slope = *length / radius, depth = slope * *length,
+                  load_unit = slope * *length / confirm::exactly(compliance);
+  const Float rate_unit = confirm::to_number(mpq_class(thickness / 2 / mpq_class(problem.nip.speed)));
+  RollingSheet sheet{
+      confirm::to_number(mpq_class(*length / thickness)), Float(theta2.instantaneous / compliance), {}};
   for (const auto* const function : {&theta1, &theta2}) {
-    for (const auto& [rate, amplitude] : function->terms) {
-      if (rate <= 0) return {};
-      const mpq_class part = amplitude / rate / compliance;
-      sheet.remember({rate * rate_unit, part, function == &theta2 ? part : mpq_class(0)});
+    for (const auto& [amplitude, rate] : function->terms) {
+      if (rate.real() <= 0 || abs(rate.imag()) > rate.real() * confirm::Long("1e-500")) return {};
+      const Float part(amplitude.real() / rate.real() / compliance);
+      sheet.remember({Float(rate.real()) * rate_unit, part, function == &theta2 ? part : Float(0)});
     }
   }
   if (sheet.memories.empty()) return {};
@@ -137,7 +117,7 @@ Solver solver_of(const data::ViscoelasticNipProblem& problem) {
     add(solution, ResultId::rolling_resistance, numbers[0], slope);
     add(solution, ResultId::eccentricity, numbers[0], length);
     add(solution, ResultId::leading_length, numbers[1], length);
-    add(solution, ResultId::load, numbers[2], slope * length / compliance);
+    add(solution, ResultId::load, numbers[2], load_unit);
     add(solution, ResultId::indentation, numbers[3], depth);
     add(solution, ResultId::creep_ratio, numbers[4], slope);
     return solution;

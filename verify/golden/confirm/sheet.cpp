@@ -4,45 +4,32 @@
 namespace nipref::verify::confirm {
 namespace {
 
-/// The root of sinh w + w = 0 as the fixed point of Log(e^-w - 2 w) + 2 pi i n. This map contracts by about 2/|w|, so
-/// that there is exactly one root for each n.
-Complex root(double n) {
-  const Float turns = 2 * pi<Float>() * Float(n);
-  Complex w(log(2 * turns), turns - pi<Float>() / 2);
-  for (int k = 0; k < 600; ++k) {
-    const Complex next = log(exp(-w) - 2 * w) + Complex(Float(0), turns);
-    const Float change = abs(next - w);
-    w = next;
-    if (change < abs(w) * Float("1e-95")) break;
-  }
-  return w / 2;
-}
+constexpr auto on_circle = "integral over a circle around the root";
 
-Confirmation of_root(const Float& part) {
-  return confirmation<Float>("fixed point of a logarithm", part, part * Float("1e-90"));
-}
+Pole pole_of(Arguments x) { return pole_by_circle(static_cast<std::size_t>(x["n"])); }
+
+Confirmation root_part(const Float& part) { return confirmation(on_circle, part, part * Float("1e-75")); }
 
 /// In the order of the kernels in quantities.toml, of which I3, I4 and I5 are sine transforms.
 Confirmation residue(Arguments x) {
-  const Pole at = pole_by_circle(static_cast<std::size_t>(x["n"]));
+  const Pole at = pole_of(x);
   const Complex by_kernel[]{at.I1, at.I3, at.I4, at.I5, at.I1 + at.I6_alpha, -at.I6_eta, at.I7};
   const auto number = static_cast<std::size_t>(x["kernel"]);
   const Complex c = 2 * by_kernel[number];
   const bool odd = number >= 1 && number <= 3, first = x["coefficient"] == 0;
   const Float value = odd && !first ? c.real() : first && !odd ? Float(-c.real()) : Float(-c.imag());
-  return confirmation<Float>("integral over a circle around the root", value, abs(c) * Float("1e-75"));
+  return confirmation(on_circle, value, abs(c) * Float("1e-75"));
 }
 
 Confirmation kernel(const Split& sum) {
-  return confirmation<Float>("integral along the real axis or around the poles", sum.value(), sum.error);
+  return confirmation("integral along the real axis or around the poles", sum.value(), sum.error);
 }
 
 /// The sum divided by pi and `divisor`.
 Confirmation displacement(Split sum, const mpq_class& divisor = 1) {
-  const Float by = pi<Float>() * to_number<Float>(divisor);
+  const Float by = pi() * to_number(divisor);
   sum.error = sum.error / by + abs(sum.value() / by) * Float("1e-95");
-  return confirmation<Float>("integrals along the real axis or around the poles", sum.value() / by,
-                             sum.error);
+  return confirmation("integrals along the real axis or around the poles", sum.value() / by, sum.error);
 }
 
 /// The exact compliances of the sheet.
@@ -87,14 +74,12 @@ Confirmation F2(const Compliances& c, const mpq_class& eta) {
 
 const Methods& sheet_methods() {
   static const Methods methods{
-      {"root.re", [](Arguments x) { return of_root(root(x["n"]).real()); }},
-      {"root.im", [](Arguments x) { return of_root(root(x["n"]).imag()); }},
+      {"root.re", [](Arguments x) { return root_part(pole_of(x).z.real()); }},
+      {"root.im", [](Arguments x) { return root_part(pole_of(x).z.imag()); }},
       {"residue", residue},
       {"I1", [](Arguments x) { return kernel(kernel_I1(x["alpha"])); }},
       {"I2",
-       [](Arguments x) {
-         return confirmation<Float>("pi/2 sign", kernel_I2(x["alpha"]).value(), Float("1e-95"));
-       }},
+       [](Arguments x) { return confirmation("pi/2 sign", kernel_I2(x["alpha"]).value(), Float("1e-95")); }},
       {"I3", [](Arguments x) { return kernel(kernel_I3(x["alpha"])); }},
       {"I4", [](Arguments x) { return kernel(kernel_I4(x["eta"])); }},
       {"I5", [](Arguments x) { return kernel(kernel_I5(x["eta"])); }},
