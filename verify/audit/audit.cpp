@@ -63,7 +63,7 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
       points.size(), [&](std::size_t i) { return comparator(points[i], values[i]); }, options.progress);
   const Compared compared = compared_of({points.begin(), points.end()}, findings);
   AuditResult result = result_of(quantity, options, tally_of(compared), points.front());
-  add_places(result.spread, quantity, compared.points, compared.findings);
+  result.spread = error_spread(quantity, compared.points, compared.findings);
   return result;
 }
 
@@ -85,11 +85,11 @@ Json audit_row_json(const AuditResult& result) {
           {"left_out", result.left_out},
           {"_left_out", result.left_out > 0 ? Json(result.left_out) : Json()},
           {"max_error_ulp", result.max_error_ulp},
-          {"mean_error_ulp", result.spread.mean},
-          {"median_error_ulp", result.spread.median},
-          {"percentile_90_ulp", result.spread.percentile_90},
-          {"percentile_99_ulp", result.spread.percentile_99},
-          {"percentile_99_9_ulp", result.spread.percentile_999},
+          {"mean_error_ulp", result.errors.mean()},
+          {"median_error_ulp", result.errors.percentile(0.5)},
+          {"percentile_90_ulp", result.errors.percentile(0.9)},
+          {"percentile_99_ulp", result.errors.percentile(0.99)},
+          {"percentile_99_9_ulp", result.errors.percentile(0.999)},
           {"max_relative_error", result.max_relative_error},
           {"promise_ulp", result.promise},
           {"allowance_used", result.allowance_used},

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/audit/error_spread.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/support/json.hpp>
@@ -48,18 +50,40 @@ struct AuditOptions {
   }
 };
 
-/// The result of the audit of one quantity. Errors are upper bounds: ref's own error is added to each.
-struct AuditResult {
+/// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks. Errors are
+/// upper bounds: ref's own error is added to each.
+struct AuditTally {
+  std::uint64_t points = 0;  ///< points compared
+  /// Points at which the reference has no value of 21 digits, or which are refused.
+  std::uint64_t left_out = 0;
+  double max_error_ulp = 0, max_relative_error = 0;  ///< the largest found
+  /// The largest ratio of an error to the allowed one; the promise is kept if it is <= 1. -1 without points.
+  double allowance_used = -1;
+  std::uint64_t worst_block = 0;
+  Point worst = {};        ///< the point with the largest allowance_used, in the first block that has it
+  double worst_ulp = 0;    ///< the error there
+  ErrorTally errors = {};  ///< before the local search, units in the last place of the scale
+
+  /// Adds the findings of one block.
+  void add(const AuditTally& found, std::uint64_t block);
+  /// See stored.hpp.
+  static void members(auto& self, const auto& each) {
+    each("points", self.points);
+    each("left_out", self.left_out);
+    each("max_ulp", self.max_error_ulp);
+    each("max_relative", self.max_relative_error);
+    each("used", self.allowance_used);
+    each("worst", self.worst);
+    each("worst_ulp", self.worst_ulp);
+    each("errors", self.errors);
+  }
+};
+
+/// The result of the audit of one quantity.
+struct AuditResult : AuditTally {
   const Quantity* quantity;
-  std::size_t points;    ///< points compared
-  std::size_t left_out;  ///< points at which the reference has no value of 21 digits, or which are refused
-  double promise;        ///< units in the last place of the scale
-  double max_error_ulp;  ///< largest error found, in those units
-  double max_relative_error;  ///< largest |error| / |value| found
-  double allowance_used;  ///< largest ratio of an error to the allowed one; the promise is kept if it is <= 1
-  Point worst;            ///< the point with this ratio
-  ErrorSpread spread;     ///< over the points before the local search
-  double worst_ulp = 0;   ///< the error at `worst`, units in the last place of the scale
+  double promise;           ///< units in the last place of the scale
+  ErrorSpread spread = {};  ///< over the arguments, before the local search
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   /// The part of what points are drawn from in which so many of them meet a fault with a chance of 95 %: w with

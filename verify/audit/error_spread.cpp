@@ -4,7 +4,6 @@
 #include <map>
 
 #include <nipref/verify/audit/error_spread.hpp>
-#include <nipref/verify/audit/internal/error_tally.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -130,23 +129,14 @@ bool spans_decades(ArgumentKind kind) {
 }
 
 double place_on_axis(ArgumentKind kind, double value) {
-  return spans_decades(kind) ? std::clamp(std::fabs(value), least_of_axis, most_of_axis) : value;
+  return spans_decades(kind) ? std::clamp(std::fabs(value), 1e-12, 1e12) : value;
 }
 
-ErrorSpread error_spread(const ErrorTally& errors) {
-  return {.mean = errors.mean(),
-          .median = errors.percentile(0.5),
-          .percentile_90 = errors.percentile(0.9),
-          .percentile_99 = errors.percentile(0.99),
-          .percentile_999 = errors.percentile(0.999)};
-}
-
-void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
-                std::span<const Finding> findings) {
-  spread.along = varied_argument(quantity, points);
-  spread.decades = decades_of(spread.along, points, findings);
-  spread.wrong = wrong_region(points, findings);
-  spread.dots = dots_of(quantity, spread.along, points, findings);
+ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
+                         std::span<const Finding> findings) {
+  const std::size_t along = varied_argument(quantity, points);
+  return {along, decades_of(along, points, findings), wrong_region(points, findings),
+          dots_of(quantity, along, points, findings)};
 }
 
 }  // namespace nipref::verify

@@ -34,17 +34,12 @@ struct ErrorDot {
 /// Whether arguments of this kind span decades, so that a plot shows their magnitude on a logarithmic axis.
 bool spans_decades(ArgumentKind kind);
 
-// The ends of a logarithmic axis. Most doubles are much smaller or larger, but behave like those at its ends.
-inline constexpr double least_of_axis = 1e-12, most_of_axis = 1e12;
-
-/// The position of a value on its axis.
+/// The position of a value on its axis; on a logarithmic one from 1e-12 to 1e12: most doubles are much smaller or larger, but
+/// behave like those at its ends.
 double place_on_axis(ArgumentKind kind, double value);
 
-/// The distribution of errors over points. The largest error alone would mislead where it is a spike.
+/// The distribution of errors over the arguments. The largest error alone would mislead where it is a spike.
 struct ErrorSpread {
-  double mean, median, percentile_90, percentile_99,
-      percentile_999;  ///< units in the last place of the scale
-  // Filled by add_places:
   std::size_t along = 0;             ///< index of the argument by whose decades the errors are grouped
   std::vector<Decade> decades = {};  ///< in ascending order
   std::optional<WrongRegion> wrong = {};
@@ -60,12 +55,8 @@ struct Finding {
   double allowance_used;  ///< error over the allowed error
 };
 
-class ErrorTally;
-
-/// The distribution of at least one error. Percentiles are rounded up as by ErrorTally::percentile.
-ErrorSpread error_spread(const ErrorTally& errors);
-/// Adds the distribution over the arguments. There must be a point, and a finding for each.
-void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
-                std::span<const Finding> findings);
+/// There must be a point, and a finding for each.
+ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
+                         std::span<const Finding> findings);
 
 }  // namespace nipref::verify

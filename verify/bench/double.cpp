@@ -7,7 +7,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/internal/error_tally.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>

@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -15,37 +15,40 @@ namespace nipref::verify {
 
 namespace {
 
-struct KindOfNumber {
-  ArgumentKind kind;
-  std::string_view name, domain;
-};
-constexpr KindOfNumber kinds[] = {
-    {ArgumentKind::nonzero_position, "nonzero_position", "a finite nonzero number"},
-    {ArgumentKind::position, "position", "a finite number"},
-    {ArgumentKind::depth, "depth", "a number from -1 to 1"},
-    {ArgumentKind::young, "young", "a finite number > 0"},
-    {ArgumentKind::poisson, "poisson", "a number > -1 and <= 0.5"},
-    {ArgumentKind::index, "index", "a whole number from 1 to 1000000"},
-    {ArgumentKind::rate, "rate", "a finite number >= 0"},
-    {ArgumentKind::amplitude, "amplitude", "a finite number"},
-    {ArgumentKind::time, "time", "a finite number >= 0"},
-    {ArgumentKind::passing_time, "passing_time", "a finite number"},
-    {ArgumentKind::positive, "positive", "a finite number > 0"},
-    {ArgumentKind::nonnegative, "nonnegative", "a finite number >= 0"},
-    {ArgumentKind::degrees, "degrees", "a finite number"}};
+constexpr auto kinds = [] {
+  using enum ArgumentKind;
+  constexpr double above_minus_1 = -1 + 0x1p-53;
+  return std::to_array<KindOfNumber>(
+      {{nonzero_position, "nonzero_position", "a finite nonzero number", -700, 700, 1e-300, 700},
+       {position, "position", "a finite number", -700, 700, 1e-300, 700},
+       {depth, "depth", "a number from -1 to 1", -1, 1},
+       {young, "young", "a finite number > 0", 1e-6, 1e12, 1e-6, 1e12},
+       {poisson, "poisson", "a number > -1 and <= 0.5", above_minus_1, 0.5, 0.5, -1},
+       {index, "index", "a whole number from 1 to 1000000", 1, 1e6, 1, 1e6},
+       {rate, "rate", "a finite number >= 0"},
+       {amplitude, "amplitude", "a finite number"},
+       {time, "time", "a finite number >= 0"},
+       {passing_time, "passing_time", "a finite number"},
+       {positive, "positive", "a finite number > 0"},
+       {nonnegative, "nonnegative", "a finite number >= 0"},
+       {degrees, "degrees", "a finite number"},
+       {choice, "choice", ""}});
+}();
 
 }  // namespace
 
 ArgumentKind argument_kind(std::string_view name) {
   const auto found = std::ranges::find(kinds, name, &KindOfNumber::name);
-  if (found == std::end(kinds))
-    throw std::logic_error(fmt::format("there is no kind '{}' of arguments", name));
+  if (found == kinds.end()) throw std::logic_error(fmt::format("there is no kind '{}' of arguments", name));
   return found->kind;
 }
 
+const KindOfNumber& kind_of_number(ArgumentKind kind) {
+  return *std::ranges::find(kinds, kind, &KindOfNumber::kind);
+}
+
 std::string domain(const Argument& argument) {
-  if (argument.kind != ArgumentKind::choice)
-    return std::string(std::ranges::find(kinds, argument.kind, &KindOfNumber::kind)->domain);
+  if (argument.kind != ArgumentKind::choice) return std::string(kind_of_number(argument.kind).domain);
   std::vector<std::string> names = argument.choices;
   // If models share a name, the later ones have numbered names as choices.
   std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
@@ -91,7 +94,6 @@ double fast_value(const Quantity& quantity, std::span<const double> point, fast:
 }
 
 ref::Estimate ref_value(const Quantity& quantity, std::span<const double> point, int digits) {
-  if (quantity.by_ref_of_doubles) return quantity.by_ref_of_doubles(point, digits);
   std::vector<ref::Exact> exact;
   exact.reserve(point.size());
   for (std::size_t i = 0; i < point.size(); ++i) exact.emplace_back(point[i], quantity.arguments[i].name);

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,6 +67,18 @@ struct Argument {
   }
 };
 
+/// What a kind of numbers is.
+struct KindOfNumber {
+  ArgumentKind kind;
+  std::string_view name, domain;  ///< the domain in words that continue "must be ..."
+  // Audits keep to numbers from `least` to `most`.
+  double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
+  // Numbers are spread from `from` to `to`: evenly in the logarithm where both are positive. Quantities with arguments of
+  // kinds without these draw their own points.
+  double from = 0, to = 1;
+};
+const KindOfNumber& kind_of_number(ArgumentKind kind);
+
 /// The kind of that name. std::logic_error if there is none.
 ArgumentKind argument_kind(std::string_view name);
 
@@ -114,9 +127,6 @@ struct Quantity {
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;
-  /// The reference at the rounded numbers that fast gets, such as the cosines of angles in degrees: this rounding is not an
-  /// error of fast. If it is empty, by_ref is evaluated at the doubles.
-  std::function<ref::Estimate(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
   /// The error that fast states for its value, in the unit of the quantity; it must cover the true error, as the promise
   /// must. If it is empty, fast states the promise alone.

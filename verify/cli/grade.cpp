@@ -83,7 +83,7 @@ std::string measurements(const Graded& graded) {
                        value);
   };
   return measurement(found.quantity->name + " largest error found, ulp", found.max_error_ulp) +
-         measurement(found.quantity->name + " mean error, ulp", found.spread.mean) +
+         measurement(found.quantity->name + " mean error, ulp", found.errors.mean()) +
          measurement(found.quantity->name + " promise, ulp", found.promise);
 }
 

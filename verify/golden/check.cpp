@@ -68,16 +68,8 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
 }  // namespace
 
 std::string_view name(GoldenFault fault) {
-  switch (fault) {
-    case GoldenFault::wrong:
-      return "wrong";
-    case GoldenFault::too_wide:
-      return "too-wide";
-    case GoldenFault::missing:
-      return "missing";
-    default:
-      return "text-changed";
-  }
+  constexpr std::string_view names[] = {"wrong", "too-wide", "text-changed", "missing"};
+  return names[static_cast<std::size_t>(fault)];
 }
 
 CheckedGolden checked_rows(const GoldenHeader& file, std::size_t rows, std::size_t by_ref,

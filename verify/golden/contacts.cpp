@@ -34,42 +34,14 @@ long double size_of(const SceneSolution<Number>& solution, std::size_t result) {
 
 long double as_real(const ref::Float& x) { return mpfr_get_ld(ref::raw(x), MPFR_RNDU); }
 
-/// A confirmation that is under way: the largest distance that it leaves open, over the size of the result.
-struct Confirmed {
-  long double open = 0;
-  std::string contradicted;  ///< what it contradicts, empty if nothing
-
-  void compare(std::string_view name, long double distance, long double allowed, long double open_distance,
-               long double size) {
-    if (!(distance <= allowed)) contradicted += fmt::format(" {} by {:.1e}", name, distance);
-    if (open_distance > 0) open = std::max(open, open_distance / size);
+SecondSolution by_fast(const data::Scene& scene) {
+  SecondSolution solution{"fast", {}};
+  for (const auto& result : solve(scene).results) {
+    const auto& [value, error] = result.numbers.front();
+    solution.numbers.emplace_back(result.what->id,
+                                  ref::Estimate(ref::Float(value), ref::Float(error), contact_digits));
   }
-};
-
-Confirmed confirmed_by_fast(const ByRef& reference, const SceneSolution<fast::Estimate>& fast) {
-  Confirmed confirmed;
-  for (std::size_t i = 0; i < reference.results.size(); ++i) {
-    const ref::Estimate& truth = reference.results[i].numbers.front();
-    const fast::Estimate& number = fast.results[i].numbers.front();
-    const long double distance = std::fabs(truth.error_of(number.value)),
-                      allowed = number.error + as_real(truth.error);
-    confirmed.compare(reference.results[i].what->name, distance, allowed, allowed, size_of(reference, i));
-  }
-  return confirmed;
-}
-
-Confirmed confirmed_by_second(const ByRef& reference, const SecondSolution& second) {
-  Confirmed confirmed;
-  for (std::size_t i = 0; i < reference.results.size(); ++i) {
-    for (const auto& [id, number] : second.numbers) {
-      if (id != reference.results[i].what->id) continue;
-      const Gap gap(reference.results[i].numbers.front(), number);
-      const long double distance = as_real(gap.distance);
-      confirmed.compare(reference.results[i].what->name, distance, as_real(gap.allowed),
-                        distance + as_real(number.error), size_of(reference, i));
-    }
-  }
-  return confirmed;
+  return solution;
 }
 
 /// A combination of the sweep, while it is made.
@@ -79,12 +51,27 @@ struct UnmadeContact {
   ByRef reference;
   std::string confirmed_by, refused;
 
-  void take(const std::string& method, const Confirmed& by) {
-    if (!by.contradicted.empty()) {
-      refused = fmt::format("{} differs:{}", method, by.contradicted);
-      return;
+  /// Compares the results with those that another method has: how far they leave a result open, or that they contradict it.
+  void take(const SecondSolution& other, bool names_results) {
+    std::string of, contradicted;
+    long double open = 0;
+    for (std::size_t i = 0; i < reference.results.size(); ++i) {
+      for (const auto& [id, number] : other.numbers) {
+        if (id != reference.results[i].what->id) continue;
+        const std::string_view name = reference.results[i].what->name;
+        const Gap gap(reference.results[i].numbers.front(), number);
+        const long double distance = as_real(gap.distance) + as_real(number.error);
+        if (!gap.is_covered()) contradicted += fmt::format(" {} by {:.1e}", name, as_real(gap.distance));
+        if (distance > 0) open = std::max(open, distance / size_of(reference, i));
+        of += fmt::format(" {}", name);
+      }
     }
-    confirmed_by += fmt::format("{}{} to {:.1e}", confirmed_by.empty() ? "" : "; ", method, by.open);
+    const std::string method = names_results ? fmt::format("{} for{}", other.method, of) : other.method;
+    if (!contradicted.empty()) {
+      refused = fmt::format("{} differs:{}", method, contradicted);
+    } else {
+      confirmed_by += fmt::format("{}{} to {:.1e}", confirmed_by.empty() ? "" : "; ", method, open);
+    }
   }
 
   void solve(const data::SceneText& text, int digits) {
@@ -92,22 +79,13 @@ struct UnmadeContact {
       scene = data::load_scene(text, keys);
       reference = solve_by_ref(*scene, digits);
       if (reference.met() == true) {
-        take("fast", confirmed_by_fast(reference, verify::solve(*scene)));
+        take(by_fast(*scene), false);
       } else {
         refused = "the reference is less accurate than that: " + std::string(reference.missed().front());
       }
     } catch (const BadInput& error) {
       refused = error.what();
     }
-  }
-  void confirm() {
-    const SecondSolution second = second_solver(*scene)();
-    std::string of;
-    for (const auto& [id, number] : second.numbers) {
-      if (std::ranges::find(scene->wanted, id) != scene->wanted.end())
-        of += fmt::format(" {}", data::scene_result(id).name);
-    }
-    take(fmt::format("{} for{}", second.method, of), confirmed_by_second(reference, second));
   }
   [[nodiscard]] GoldenContact row() const {
     GoldenContact row{keys, {}, true, confirmed_by};
@@ -198,7 +176,8 @@ Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Prov
       contacts.size(), [&](std::size_t i) { contacts[i].solve(text, digits); }, part(0));
   const std::vector<UnmadeContact*> confirmed = to_be_confirmed(contacts);
   parallel_for(
-      confirmed.size(), [&](std::size_t i) { confirmed[i]->confirm(); }, part(0.5));
+      confirmed.size(),
+      [&](std::size_t i) { confirmed[i]->take(second_solver(*confirmed[i]->scene)(), true); }, part(0.5));
   Made<ContactsFile> made;
   const data::Scene example = data::load_scene(text, contacts.front().keys);
   made.file.header = {{"quantity", kind},
@@ -244,11 +223,8 @@ ContactsFile read_contacts(const fs::path& path) {
     const std::vector<data::CsvField>& fields = csv.records[i];
     GoldenContact row{};
     for (std::size_t k = 0; k < keys.size(); ++k) row.keys.emplace_back(keys[k], fields[k].text);
-    for (std::size_t at = keys.size(); at < columns.size() - 2; at += 2) {
-      check_decimal(path, fields[at]);
-      check_decimal(path, fields[at + 1]);
-      row.results.push_back({fields[at].text, fields[at + 1].text});
-    }
+    for (std::size_t at = keys.size(); at < columns.size() - 2; at += 2)
+      row.results.push_back({decimal_of(path, fields[at]), decimal_of(path, fields[at + 1])});
     row.proven = is_proven(path, fields[columns.size() - 2]);
     row.confirmed_by = fields.back().text;
     file.rows.push_back(std::move(row));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
@@ -19,7 +20,6 @@ namespace {
 
 using data::BadInput;
 using data::CsvField;
-using data::TextPosition;
 
 constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scale",
                                                  "status", "confirmed_by", "origin"};
@@ -50,65 +50,42 @@ bool read_decimal(const std::string& text, ref::Float& number, mpfr_rnd_t roundi
          mpfr_number_p(ref::raw(number)) != 0;
 }
 
-/// Reads the rows of a file of the quantity's golden values.
-class Reader {
- public:
-  Reader(const std::filesystem::path& path, const Quantity& quantity, std::vector<Argument> named)
-      : path_(path), quantity_(quantity), named_(std::move(named)) {}
-
-  [[nodiscard]] GoldenRow row(const std::vector<CsvField>& fields) const {
-    GoldenRow row{};
-    Assignments given;
-    for (std::size_t i = 0; i < named_.size(); ++i) given.emplace_back(named_[i].name, fields[i].text);
-    const Assignments all = numbers_of(given, fields);
-    for (const Argument& argument : quantity_.arguments) {
-      const auto text = argument_text(argument, all);
-      const TextPosition position = fields[column_of(argument)].position;
-      row.arguments.push_back(
-          argument_of(path_, argument, {text.value_or(argument.default_text.value_or("")), position}));
-    }
-    std::size_t at = named_.size();
-    row.value = decimal(fields[at++]);
-    row.bound = decimal(fields[at++]);
-    if (row.bound.front() == '-') refuse(fields[at - 1], "a bound must not be negative");
-    row.scale = double_of(path_, fields[at++]);
-    if (row.scale < 0) refuse(fields[at - 1], "a scale must not be negative");
-    const CsvField& status = fields[at++];
-    row.proven = is_proven(path_, status);
-    row.confirmed_by = fields[at++].text;
-    row.origin = fields[at++].text;
-    return row;
+/// The point of a row whose first fields are these arguments.
+Point point_of_row(const std::filesystem::path& path, const Quantity& quantity,
+                   const std::vector<Argument>& named, const std::vector<CsvField>& fields) {
+  // The field of the argument itself, or of the material or solid that contains it; a file may lack one with a default.
+  const auto position_of = [&](const std::string& name) {
+    return fields[static_cast<std::size_t>(std::ranges::find(named, name, &Argument::name) - named.begin())]
+        .position;
+  };
+  Assignments given;
+  for (std::size_t i = 0; i < named.size(); ++i) given.emplace_back(named[i].name, fields[i].text);
+  try {
+    given = with_material_numbers(quantity, given);
+  } catch (const BadInput& error) {
+    data::refuse(path, position_of(error.argument()), error.allowed());
   }
+  return mapped(quantity.arguments, [&](const Argument& argument) {
+    const auto text = argument_text(argument, given);
+    return argument_of(
+        path, argument,
+        {text.value_or(argument.default_text.value_or("")), position_of(written_name(quantity, argument))});
+  });
+}
 
-  [[noreturn]] void refuse(const CsvField& field, const std::string& requirement) const {
-    data::refuse(path_, field.position, requirement);
-  }
-
- private:
-  /// The column of the argument itself, or of the material or solid that contains it.
-  [[nodiscard]] std::size_t column_of(const Argument& argument) const {
-    const auto column = std::ranges::find(named_, written_name(quantity_, argument), &Argument::name);
-    return static_cast<std::size_t>(column - named_.begin());
-  }
-
-  [[nodiscard]] Assignments numbers_of(const Assignments& given, const std::vector<CsvField>& fields) const {
-    try {
-      return with_material_numbers(quantity_, given);
-    } catch (const BadInput& error) {
-      const auto column = std::ranges::find(named_, error.argument(), &Argument::name) - named_.begin();
-      refuse(fields[static_cast<std::size_t>(column)], error.allowed());
-    }
-  }
-
-  [[nodiscard]] std::string decimal(const CsvField& field) const {
-    check_decimal(path_, field);
-    return field.text;
-  }
-
-  const std::filesystem::path& path_;
-  const Quantity& quantity_;
-  std::vector<Argument> named_;
-};
+/// `rest`: the fields behind the arguments.
+GoldenRow row_of(const std::filesystem::path& path, Point point, std::span<const CsvField> rest) {
+  GoldenRow row{std::move(point),
+                decimal_of(path, rest[0]),
+                decimal_of(path, rest[1]),
+                double_of(path, rest[2]),
+                is_proven(path, rest[3]),
+                rest[4].text,
+                rest[5].text};
+  if (row.bound.front() == '-') data::refuse(path, rest[1].position, "a bound must not be negative");
+  if (row.scale < 0) data::refuse(path, rest[2].position, "a scale must not be negative");
+  return row;
+}
 
 }  // namespace
 
@@ -215,10 +192,11 @@ double argument_of(const std::filesystem::path& path, const Argument& argument, 
   return static_cast<double>(found - argument.choices.begin());
 }
 
-void check_decimal(const std::filesystem::path& path, const CsvField& field) {
+const std::string& decimal_of(const std::filesystem::path& path, const CsvField& field) {
   ref::Float value = ref::zero_of_bits(bits_for(field.text));
   if (!read_decimal(field.text, value, MPFR_RNDN))
     data::refuse(path, field.position, "must be a finite decimal number");
+  return field.text;
 }
 
 bool is_proven(const std::filesystem::path& path, const CsvField& status) {
@@ -259,9 +237,10 @@ GoldenFile read_golden(const std::filesystem::path& path) {
   static_cast<void>(file.digits());
   const std::vector<CsvField>& names = csv.records.front();
   const std::vector<Argument> named = arguments_in(quantity, names);
-  const Reader reader(path, quantity, named);
   check_columns(path, names, columns_of(named));
-  for (std::size_t i = 1; i < csv.records.size(); ++i) file.rows.push_back(reader.row(csv.records[i]));
+  for (const std::vector<CsvField>& fields : std::span(csv.records).subspan(1))
+    file.rows.push_back(
+        row_of(path, point_of_row(path, quantity, named, fields), std::span(fields).subspan(named.size())));
   return file;
 }
 

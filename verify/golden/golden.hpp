@@ -52,7 +52,8 @@ double double_of(const std::filesystem::path& path, const data::CsvField& field,
 double argument_of(const std::filesystem::path& path, const Argument& argument, const data::CsvField& field);
 void check_columns(const std::filesystem::path& path, const std::vector<data::CsvField>& names,
                    const std::vector<std::string>& columns);
-void check_decimal(const std::filesystem::path& path, const data::CsvField& field);
+/// The text of a finite decimal number.
+const std::string& decimal_of(const std::filesystem::path& path, const data::CsvField& field);
 /// Whether the field is "proven" and not "estimated".
 bool is_proven(const std::filesystem::path& path, const data::CsvField& status);
 

@@ -44,8 +44,8 @@ class SolvedKind {
       quantity.unit = result.unit;
       quantity.arguments = arguments_;
       quantity.promise = scene.accuracy / std::numeric_limits<double>::epsilon();
-      quantity.by_ref_of_doubles = [this, i](std::span<const double> x, int) {
-        return solved(x)->results[i].numbers.front();
+      quantity.by_ref = [this, i](std::span<const ref::Exact> x, int) {
+        return solved(mapped(x, &ref::Exact::approximate))->results[i].numbers.front();
       };
       quantity.by_fast = [this, i](std::span<const double> x, fast::Accuracy) {
         return solve(scene_at(x)).results[i].numbers.front().value;

@@ -36,11 +36,11 @@ TEST_CASE("the audit passes the sound kernel, the same every time") {
   const AuditResult found = audit_few(sound), again = audit_few(sound);
   CHECK(found.kept());
   CHECK(found.max_error_ulp > 0);
-  CHECK(found.spread.mean > 0);
-  CHECK(found.spread.mean < found.max_error_ulp);
+  CHECK(found.errors.mean() > 0);
+  CHECK(found.errors.mean() < found.max_error_ulp);
   CHECK(found.points >= few / 2);
   CHECK(found.max_error_ulp == again.max_error_ulp);
-  CHECK(found.spread.mean == again.spread.mean);
+  CHECK(found.errors == again.errors);
   CHECK(found.worst == again.worst);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("points of the ranges that have no such quantity are left out, unless 
   const AuditResult found = verify::audit(quantity, options);
   CHECK(found.kept());
   CHECK(found.left_out > 0);
-  CHECK(found.spread.median > 0);
+  CHECK(found.errors.percentile(0.5) > 0);
   options.ranges =
       verify::parse_ranges(quantity, {{"poisson", "0.3"}, {"speed", "1.1..1.5"}, {"psi_deg", "0"}});
   CHECK_THROWS_AS(static_cast<void>(verify::audit(quantity, options)), data::BadInput);

@@ -1,4 +1,4 @@
-#include <nipref/verify/audit/internal/error_tally.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/support/random.hpp>
 
 #include "support/test.hpp"

@@ -66,8 +66,8 @@ Climb climb(const Quantity& quantity, const Ranges& ranges, const Comparator& co
 }
 
 void include(AuditTally& tally, const Finding& finding, const Point& point) {
-  tally.max_ulp = std::max(tally.max_ulp, finding.ulps);
-  tally.max_relative = std::max(tally.max_relative, finding.relative);
+  tally.max_error_ulp = std::max(tally.max_error_ulp, finding.ulps);
+  tally.max_relative_error = std::max(tally.max_relative_error, finding.relative);
   if (finding.allowance_used <= tally.allowance_used) return;
   tally.allowance_used = finding.allowance_used;
   tally.worst = point;
@@ -124,23 +124,14 @@ void QuantityFindings::add(const QuantityFindings& found, std::uint64_t block) {
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
                       const Point& first) {
   if (tally.errors.count() == 0) static_cast<void>(ref_value(quantity, first, digits_beyond_double));
-  return {.quantity = &quantity,
-          .points = tally.points,
-          .left_out = tally.left_out,
-          .promise = options.promise_of(quantity),
-          .max_error_ulp = tally.max_ulp,
-          .max_relative_error = tally.max_relative,
-          .allowance_used = tally.allowance_used,
-          .worst = tally.worst,
-          .spread = error_spread(tally.errors),
-          .worst_ulp = tally.worst_ulp};
+  return {tally, &quantity, options.promise_of(quantity)};
 }
 
 void AuditTally::add(const AuditTally& found, std::uint64_t block) {
   points += found.points;
   left_out += found.left_out;
-  max_ulp = std::max(max_ulp, found.max_ulp);
-  max_relative = std::max(max_relative, found.max_relative);
+  max_error_ulp = std::max(max_error_ulp, found.max_error_ulp);
+  max_relative_error = std::max(max_relative_error, found.max_relative_error);
   errors.add(found.errors);
   if (found.allowance_used < allowance_used) return;
   if (found.allowance_used == allowance_used && block > worst_block) return;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <nipref/verify/audit/audit.hpp>
-#include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {
@@ -90,33 +89,6 @@ struct Compared {
   std::vector<Point> points;
   std::vector<Finding> findings;
   std::size_t left_out = 0;
-};
-
-/// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks.
-struct AuditTally {
-  std::uint64_t points = 0;  ///< points compared
-  std::uint64_t left_out =
-      0;  ///< points at which the reference has no value of 21 digits, or which are refused
-  double max_ulp = 0, max_relative = 0;
-  double allowance_used = -1;  ///< the largest; -1 without points
-  std::uint64_t worst_block = 0;
-  Point worst = {};        ///< the point with the largest allowance_used, in the first block that has it
-  double worst_ulp = 0;    ///< the error there
-  ErrorTally errors = {};  ///< before the local search, units in the last place of the scale
-
-  /// Adds the findings of one block.
-  void add(const AuditTally& found, std::uint64_t block);
-  /// See stored.hpp.
-  static void members(auto& self, const auto& each) {
-    each("points", self.points);
-    each("left_out", self.left_out);
-    each("max_ulp", self.max_ulp);
-    each("max_relative", self.max_relative);
-    each("used", self.allowance_used);
-    each("worst", self.worst);
-    each("worst_ulp", self.worst_ulp);
-    each("errors", self.errors);
-  }
 };
 
 /// The findings about a quantity.

@@ -33,7 +33,7 @@ struct ContactAudit {
   /// See stored.hpp.
   static void members(auto& self, const auto& each) {
     each("system", self.system);
-    each("ratio", self.ratio);
+    each("length_over_thickness", self.ratio);
     each("poisson", self.poisson);
     each("unknowns", self.unknowns);
     each("condition", self.condition);

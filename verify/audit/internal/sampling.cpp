@@ -15,10 +15,6 @@ constexpr double middle_from = 1e-3;
 constexpr double middle_to = 50;
 constexpr double share_beyond_middle = 0.01;
 
-constexpr double largest_index = 1e6;
-constexpr double softest_young = 1e-6;
-constexpr double stiffest_young = 1e12;
-
 bool is_position(ArgumentKind kind) {
   return kind == ArgumentKind::position || kind == ArgumentKind::nonzero_position;
 }
@@ -35,24 +31,12 @@ double draw_position(Random& random) {
   return with_random_sign(magnitude, random);
 }
 
-/// The value at `fraction` in [0, 1) of the logarithm of the kind's whole domain.
+/// The value at `fraction` in [0, 1) of what the kind's numbers are spread over.
 double spread(ArgumentKind kind, double fraction) {
-  const auto between = [fraction](double lower, double upper) {
-    return std::exp(std::log(lower) + fraction * (std::log(upper) - std::log(lower)));
-  };
-  switch (kind) {
-    case ArgumentKind::nonzero_position:
-    case ArgumentKind::position:
-      return between(smallest_position, largest_position);
-    case ArgumentKind::young:
-      return between(softest_young, stiffest_young);
-    case ArgumentKind::poisson:
-      return -1 + 1.5 * (1 - fraction);
-    case ArgumentKind::index:
-      return std::floor(between(1, largest_index));
-    default:  // quantities with such arguments draw their own points
-      return fraction;
-  }
+  const double from = kind_of_number(kind).from, to = kind_of_number(kind).to;
+  if (from <= 0 || to <= 0) return to + (from - to) * (1 - fraction);
+  const double value = std::exp(std::log(from) + fraction * (std::log(to) - std::log(from)));
+  return kind == ArgumentKind::index ? std::floor(value) : value;
 }
 
 /// A second position that is related to the first.
@@ -83,23 +67,9 @@ double neighbour(double value, int steps) {
 }
 
 double into_domain(ArgumentKind kind, double value) {
-  switch (kind) {
-    case ArgumentKind::nonzero_position:
-      if (value == 0) return smallest_position;
-      return std::clamp(value, -largest_position, largest_position);
-    case ArgumentKind::position:
-      return std::clamp(value, -largest_position, largest_position);
-    case ArgumentKind::young:
-      return std::clamp(value, softest_young, stiffest_young);
-    case ArgumentKind::depth:
-      return std::clamp(value, -1.0, 1.0);
-    case ArgumentKind::poisson:
-      return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
-    case ArgumentKind::index:
-      return std::clamp(std::round(value), 1.0, largest_index);
-    default:  // relative steps do not change the sign
-      return value;
-  }
+  if (kind == ArgumentKind::nonzero_position && value == 0) return smallest_position;
+  const KindOfNumber& of = kind_of_number(kind);
+  return std::clamp(kind == ArgumentKind::index ? std::round(value) : value, of.least, of.most);
 }
 
 bool has_range(const Ranges& ranges, std::size_t argument) { return !ranges.empty() && ranges[argument]; }

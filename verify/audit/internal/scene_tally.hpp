@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/audit/internal/error_tally.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/on_progress.hpp>

@@ -39,7 +39,7 @@ void QuantityWork::add(std::size_t block, const Json& found) {
 
 AuditResult QuantityWork::result() const {
   AuditResult result = result_of(quantity_, options_, sum_.tally, plan().points(0).front());
-  if (keeps_points_) add_places(result.spread, quantity_, sum_.compared.points, sum_.compared.findings);
+  if (keeps_points_) result.spread = error_spread(quantity_, sum_.compared.points, sum_.compared.findings);
   return result;
 }
 

@@ -101,6 +101,8 @@ fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
   return fast::rolling_sphere_for_span(unit_isotropic(x["poisson"]), 1, x["speed"], span);
 }
 
+constexpr Direction across_motion{0, 1};
+
 Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
 
 using ExactFunction = std::function<ref::Estimate(const NamedExact& x, int digits)>;
@@ -116,9 +118,6 @@ ExactFunction exactly(auto function, auto... numbers) {
   };
 }
 
-void draw_nothing(Random&, const NamedNumbers&) {}
-double value_itself(const NamedPoint&) { return 0; }
-
 /// The functions of an entry. Points have speeds up to `largest_share` of the critical one; `more` draws the arguments
 /// that belong neither to the bodies nor to their speed.
 struct ContactRow {
@@ -126,9 +125,9 @@ struct ContactRow {
   double largest_share;
   ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
-  void (*more)(Random& random, const NamedNumbers& x) = draw_nothing;
+  void (*more)(Random& random, const NamedNumbers& x) = [](Random&, const NamedNumbers&) {};
   std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
-  double (*size)(const NamedPoint& x) = value_itself;
+  double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
   void (*keep_more)(const NamedNumbers& x) = [](const NamedNumbers&) {};
 };
 
@@ -213,18 +212,23 @@ void keep_finite_span(const NamedNumbers& x) {
   x["span_over_radius"] = std::min({x["span_over_radius"], of_line / 2, of_motion / 2});
 }
 
+template <void (*keep)(const NamedNumbers&)>
+void draw_span(Random& random, const NamedNumbers& x) {
+  x["span_over_radius"] = random.log_uniform(1e-9, 1);
+  draw_psi(random, x);
+  keep(x);
+}
+
 const std::vector<ContactRow>& rows_on_isotropic() {
   using Bodies = OnIsotropic;
+  static const ExactFunction sliding_exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg");
   static const std::vector<ContactRow> rows{
-      {"die.exponent", nearest_critical, exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg"),
-       exponent<Bodies>, draw_sliding_line},
+      {"die.exponent", nearest_critical, sliding_exponent, exponent<Bodies>, draw_sliding_line},
       {"die.peak_place",
        nearest_critical,
-       [exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg")](const NamedExact& x,
-                                                                                  int digits) {
-         const ref::Float half = ref::Float(1) / 2;
-         ref::Estimate place = exponent(x, digits);
-         place.value = -place.value - half;
+       [](const NamedExact& x, int digits) {
+         ref::Estimate place = sliding_exponent(x, digits);
+         place.value = -place.value - ref::Float(1) / 2;
          return place;
        },
        [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
@@ -234,9 +238,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
       {"die.span_ratio",
        nearest_critical,
        exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
-       [](const NamedPoint& x) {
-         return slide<Bodies>(x).span_ratio({0, 1}).value;
-       },
+       [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(across_motion).value; },
        draw_sliding,
        {[](const NamedPoint& x) {
           return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]);
@@ -253,58 +255,45 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        draw_psi,
        {},
        [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
-      {"rolling.span_ratio",
-       nearest_critical,
-       exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
-       [](const NamedPoint& x) {
-         return roll(x).span_ratio({0, 1}).value;
-       },
-       draw_nothing,
-       {[](const NamedPoint& x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
-        [](const NamedPoint& x) {
-          return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
-        }}},
-      {"rolling.finite_span_ratio",
-       nearest_critical,
-       exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
-       finite_span_ratio,
-       [](Random& random, const NamedNumbers& x) {
-         x["span_over_radius"] = random.log_uniform(1e-9, 1);
-         draw_psi(random, x);
-         keep_finite_span(x);
-       },
-       {},
-       value_itself,
-       keep_finite_span},
+      {.name = "rolling.span_ratio",
+       .largest_share = nearest_critical,
+       .by_ref = exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
+       .by_fast = [](const NamedPoint& x) { return roll(x).span_ratio(across_motion).value; },
+       .seed_forms = {
+           [](const NamedPoint& x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
+           [](const NamedPoint& x) {
+             return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
+           }}},
+      {.name = "rolling.finite_span_ratio",
+       .largest_share = nearest_critical,
+       .by_ref = exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
+       .by_fast = finite_span_ratio,
+       .more = draw_span<keep_finite_span>,
+       .keep_more = keep_finite_span},
       {"rolling.strip", nearest_critical, exactly<Bodies>(ref::rolling_strip, "psi_deg"),
        [](const NamedPoint& x) {
          return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
        },
        draw_psi},
-      {"rolling.force",
-       nearest_integrated,
-       exactly<Bodies>(ref::rolling_force),
-       [](const NamedPoint& x) { return roll(x, 1).force().value; },
-       draw_nothing,
-       {},
+      {.name = "rolling.force",
+       .largest_share = nearest_integrated,
+       .by_ref = exactly<Bodies>(ref::rolling_force),
+       .by_fast = [](const NamedPoint& x) { return roll(x, 1).force().value; },
        // Just below the Rayleigh speed the resultant force is a pull. The size is the force of tractions of one sign.
-       [](const NamedPoint& x) {
-         return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
-       }},
-      {"rolling.creep",
-       nearest_critical,
-       exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
-       [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
-       [](Random& random, const NamedNumbers& x) {
-         x["span_over_radius"] = random.log_uniform(1e-9, 1);
-         draw_psi(random, x);
-         keep_span(x);
-       },
-       {[](const NamedPoint& x) {
+       .size =
+           [](const NamedPoint& x) {
+             return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
+           }},
+      {.name = "rolling.creep",
+       .largest_share = nearest_critical,
+       .by_ref = exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
+       .by_fast =
+           [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
+       .more = draw_span<keep_span>,
+       .seed_forms = {[](const NamedPoint& x) {
          return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
        }},
-       value_itself,
-       keep_span},
+       .keep_more = keep_span},
       {"ellipse.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, "curvature_ratio"),
        [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }, draw_ratio_of_curvatures},
       {"ellipse.stiffness", nearest_integrated, exactly<Bodies>(ref::elliptic_stiffness, "curvature_ratio"),

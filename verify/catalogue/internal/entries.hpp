@@ -120,7 +120,8 @@ template <class Ref, class Fast, class Size = ValueItself>
 Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
   Quantity entry = described(name);
   entry.by_ref = of_point(entry, by_ref);
-  set_fast(entry, of_point(entry, by_fast));
+  // Looking the numbers up by name takes longer than a call of std::function.
+  set_fast(entry, decltype(entry.by_fast)(of_point(entry, by_fast)));
   entry.envelope = of_point(entry, size);
   return entry;
 }

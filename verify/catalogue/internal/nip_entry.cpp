@@ -35,11 +35,8 @@ struct SolvedNips {
 
 Quantity nip_entry(Quantity entry, const std::shared_ptr<SolvedNips>& nips, std::size_t number) {
   entry.ref_takes_doubles = true;
-  entry.by_ref_of_doubles = [nips, number](std::span<const double> x, int digits) {
-    return nips->ref(x, digits, number);
-  };
-  entry.by_ref = [by_doubles = entry.by_ref_of_doubles](std::span<const ref::Exact> x, int digits) {
-    return by_doubles(mapped(x, &ref::Exact::approximate), digits);
+  entry.by_ref = [nips, number](std::span<const ref::Exact> x, int digits) {
+    return nips->ref(mapped(x, &ref::Exact::approximate), digits, number);
   };
   // The bench times the loop, which therefore solves each contact anew.
   set_fast(entry, [nips, number](std::span<const double> x, fast::Accuracy accuracy) {

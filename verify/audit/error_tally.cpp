@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <nipref/verify/audit/internal/error_tally.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 
 namespace nipref::verify {
 namespace {
