@@ -128,32 +128,23 @@ NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths,
   return system;
 }
 
-/// Sums of kernels over the loads: N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter
-/// of a shear load.
+/// N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter of a shear load.
 class LoadedSheet final : public LineLoadSheet {
  public:
   LoadedSheet(const data::ElasticNip& nip, int residue_terms, int digits)
       : nip_(nip), residue_terms_(residue_terms), digits_(digits) {}
 
-  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
                                              const LineLoadPlace& place) const override {
-    Interval sum(working_bits());
-    for (std::size_t j = 0; j < loads.normal.size(); ++j) {
-      const Interval alpha = distance(loads, j, place);
-      sum = sum + loads.normal[j] * kernel(SheetKernel::I1, alpha);
-      if (!loads.shear.empty()) sum = sum - loads.shear[j] * coupling(alpha);
-    }
-    return scale() * sum;
+    const Interval alpha = distance(loads, load, place);
+    const Interval pressed = loads.normal[load] * kernel(SheetKernel::I1, alpha);
+    return scale() * (loads.shear.empty() ? pressed : pressed - loads.shear[load] * coupling(alpha));
   }
-  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
                                                  const LineLoadPlace& place) const override {
-    Interval sum(working_bits());
-    for (std::size_t j = 0; j < loads.normal.size(); ++j) {
-      const Interval alpha = distance(loads, j, place);
-      sum = sum + loads.normal[j] * coupling(alpha);
-      if (!loads.shear.empty()) sum = sum + loads.shear[j] * kernel(SheetKernel::I6, alpha);
-    }
-    return scale() * sum;
+    const Interval alpha = distance(loads, load, place), pressed = loads.normal[load] * coupling(alpha);
+    if (loads.shear.empty()) return scale() * pressed;
+    return scale() * (pressed + loads.shear[load] * kernel(SheetKernel::I6, alpha));
   }
 
  private:

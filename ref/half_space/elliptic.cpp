@@ -296,20 +296,14 @@ Estimate EllipticContact::peak_pressure() const {
 Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
   const Float there = to_float(x);
-  const auto changed_by = [&](const Float& change) {
+  return with_shifted_ends(implementation_->digits, [&](const Float& change) {
     return implementation_->of([&](const Level& level) -> Float {
       const Float scale = implementation_->scale(level), end = scale * level.radius(degrees);
       const Float ahead = end * (1 + change) - there, behind = end * (1 + change) + there;
       if (!(ahead > Float(0) && behind > Float(0))) return 0;
       return scale * implementation_->pressure_over_scale(level) * sqrt(ahead * behind) / end;
     });
-  };
-  // Near the ends of a line their rounding errors are magnified.
-  Estimate result = changed_by(0);
-  const Float off = tolerance(implementation_->digits + 6), value = at_working_precision(result.value);
-  const Float change = std::max(Float(abs(at_working_precision(changed_by(off).value) - value)),
-                                Float(abs(at_working_precision(changed_by(-off).value) - value)));
-  return {result.value, at_working_precision(result.error) + change, implementation_->digits};
+  });
 }
 
 std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_space, const Exact& degrees,

@@ -66,65 +66,49 @@ Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& direct
   return {unit * fine, unit * coarse};
 }
 
+template <class Of>
+Estimate of_rolling_lines(const SurfaceAnswer& surface, int digits, const Of& of) {
+  return of_lines(surface, digits, of, cancelled_digits);
+}
+
 }  // namespace
 
 Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        return closed(RollingLine(WorkingSurface(surface, working), degrees).index, digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits,
+                          [&](const WorkingSurface& lines) { return RollingLine(lines, degrees).index; });
 }
 
 Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        const WorkingAnswer line = WorkingSurface(surface, working).at(degrees);
-        const Float product = line.compliance * line.in_line;
-        return closed(atanh(sqrt(product) / abs(line.coupling)) / pi(), digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
+    const WorkingAnswer line = lines.at(degrees);
+    return atanh(sqrt(line.compliance * line.in_line) / abs(line.coupling)) / pi();
+  });
 }
 
 Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        const WorkingSurface lines(surface, working);
-        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
-        return closed(along.stiffness / line.stiffness, digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
+    return RollingLine(lines, Exact(0.0)).stiffness / RollingLine(lines, degrees).stiffness;
+  });
 }
 
 Estimate rolling_finite_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
                                    const Exact& span_over_radius, int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        const WorkingSurface lines(surface, working);
-        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
-        const Float span = to_float(span_over_radius), first = along.stiffness / along.slowness,
-                    second = line.stiffness / line.slowness;
-        const Float same = lean_of(along, span) * first / second;  // over the span
-        const Float square = line.slowness * line.slowness - 2 * line.index * same * span;
-        if (!(square > Float(0)))
-          throw data::BadInput("span_over_radius", span_over_radius.text(), "must be small");
-        return closed(2 * same / (line.slowness + sqrt(square)), digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
+    const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
+    const Float span = to_float(span_over_radius), first = along.stiffness / along.slowness,
+                second = line.stiffness / line.slowness;
+    const Float same = lean_of(along, span) * first / second;  // over the span
+    const Float square = line.slowness * line.slowness - 2 * line.index * same * span;
+    if (!(square > Float(0)))
+      throw data::BadInput("span_over_radius", span_over_radius.text(), "must be small");
+    return 2 * same / (line.slowness + sqrt(square));
+  });
 }
 
 Estimate rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        const Float index = RollingLine(WorkingSurface(surface, working), degrees).index;
-        return closed(strip_of(index), digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) {
+    return strip_of(RollingLine(lines, degrees).index);
+  });
 }
 
 Estimate rolling_force(const SurfaceAnswer& surface, int digits) {
@@ -133,51 +117,29 @@ Estimate rolling_force(const SurfaceAnswer& surface, int digits) {
 
 Estimate rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
                        int digits) {
-  return with_digits(
-      digits,
-      [&](int working) {
-        const WorkingSurface lines(surface, working);
-        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
-        return closed(creep_of(line, to_float(span_over_radius) * along.stiffness / line.stiffness), digits);
-      },
-      cancelled_digits);
+  return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) {
+    const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
+    return creep_of(line, to_float(span_over_radius) * along.stiffness / line.stiffness);
+  });
 }
 
-struct RollingSphere::Implementation {
-  SurfaceAnswer surface;
-  double radius;
-  HalfSpaceLoad load;
-  int digits, working;
-  long exponent;
-  mutable std::optional<Levels> factor = {};  ///< in force = factor span^3, when it is first asked for
+struct RollingSphere::Implementation final : ScaledContact {
+  const double radius;
 
-  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
-  [[nodiscard]] Float ratio(const Exact& degrees) const {
+  Implementation(SurfaceAnswer answer, double of_radius, const HalfSpaceLoad& given, int asked)
+      : ScaledContact(std::move(answer), given, asked, cancelled_digits), radius(of_radius) {}
+
+  [[nodiscard]] Float ratio(const Exact& degrees) const override {
     return RollingLine(lines(), Exact(0.0)).stiffness / RollingLine(lines(), degrees).stiffness;
   }
-  /// The estimate of a function of the factor.
-  template <class Function>
-  [[nodiscard]] Estimate function_of_factor(const Function& function) const {
-    if (!factor) {
-      const auto [degrees, width] = peak_of_compliance(surface);
-      const CrowdedDirections directions(Exact(degrees), width, 1);
-      const auto [fine, coarse] = force_factor(lines(), directions, radius, digits, working);
-      factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
-    }
-    if (std::holds_alternative<data::GivenNormalForce>(load) && !(factor->fine > Float(0)))
+  [[nodiscard]] Levels integrated() const override {
+    const auto [degrees, width] = peak_of_compliance(surface);
+    const CrowdedDirections directions(Exact(degrees), width, 1);
+    const Levels found = force_factor(lines(), directions, radius, digits, working);
+    if (std::holds_alternative<data::GivenNormalForce>(load) && !(found.fine > Float(0)))
       throw data::BadInput("speed", "(near the Rayleigh speed)",
                            "must be farther below it: here the tractions pull");
-    return of_levels(function(factor->fine), function(factor->coarse), digits);
-  }
-  /// The estimate of a function of the span along the motion.
-  template <class Function>
-  [[nodiscard]] Estimate function_of_span(const Function& function) const {
-    if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
-      const WorkingDigits scope(working);
-      const Float value = function(Float(given->along));
-      return of_levels(value, value, digits);
-    }
-    return function_of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
+    return found;
   }
   /// The traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the amplitude. An error of
   /// the ends changes the root in the amplitude and the phase.
@@ -186,7 +148,7 @@ struct RollingSphere::Implementation {
     const WorkingDigits scope(working);
     const RollingLine line(lines(), degrees);
     const Float there = to_float(x), span_ratio = ratio(degrees);
-    const auto at = [&](const Float& along, const Float& change) -> Float {
+    const auto at = [&](const Float& change, const Float& along) -> Float {
       const Float span = span_ratio * along, lean = lean_of(line, span / Float(radius));
       const Float ahead = span * (1 + change) - 2 * there, behind = span * (1 + change) + 2 * there;
       if (!(ahead > Float(0) && behind > Float(0))) return 0;
@@ -194,7 +156,9 @@ struct RollingSphere::Implementation {
       const Float size = ldexp(lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
       return size * sqrt(ahead * behind) * wave(line, sin(phase), cos(phase), slope);
     };
-    return with_shifted_ends(*this, at);
+    return with_shifted_ends(digits, [&](const Float& change) {
+      return function_of_span([&](const Float& along) { return at(change, along); });
+    });
   }
   /// The pressure at the centre, B = sqrt(wS/wD) - P L/(2 r0) times the traction's amplitude. (brock2012 49)
   [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
@@ -203,30 +167,14 @@ struct RollingSphere::Implementation {
   }
 };
 
-RollingSphere::RollingSphere(SurfaceAnswer surface, double radius, const HalfSpaceLoad& load, int digits) {
-  const int working = working_digits(digits, cancelled_digits);
-  const long exponent = stress_exponent(surface);
-  implementation_ = std::make_shared<const Implementation>(
-      Implementation{std::move(surface), radius, load, digits, working, exponent});
-}
+RollingSphere::RollingSphere(SurfaceAnswer surface, double radius, const HalfSpaceLoad& load, int digits)
+    : implementation_(std::make_shared<const Implementation>(std::move(surface), radius, load, digits)) {}
 
 Estimate RollingSphere::span_ratio(const Exact& degrees) const {
-  const WorkingDigits scope(implementation_->working);
-  const Float ratio = implementation_->ratio(degrees);
-  return of_levels(ratio, ratio, implementation_->digits);
+  return implementation_->span_ratio(degrees);
 }
-
-Estimate RollingSphere::span(const Exact& degrees) const {
-  const WorkingDigits scope(implementation_->working);
-  const Float ratio = implementation_->ratio(degrees);
-  return implementation_->function_of_span([&](const Float& along) -> Float { return ratio * along; });
-}
-
-Estimate RollingSphere::force() const {
-  const WorkingDigits scope(implementation_->working);
-  return implementation_->function_of_factor(
-      [&](const Float& factor) { return force_of(implementation_->load, factor); });
-}
+Estimate RollingSphere::span(const Exact& degrees) const { return implementation_->span(degrees); }
+Estimate RollingSphere::force() const { return implementation_->force(); }
 
 Estimate RollingSphere::peak_pressure() const {
   const WorkingDigits scope(implementation_->working);

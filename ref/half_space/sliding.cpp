@@ -171,18 +171,17 @@ Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& direc
 Estimate sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                           int digits) {
   check_friction(friction);
-  return with_digits(digits, [&](int working) {
-    return closed(-SlidingLine(WorkingSurface(surface, working), friction, degrees).ahead, digits);
+  return of_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
+    return -SlidingLine(lines, friction, degrees).ahead;
   });
 }
 
 Estimate sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                             int digits) {
   check_friction(friction);
-  return with_digits(digits, [&](int working) {
-    const WorkingSurface lines(surface, working);
+  return of_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
     const SlidingLine along(lines, friction, Exact(0.0)), line(lines, friction, degrees);
-    return closed(along.Q() / line.Q() * line.h / along.h, digits);
+    return along.Q() / line.Q() * line.h / along.h;
   });
 }
 
@@ -198,20 +197,19 @@ Estimate sliding_force(const SurfaceAnswer& surface, const Exact& friction, int 
   });
 }
 
-struct SlidingContact::Implementation {
-  SurfaceAnswer surface;
-  Indenter body;
-  Exact friction;
-  HalfSpaceLoad load;
-  int digits;
-  SpanRule rule;
-  int working = 0;
-  long exponent = 0;
-  Float steepness = {};                       ///< peak pressure over span
-  mutable std::optional<Levels> factor = {};  ///< in force = factor span^3, when it is first asked for
+struct SlidingContact::Implementation final : ScaledContact {
+  const Indenter body;
+  const Exact friction;
+  const SpanRule rule;
 
-  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
-  [[nodiscard]] Float ratio(const Exact& degrees) const {
+  Implementation(SurfaceAnswer answer, Indenter of_body, Exact coefficient, const HalfSpaceLoad& given,
+                 int asked, SpanRule by_rule)
+      : ScaledContact(std::move(answer), given, asked, 0),
+        body(std::move(of_body)),
+        friction(std::move(coefficient)),
+        rule(by_rule) {}
+
+  [[nodiscard]] Float ratio(const Exact& degrees) const override {
     const SlidingLine along(lines(), friction, Exact(0.0)), line(lines(), friction, degrees);
     return span_ratio_of(rule, along, line, body, degrees);
   }
@@ -219,25 +217,18 @@ struct SlidingContact::Implementation {
   [[nodiscard]] Float steepness_of(const SlidingLine& line, const Exact& degrees) const {
     return ldexp(curvature_of(body, degrees) * line.Q() / line.h, exponent);
   }
-  /// The estimate of a function of the factor.
-  template <class Function>
-  [[nodiscard]] Estimate function_of_factor(const Function& function) const {
-    const WorkingDigits scope(working);
-    if (!factor) {
-      const CrowdedDirections directions =
-          directions_for(lines(), friction, peak_of_compliance(surface), body);
-      const auto [fine, coarse] = force_factor(lines(), directions, friction, body, rule, digits, working);
-      factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
-    }
-    return of_levels(function(factor->fine), function(factor->coarse), digits);
+  [[nodiscard]] CrowdedDirections directions() const {
+    return directions_for(lines(), friction, peak_of_compliance(surface), body);
+  }
+  [[nodiscard]] Levels integrated() const override {
+    return force_factor(lines(), directions(), friction, body, rule, digits, working);
   }
   /// The coordinate of the centre of pressure in the direction that has these components along the lines.
   [[nodiscard]] Estimate centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
-    const CrowdedDirections directions = directions_for(lines(), friction, peak_of_compliance(surface), body);
+    const CrowdedDirections crowded = directions();
     const auto integral = [&](bool with_moment) {
-      return moment_factor(lines(), directions, friction, body, rule, digits, working, component,
-                           with_moment);
+      return moment_factor(lines(), crowded, friction, body, rule, digits, working, component, with_moment);
     };
     const Levels both = integral(true), size = integral(false);
     const Float fine = ldexp(both.fine - size.fine, exponent),
@@ -247,59 +238,29 @@ struct SlidingContact::Implementation {
         abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
     Estimate result = function_of_factor(
         [&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
-    const Float span = at_working_precision(result_span().value), per_force = span / factor->fine;
+    const Estimate along = function_of_span([](const Float& span) { return span; });
+    const Float span = at_working_precision(along.value), per_force = span / factor().fine;
     const Float error = at_working_precision(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
                         tolerance(digits + 6) * abs(span);
     return {result.value, error, digits};
-  }
-  [[nodiscard]] Estimate result_span() const {
-    return function_of_span([](const Float& along) { return along; });
-  }
-  /// The estimate of a function of the span along the motion.
-  template <class Function>
-  [[nodiscard]] Estimate function_of_span(const Function& function) const {
-    if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
-      const WorkingDigits scope(working);
-      const Float value = function(Float(given->along));
-      return of_levels(value, value, digits);
-    }
-    return function_of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
   }
 };
 
 SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
                                const HalfSpaceLoad& load, int digits, SpanRule rule) {
   check_friction(friction);
-  Implementation made{std::move(surface), body, friction, load, digits, rule};
-  made.working = working_digits(digits);
-  made.exponent = stress_exponent(made.surface);
-  const WorkingDigits scope(made.working);
-  const SlidingLine along(made.lines(), friction, Exact(0.0));
-  made.steepness = ldexp(to_float(body.along) * along.Q() / along.h, made.exponent);
-  implementation_ = std::make_shared<const Implementation>(std::move(made));
+  implementation_ =
+      std::make_shared<const Implementation>(std::move(surface), body, friction, load, digits, rule);
+  const WorkingDigits scope(implementation_->working);
+  (void)SlidingLine(implementation_->lines(), friction, Exact(0.0));  // which refuses too large a friction
 }
 
 Estimate SlidingContact::span_ratio(const Exact& degrees) const {
-  const WorkingDigits scope(implementation_->working);
-  const Float ratio = implementation_->ratio(degrees);
-  return of_levels(ratio, ratio, implementation_->digits);
+  return implementation_->span_ratio(degrees);
 }
-
-Estimate SlidingContact::span(const Exact& degrees) const {
-  const WorkingDigits scope(implementation_->working);
-  const Float ratio = implementation_->ratio(degrees);
-  return implementation_->function_of_span([&](const Float& along) -> Float { return ratio * along; });
-}
-
-Estimate SlidingContact::force() const {
-  return implementation_->function_of_factor(
-      [&](const Float& factor) { return force_of(implementation_->load, factor); });
-}
-
-Estimate SlidingContact::peak_pressure() const {
-  return implementation_->function_of_span(
-      [&](const Float& along) -> Float { return implementation_->steepness * along; });
-}
+Estimate SlidingContact::span(const Exact& degrees) const { return implementation_->span(degrees); }
+Estimate SlidingContact::force() const { return implementation_->force(); }
+Estimate SlidingContact::peak_pressure() const { return peak_pressure(Exact(0.0)); }
 
 Estimate SlidingContact::peak_pressure(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
@@ -324,13 +285,15 @@ Estimate SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   const Float &lead = line.ahead, &trail = line.behind;
   const Float ratio = implementation_->ratio(degrees);
   const Float there = to_float(x), steepness = implementation_->steepness_of(line, degrees);
-  const auto at = [&](const Float& along, const Float& change) -> Float {
+  const auto at = [&](const Float& change, const Float& along) -> Float {
     const Float span = ratio * along;
     const Float ahead = lead * span - there + change * span, behind = there + trail * span + change * span;
     if (!(ahead > Float(0) && behind > Float(0))) return 0;
     return steepness * span * pow(ahead / (trail * span), trail) * pow(behind / (lead * span), lead);
   };
-  return with_shifted_ends(*implementation_, at);
+  return with_shifted_ends(implementation_->digits, [&](const Float& change) {
+    return implementation_->function_of_span([&](const Float& along) { return at(change, along); });
+  });
 }
 
 Estimate SlidingContact::centre_along() const {

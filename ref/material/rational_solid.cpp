@@ -57,16 +57,6 @@ ExactRatio operators_of(const std::vector<Exact>& p, const std::vector<Exact>& q
   return {above, below};
 }
 
-/// 1/(2G) and 3/(6K + 2G)
-ExactRationalSolid of_moduli(const ExactRatio& G, const ExactRatio& K) {
-  return {G,
-          K,
-          {G.denominator, product({2}, G.numerator)},
-          {product(product({3}, G.denominator), K.denominator),
-           sum(product(product({6}, K.numerator), G.denominator),
-               product(product({2}, G.numerator), K.denominator))}};
-}
-
 /// G = 1/(2 theta1), 6K = 3/theta2 - 1/theta1.
 ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) {
   return {{one.denominator, product({2}, one.numerator)},
@@ -139,20 +129,30 @@ ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& the
 ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vector<Exact>& q,
                                    const std::vector<Exact>& p_dilatation,
                                    const std::vector<Exact>& q_dilatation) {
-  return of_moduli(operators_of(p, q, ""), operators_of(p_dilatation, q_dilatation, "_dilatation"));
+  return exact_moduli(operators_of(p, q, ""), operators_of(p_dilatation, q_dilatation, "_dilatation"));
 }
 
-ExactRationalSolid exact_springs(const ExactModulus& shear, const ExactModulus& bulk) {
-  const auto ratio = [](const ExactModulus& m) -> ExactRatio {
-    using data::SpringModel;
-    const mpq_class &spring = m.spring.value(), &viscosity = m.viscosity.value();
-    if (m.model == SpringModel::elastic) return {{spring}, {1}};
-    if (m.model == SpringModel::kelvin_voigt) return {{spring, viscosity}, {1}};
-    const mpq_class second = m.model == SpringModel::maxwell ? mpq_class(0) : m.second_spring.value();
-    return {{mpq_class(spring * second), mpq_class(spring * viscosity)},
-            {mpq_class(spring + second), viscosity}};
-  };
-  return of_moduli(ratio(shear), ratio(bulk));
+// 1/(2G) and 3/(6K + 2G)
+ExactRationalSolid exact_moduli(const ExactRatio& G, const ExactRatio& K) {
+  return {G,
+          K,
+          {G.denominator, product({2}, G.numerator)},
+          {product(product({3}, G.denominator), K.denominator),
+           sum(product(product({6}, K.numerator), G.denominator),
+               product(product({2}, G.numerator), K.denominator))}};
+}
+
+ExactRatio exact_modulus(data::SpringModel model, const Exact& spring, const Exact& second_spring,
+                         const Exact& viscosity, const std::string& name) {
+  using data::SpringModel;
+  check_above_0(name, spring);
+  if (model == SpringModel::standard_linear) check_above_0(name + "_2", second_spring);
+  if (model != SpringModel::elastic) check_above_0(name + "_viscosity", viscosity);
+  const mpq_class &first = spring.value(), &dashpot = viscosity.value();
+  if (model == SpringModel::elastic) return {{first}, {1}};
+  if (model == SpringModel::kelvin_voigt) return {{first, dashpot}, {1}};
+  const mpq_class second = model == SpringModel::maxwell ? mpq_class(0) : second_spring.value();
+  return {{mpq_class(first * second), mpq_class(first * dashpot)}, {mpq_class(first + second), dashpot}};
 }
 
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,

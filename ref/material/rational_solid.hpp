@@ -1,9 +1,10 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <string>
 #include <vector>
 
-#include <nipref/ref/material/moduli.hpp>
+#include <nipref/data/material/spring_model.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 
@@ -35,8 +36,11 @@ ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& the
 ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vector<Exact>& q,
                                    const std::vector<Exact>& p_dilatation,
                                    const std::vector<Exact>& q_dilatation);
-/// Moduli of springs and dashpots.
-ExactRationalSolid exact_springs(const ExactModulus& shear, const ExactModulus& bulk);
+ExactRationalSolid exact_moduli(const ExactRatio& shear, const ExactRatio& bulk);
+/// The modulus of springs and dashpots, in stress, and a viscosity in stress time, > 0; those that the model does not have
+/// are ignored. Otherwise BadInput that names `name`, `name`_2 or `name`_viscosity.
+ExactRatio exact_modulus(data::SpringModel model, const Exact& spring, const Exact& second_spring,
+                         const Exact& viscosity, const std::string& name);
 /// data::SingleRelaxationTimeSolid
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
                                      int theta2_rate_factor);

@@ -4,7 +4,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
-#include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/number/internal/panel_quadrature.hpp>
 
 namespace nipref::ref {
@@ -97,13 +96,15 @@ Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& 
   return DampedWave{decay, 0, rate, 0, length}.integral(nats).real;
 }
 
-}  // namespace
-
+/// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, with an error of e^{-nats} times each of its two
+/// parts, before and after T.
 Interval sign_memory(const mpq_class& lambda, const mpq_class& t, const mpq_class& T, double nats) {
   const mpq_class turn = std::clamp<mpq_class>(T, 0, t);
   const mpq_class since = t - turn;
   return fading(lambda * since, lambda, turn, nats) - fading(0, lambda, since, nats);
 }
+
+}  // namespace
 
 Enclosure J1(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T,
              int digits) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -9,9 +10,7 @@
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
-#include <nipref/ref/memory/internal/oscillating_memory.hpp>
 #include <nipref/ref/memory/internal/plain_memory.hpp>
-#include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -33,38 +32,22 @@ struct LoadPath {
 
 enum class Kernel { I1, I2, I3, I4, I5 };
 
+std::size_t number_of(Kernel kernel) { return static_cast<std::size_t>(kernel); }
+/// I2 has no residues.
 PlainKernel plain_kernel(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::I1:
-      return PlainKernel::I1;
-    case Kernel::I4:
-      return PlainKernel::I4;
-    case Kernel::I5:
-      return PlainKernel::I5;
-    default:
-      return PlainKernel::I3;
-  }
+  using enum PlainKernel;
+  return std::array{I1, I3, I3, I4, I5}[number_of(kernel)];
 }
 
 /// A kernel, or the thesis's sum of so many residues if residue_terms is not 0; for I2, which is a constant, both
 /// agree.
 Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int residue_terms) {
-  if (residue_terms > 0 && kernel != Kernel::I2 && alpha.sign() != 0)
+  if (alpha.sign() == 0 && kernel != Kernel::I1) return Interval(64);
+  if (residue_terms > 0 && kernel != Kernel::I2)
     return plain_kernel_at(plain_kernel(kernel), alpha, residue_terms,
                            std::ceil(std::max(nats, 40.0) / nats_grain) * nats_grain);
-  switch (kernel) {
-    case Kernel::I1:
-      return I1_interval(alpha, nats);
-    case Kernel::I2:
-      return I2_interval(alpha, nats);
-    case Kernel::I3:
-      break;
-    case Kernel::I4:
-      return alpha.sign() == 0 ? Interval(64) : I4_interval(alpha, nats);
-    case Kernel::I5:
-      return alpha.sign() == 0 ? Interval(64) : I5_interval(alpha, nats);
-  }
-  return alpha.sign() == 0 ? Interval(64) : I3_interval(alpha, nats);
+  return std::array{I1_interval, I2_interval, I3_interval, I4_interval, I5_interval}[number_of(kernel)](alpha,
+                                                                                                        nats);
 }
 
 Interval rational(const mpq_class& value, double nats) {
@@ -74,16 +57,8 @@ Interval rational(const mpq_class& value, double nats) {
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
 
 Symbol symbol_of(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::I1:
-      return Symbol::normal;
-    case Kernel::I4:
-      return Symbol::I4;
-    case Kernel::I5:
-      return Symbol::I5;
-    default:
-      return Symbol::I3;
-  }
+  using enum Symbol;
+  return std::array{normal, I3, I3, I4, I5}[number_of(kernel)];
 }
 
 /// The nats for a number of the size 1/rate, or of the distance at rate 0, whose error is to be e^{-nats}.
@@ -93,15 +68,22 @@ double nats_over_rate(const mpq_class& rate, double nats) {
   return nats + std::max(0.0, -ln_magnitude(rate));
 }
 
-/// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw
-Interval sign_history(const Exact& alpha, const mpq_class& rate, double absolute_nats) {
-  const double nats = nats_over_rate(rate, absolute_nats);
-  const Interval half_pi = Interval::pi(working_precision(nats, 1) + 64) / 2;
-  if (rate == 0) return -(half_pi * rational(abs(alpha.value()), nats));  // the finite part
-  const Interval long_ago = half_pi / rational(rate, nats);
+/// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw; at the rate 0 the finite part.
+ComplexInterval sign_history(const Exact& alpha, const ComplexInterval& rate) {
+  const mpfr_prec_t bits = rate.real.precision();
+  const Interval half_pi = Interval::pi(bits) / 2, way(alpha, bits);
+  if (is_zero(rate)) return {-(half_pi * Interval(alpha.magnitude(), bits)), Interval(bits)};
+  const ComplexInterval long_ago = half_pi * inverse(rate);
   if (alpha.sign() >= 0) return long_ago;
-  return long_ago * (2 * exp(rational(mpq_class(rate * alpha.value()), nats)) - 1);
+  const ComplexInterval faded = exp(way * rate);
+  return long_ago * ComplexInterval{2 * faded.real - 1, 2 * faded.imag};
 }
+
+/// A rate of the memory over that of the way, and the number that it is where that is known exactly.
+struct HistoryRate {
+  ComplexInterval interval;
+  std::optional<mpq_class> exact = {};
+};
 
 /// The key of a memory from infinity.
 struct HistoryKey {
@@ -127,13 +109,15 @@ std::size_t size_of_history(const Interval& history) {
   return static_cast<std::size_t>(history.precision()) + sizeof(HistoryKey);
 }
 
-/// The memory from infinity, cached with up to 16 nats more than requested, as the loads of a contact have distances in
-/// common.
-Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats,
-                       int residue_terms) {
+/// The memory from infinity. Those of exact rates are cached with up to 16 nats more than requested, as the loads of a contact
+/// have distances in common.
+ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRate& rate, double nats,
+                              int residue_terms) {
   static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
-  if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
-  return *kept.at({kernel, alpha.value(), rate, std::ceil(nats / nats_grain) * nats_grain, residue_terms});
+  if (kernel == Kernel::I2) return sign_history(alpha, rate.interval);
+  if (!rate.exact) return steady_memory(symbol_of(kernel), alpha, rate.interval, nats);
+  const double rounded_up = std::ceil(nats / nats_grain) * nats_grain;
+  return {*kept.at({kernel, alpha.value(), *rate.exact, rounded_up, residue_terms}), Interval(64)};
 }
 
 /// The nats for a number that is multiplied by e^{-faded} and is then to have an error of e^{-nats}. They are one of
@@ -145,53 +129,22 @@ double nats_left(double nats, double faded) {
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less the part before the start.
-Interval history(Kernel kernel, const LoadPath& path, const mpq_class& rate, double wanted_nats,
-                 int residue_terms) {
+ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& rate, double wanted_nats,
+                        int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
+  const mpfr_prec_t bits = rate.interval.real.precision();
+  ComplexInterval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
   if (!path.start) {
-    const Interval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
-    if (rate != 0 || kernel == Kernel::I1) return whole;
     // The infinite part that is left out is counted from the point, not from 0, so that it is the same for all points.
-    const double large = nats_over_rate(rate, nats);
-    const Interval quarter = Interval::pi(working_precision(large, 1) + 64) / 4;
-    return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(path.alpha.value(), large));
+    if (is_zero(rate.interval) && kernel != Kernel::I1)
+      whole.real = whole.real +
+                   (kernel == Kernel::I2 ? 2L : 1L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
+    return whole;
   }
-  const mpq_class distance = path.start->value() - path.alpha.value();
-  if (kernel == Kernel::I2 && rate != 0) {
-    const double large = nats_over_rate(rate, nats);
-    const Interval half_pi = Interval::pi(working_precision(large, 1) + 64) / 2;
-    return half_pi * sign_memory(rate, distance, path.start->value(), large);
-  }
-  const mpq_class faded = rate * distance;
-  return whole_history(kernel, path.alpha, rate, nats, residue_terms) -
-         exp(-rational(faded, nats_over_rate(rate, nats))) *
-             whole_history(kernel, *path.start, rate, nats_left(nats, faded.get_d()), residue_terms);
-}
-
-/// int_alpha^start e^{-rate (w - alpha)} sign(w) dw
-ComplexInterval oscillating_sign(const LoadPath& path, const ComplexInterval& rate) {
-  const mpfr_prec_t bits = rate.real.precision();
-  const auto faded = [&](const mpq_class& distance) { return exp(-Interval(Exact(distance), bits) * rate); };
-  const mpq_class& alpha = path.alpha.value();
-  mpq_class behind = std::max(mpq_class(-alpha), mpq_class(0));
-  const ComplexInterval one{Interval(1L, bits), Interval(bits)};
-  if (!path.start) return (faded(behind) + faded(behind) - one) * inverse(rate);
-  const mpq_class distance = path.start->value() - alpha;
-  behind = std::min(behind, distance);
-  return (faded(behind) + faded(behind) - one - faded(distance)) * inverse(rate);
-}
-
-/// history() for a real or complex rate.
-ComplexInterval oscillating_history(Kernel kernel, const LoadPath& path, const ComplexInterval& rate,
-                                    double nats) {
-  const mpfr_prec_t bits = rate.real.precision();
-  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * oscillating_sign(path, rate);
-  const ComplexInterval whole = oscillating_memory(symbol_of(kernel), path.alpha, rate, nats);
-  if (!path.start) return whole;
   const Interval distance(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
-  const double faded = mpfr_get_d((rate.real * distance).lower(), MPFR_RNDD);
-  return whole - exp(-distance * rate) *
-                     oscillating_memory(symbol_of(kernel), *path.start, rate, nats_left(nats, faded));
+  const double faded = mpfr_get_d((rate.interval.real * distance).lower(), MPFR_RNDD);
+  return whole - exp(-(distance * rate.interval)) *
+                     whole_history(kernel, *path.start, rate, nats_left(nats, faded), residue_terms);
 }
 
 double ln_size(const ComplexInterval& z) {
@@ -219,7 +172,7 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
     const Interval unit = 1 / Interval(Exact(travel_rate), rate.real.precision());
     const ComplexInterval over_distance = unit * amplitude;
     const double needed = std::max(nats + ln_size(over_distance) + 4, 40.0);
-    sum = sum + (over_distance * oscillating_history(kernel, path, unit * rate, needed)).real;
+    sum = sum + (over_distance * history(kernel, path, {unit * rate}, needed, 0)).real;
   }
   return sum;
 }
@@ -268,8 +221,9 @@ struct Part {
       const mpq_class amplitude = term.amplitude / travel_rate;
       const mpq_class rate = term.rate / travel_rate;
       const double needed = nats + ln_magnitude(amplitude) + 3;
+      const HistoryRate known{rate_interval(Exact(rate), needed + 8), rate};
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
-                      history(kernel, path, rate, needed, residue_terms);
+                      history(kernel, path, known, needed, residue_terms).real;
     }
     for (const ExactRatio& fraction : theta.fractions) {
       if (!no_history) sum = sum + remembered(fraction, kernel, path, travel_rate, nats + 3);

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/memory/exact_material.hpp>
+#include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 

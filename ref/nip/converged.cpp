@@ -167,13 +167,17 @@ Float ConvergedNip::Parts::size() const {
   return proof ? middle_of(proof->contact->half_length()) : fine().half_length();
 }
 
+std::optional<Estimate> ConvergedNip::Parts::by_proof(Unit unit, const Proven& proven) const {
+  if (!proof) return std::nullopt;
+  const WorkingDigits working(proof->working_digits);
+  const std::optional<Interval> value = proven(*proof->contact);
+  if (!value) return std::nullopt;
+  return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
+}
+
 Estimate ConvergedNip::Parts::number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
                                      const SolvedNip::Functional& size) const {
-  if (proof) {
-    const WorkingDigits working(proof->working_digits);
-    const std::optional<Interval> value = proven(*proof->contact);
-    if (value) return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
-  }
+  if (const auto value = by_proof(unit, proven)) return *value;
   const WorkingDigits working(working_digits());
   return estimated(unit, functional, size(fine()));
 }
@@ -220,13 +224,21 @@ Float ConvergedNip::Parts::by_ends(const Float& x, Float PressureAndShear::*part
   return abs(fine().tractions(x + known).*part - here) + abs(fine().tractions(x - known).*part - here);
 }
 
-Estimate ConvergedNip::Parts::traction(double y, Traction part) const {
+Estimate ConvergedNip::Parts::traction(double y, Traction part, ProvenTraction proven) const {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  if (const auto value =
+          by_proof(&NipUnits::pressure, [&](const ProvenResults& of) { return (of.*proven)(place(y)); }))
+    return *value;
   const WorkingDigits working(working_digits());
   const Float x = behind(fine(), y);
   if (is_outside(x)) return sheet->is_symmetric() ? Estimate(exact_zero(digits)) : Estimate(0, 0, digits);
   return estimated(
       &NipUnits::pressure, [&](const NipSolution& of) { return of.tractions(behind(of, y)).*part; },
       pressure_of(fine()), by_ends(x, part));
+}
+
+long ConvergedNip::Parts::kernel_values(long KernelValues::*of) const {
+  return (solved ? solved->kernels().values().*of : 0) + (proof ? proof->contact->kernel_values().*of : 0);
 }
 
 void ConvergedNip::Parts::check_place(double y) const {
@@ -383,20 +395,12 @@ std::vector<Estimate> ConvergedNip::shear_zeros() const {
 }
 
 Estimate ConvergedNip::pressure(double y) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  if (!parts_->proof) return parts_->traction(y, &PressureAndShear::pressure);
-  const WorkingDigits working(parts_->proof->working_digits);
-  const Interval pressure = parts_->proof->contact->pressure(parts_->place(y));
-  return enclosure_of(Interval(Exact(parts_->units.pressure), working_bits()) * pressure, parts_->digits);
+  return parts_->traction(y, &PressureAndShear::pressure, &ProvenResults::pressure);
 }
 
 Estimate ConvergedNip::shear(double y) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  if (!parts_->sheet->grips() || y == 0) return exact_zero(parts_->digits);
-  if (!parts_->proof) return parts_->traction(y, &PressureAndShear::shear);
-  const WorkingDigits working(parts_->proof->working_digits);
-  const Interval shear = parts_->proof->contact->shear(parts_->place(y));
-  return enclosure_of(Interval(Exact(parts_->units.pressure), working_bits()) * shear, parts_->digits);
+  if (std::isfinite(y) && (!parts_->sheet->grips() || y == 0)) return exact_zero(parts_->digits);
+  return parts_->traction(y, &PressureAndShear::shear, &ProvenResults::shear);
 }
 
 Estimate ConvergedNip::normal_displacement(double y) const {
@@ -427,13 +431,10 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
 
 Estimate ConvergedNip::surface_strain(double y) const {
   parts_->check_place(y);
-  if (parts_->proof) {
-    const WorkingDigits working(parts_->proof->working_digits);
-    const auto proven =
-        parts_->proof->contact->strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
-    if (proven)
-      return enclosure_of(Interval(Exact(parts_->units.slope), working_bits()) * *proven, parts_->digits);
-  }
+  const auto proven = [&](const ProvenResults& of) {
+    return of.strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
+  };
+  if (const auto value = parts_->by_proof(&Unit::slope, proven)) return *value;
   const WorkingDigits working(parts_->working_digits());
   const NipSolution& fine = parts_->fine();
   const Float x = parts_->behind(fine, y);
@@ -501,17 +502,8 @@ GreatestShear ConvergedNip::greatest_shear() const {
 int ConvergedNip::unknowns() const {
   return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact->terms();
 }
-long ConvergedNip::normal_values() const {
-  return (parts_->solved ? parts_->solved->kernels().normal_values() : 0) +
-         (parts_->proof ? parts_->proof->contact->normal_values() : 0);
-}
-long ConvergedNip::coupling_values() const {
-  return (parts_->solved ? parts_->solved->kernels().coupling_values() : 0) +
-         (parts_->proof ? parts_->proof->contact->coupling_values() : 0);
-}
-long ConvergedNip::stretch_values() const {
-  return (parts_->solved ? parts_->solved->kernels().stretch_values() : 0) +
-         (parts_->proof ? parts_->proof->contact->stretch_values() : 0);
-}
+long ConvergedNip::normal_values() const { return parts_->kernel_values(&KernelValues::normal); }
+long ConvergedNip::coupling_values() const { return parts_->kernel_values(&KernelValues::coupling); }
+long ConvergedNip::stretch_values() const { return parts_->kernel_values(&KernelValues::stretch); }
 
 }  // namespace nipref::ref

@@ -150,7 +150,7 @@ Enclosure LineLoadNip::creep_ratio() const {
     if (solved_->gripped_creep) return *solved_->gripped_creep;
     const long leading = 2L * solved_->leading_elements, all = 2L * solved_->elements();
     const auto at = [&](long half_elements) {
-      return solved_->sheet->tangential_displacement(*solved_, {0, half_elements});
+      return solved_->displacement(&LineLoadSheet::tangential_displacement, {0, half_elements});
     };
     if (solved_->is_symmetric) return at(leading) / solved_->length(leading);
     return (at(leading) - at(leading - all)) / solved_->contact_length;
@@ -200,15 +200,18 @@ Enclosure LineLoadNip::shear(double y) const {
 }
 
 Enclosure LineLoadNip::normal_displacement(double y) const {
-  return enclosed(
-      [&] { return solved_->sheet->normal_displacement(*solved_, place_beside_loads(*solved_, y)); });
+  return enclosed([&] {
+    return solved_->displacement(&LineLoadSheet::normal_displacement, place_beside_loads(*solved_, y));
+  });
 }
 Enclosure LineLoadNip::tangential_displacement(double y) const {
   if (y == 0) return exact_zero(digits_);
   return enclosed([&] {
-    const LineLoadSheet& sheet = *solved_->sheet;
-    const Interval to_point = sheet.tangential_displacement(*solved_, place_beside_loads(*solved_, y));
-    return solved_->is_symmetric ? to_point : to_point - sheet.tangential_displacement(*solved_, {0, 0});
+    const auto at = [&](const LineLoadPlace& place) {
+      return solved_->displacement(&LineLoadSheet::tangential_displacement, place);
+    };
+    const Interval to_point = at(place_beside_loads(*solved_, y));
+    return solved_->is_symmetric ? to_point : to_point - at({0, 0});
   });
 }
 

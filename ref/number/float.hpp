@@ -40,6 +40,12 @@ mpfr_prec_t working_bits();
 /// The number rounded to the working precision.
 Float at_working_precision(const Float& x);
 
+/// sum += x y by a scratch number, so that none is allocated.
+inline void add_product(Float& sum, Float& scratch, const Float& x, const Float& y) {
+  mpfr_mul(raw(scratch), raw(x), raw(y), MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(scratch), MPFR_RNDN);
+}
+
 Float pi();
 /// The root of the sum of the squares, without overflow and rounded once.
 Float hypot(const Float& x, const Float& y);

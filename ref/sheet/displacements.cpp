@@ -10,36 +10,6 @@
 namespace nipref::ref {
 namespace {
 
-/// theta1, theta2 and N of the sheet, as intervals of relative width e^{-nats}.
-struct Compliances {
-  Compliances(const Exact& young, const Exact& poisson, double nats)
-      : precision(working_precision(std::max(nats, 1.0), 1)),
-        theta1(quotient(mpq_class(1 + poisson.value()), young)),
-        theta2(quotient(mpq_class((1 + poisson.value()) * (1 - 2 * poisson.value())), young)),
-        normal(quotient(mpq_class(2 * (1 + poisson.value()) * (1 - poisson.value())), young)),
-        pi(Interval::pi(precision)) {}
-
-  mpfr_prec_t precision;
-  Interval theta1;
-  Interval theta2;
-  Interval normal;
-  Interval pi;
-
- private:
-  [[nodiscard]] Interval quotient(const mpq_class& numerator, const Exact& young) const {
-    Interval result(precision);
-    const mpq_class exact = numerator / young.value();
-    mpfi_set_q(result.get(), exact.get_mpq_t());
-    return result;
-  }
-};
-
-void check_poisson(const Exact& poisson) {
-  if (poisson.value() <= -1 || 2 * poisson.value() > 1) {
-    throw data::BadInput("poisson", poisson.approximate(), "must satisfy -1 < poisson <= 0.5");
-  }
-}
-
 void check_material(const Exact& young, const Exact& poisson) {
   if (!std::isnormal(young.approximate()) || young.sign() < 0) {
     throw data::BadInput("young", young.approximate(), "must be > 0, from 2.3e-308 to 1.7e308");
@@ -47,60 +17,57 @@ void check_material(const Exact& young, const Exact& poisson) {
   check_poisson(poisson);
 }
 
-const Exact& unit() {
-  static const Exact one(1.0);
-  return one;
-}
-
 /// A lower bound of -ln of a displacement's size: every coefficient of a kernel is below 4/(pi young).
 double size_nats(const Exact& young) { return std::log(young.approximate()) - std::log(4.0); }
 
-/// As enclose(), for a displacement that is composed of kernels; `displacement(c, nats)` gets the nats that the kernels
-/// need.
-template <class Displacement>
+/// N times what over_normal(nats) gives, an interval of half-width about e^{-nats}.
+template <class OverNormal>
 Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& young, const Exact& poisson,
-                               Displacement displacement) {
+                               const OverNormal& over_normal) {
   const double size = size_nats(young);
+  const Exact normal(mpq_class(2 * (1 + poisson.value()) * (1 - poisson.value()) / young.value()));
   return enclose(digits, std::max(0.0, kernel_nats + size), [&](double nats) {
     const double needed = std::max(nats - size, 40.0);
-    return displacement(Compliances(young, poisson, needed), needed);
+    const Interval value = over_normal(needed);
+    return Interval(normal, value.precision()) * value;
   });
 }
 
-Interval F1_times_normal(const Compliances& c, const Exact& eta, double nats) {
-  return (c.theta2 * I4_interval(eta, nats) - c.theta1 * I5_interval(eta, nats)) / c.pi;
+/// us over N.
+Interval us_interval(const ThetaShares& shares, const Exact& alpha, double nats) {
+  const Interval I2 = I2_interval(alpha, nats), pi = Interval::pi(working_precision(nats, 1));
+  return (Interval(Exact(shares.theta2), I2.precision()) * I2 - I3_interval(alpha, nats)) / pi;
 }
 
-Interval us_interval(const Compliances& c, const Exact& alpha, double nats) {
-  return (c.theta2 * I2_interval(alpha, nats) - c.normal * I3_interval(alpha, nats)) / c.pi;
+Enclosure fixed_point_part(data::SheetLoad load, const Exact& eta, const Exact& poisson, int digits) {
+  check_argument(eta, "eta");
+  check_poisson(poisson);
+  return enclose(digits, 0, [&](double nats) {
+    return fixed_point_interval(load, eta, ThetaShares(poisson), std::max(nats, 40.0));
+  });
 }
 
 }  // namespace
 
 Enclosure F1(const Exact& eta, const Exact& poisson, int digits) {
-  check_argument(eta, "eta");
-  check_poisson(poisson);
-  if (eta.sign() == 0) return exact_zero(digits);
-  return enclose_displacement(digits, 0, unit(), poisson, [&](const Compliances& c, double nats) {
-    return F1_times_normal(c, eta, nats) / c.normal;
-  });
+  if (eta.sign() == 0) {
+    check_poisson(poisson);
+    return exact_zero(digits);
+  }
+  return fixed_point_part(data::SheetLoad::normal, eta, poisson, digits);
 }
 
 Enclosure F2(const Exact& eta, const Exact& poisson, int digits) {
-  check_argument(eta, "eta");
-  check_poisson(poisson);
-  return enclose_displacement(digits, 0, unit(), poisson, [&](const Compliances& c, double nats) {
-    return Interval(eta.magnitude(), c.precision + 16) / 4 - I6_eta_interval(eta, nats) / c.pi +
-           c.theta1 / c.normal * I7_interval(eta, nats) / c.pi;
-  });
+  return fixed_point_part(data::SheetLoad::shear, eta, poisson, digits);
 }
 
 Enclosure un(const Exact& alpha, const Exact& young, const Exact& poisson, int digits) {
   check_nonzero_argument(alpha, "alpha");
   check_material(young, poisson);
   const double kernel = slowest_decay * std::abs(alpha.approximate());
-  return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
-    return c.normal * I1_interval(alpha, nats) / c.pi;
+  return enclose_displacement(digits, kernel, young, poisson, [&](double nats) {
+    const Interval I1 = I1_interval(alpha, nats);
+    return I1 / Interval::pi(I1.precision());
   });
 }
 
@@ -113,8 +80,10 @@ Enclosure vn(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   const bool same_side = alpha.sign() * eta.sign() > 0;
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
   const double kernel = same_side ? slowest_decay * nearer : 0;
-  return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
-    return F1_times_normal(c, eta, nats) - us_interval(c, alpha, nats);
+  const ThetaShares shares(poisson);
+  return enclose_displacement(digits, kernel, young, poisson, [&](double nats) {
+    return fixed_point_interval(data::SheetLoad::normal, eta, shares, nats) -
+           us_interval(shares, alpha, nats);
   });
 }
 
@@ -123,7 +92,7 @@ Enclosure us(const Exact& alpha, const Exact& young, const Exact& poisson, int d
   check_material(young, poisson);
   if (alpha.sign() == 0) return exact_zero(digits);
   return enclose_displacement(digits, 0, young, poisson,
-                              [&](const Compliances& c, double nats) { return us_interval(c, alpha, nats); });
+                              [&](double nats) { return us_interval(ThetaShares(poisson), alpha, nats); });
 }
 
 Enclosure vs(const Exact& alpha, const Exact& eta, const Exact& young, const Exact& poisson, int digits) {
@@ -131,8 +100,10 @@ Enclosure vs(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   check_argument(eta, "eta");
   check_material(young, poisson);
   const double kernel = nats_of_difference(alpha, eta);
-  return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
-    return (c.normal * I6_interval(alpha, eta, nats) + c.theta1 * I7_interval(eta, nats)) / c.pi;
+  return enclose_displacement(digits, kernel, young, poisson, [&](double nats) {
+    const Interval I6 = I6_interval(alpha, eta, nats), pi = Interval::pi(I6.precision()),
+                   theta1(Exact(ThetaShares(poisson).theta1), I6.precision());
+    return (I6 + theta1 * I7_interval(eta, nats)) / pi;
   });
 }
 

@@ -24,20 +24,7 @@ void check_place(const Exact& alpha, const Exact& depth) {
   }
 }
 
-void check_ratio(const Exact& poisson) {
-  if (poisson.value() <= -1 || 2 * poisson.value() > 1) {
-    throw data::BadInput("poisson", poisson.approximate(), "must satisfy -1 < poisson <= 0.5");
-  }
-}
-
 bool on_a_face(const Exact& depth) { return abs(depth.value()) == 1; }
-
-/// theta1/N and theta2/N.
-struct Shares {
-  mpq_class theta1, theta2;
-
-  explicit Shares(const Exact& poisson) : theta1(1 / (2 * (1 - poisson.value()))), theta2(1 - theta1) {}
-};
 
 FieldIntegrand across(SheetLoad load, const mpq_class& s) {
   if (load == SheetLoad::normal) {
@@ -65,7 +52,7 @@ FieldIntegrand shear(SheetLoad load, const mpq_class& s) {
   return {false, true, {{-1, 1, sinh_over_S, true}, {1, 0, cosh_over_S, true}, {s, 1, cosh_over_S, false}}};
 }
 
-FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const Shares& shares) {
+FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const ThetaShares& shares) {
   const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
   if (load == SheetLoad::normal) {
     return {false,
@@ -82,7 +69,7 @@ FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const Sha
 }
 
 /// The integrand of v without the part that depends on eta.
-FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const Shares& shares) {
+FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const ThetaShares& shares) {
   const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
   if (load == SheetLoad::normal) {
     return {true,
@@ -130,17 +117,6 @@ Enclosure on_face(const FieldTerm& first, bool sine, const Exact& alpha, Derivat
   return by_parity(integrand, alpha, face, digits, first_nats);
 }
 
-/// The part of v that depends on eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a
-/// shear load.
-Interval fixed_point_part(SheetLoad load, const Exact& eta, const Shares& shares, double nats) {
-  const mpfr_prec_t precision = working_precision(nats, 1000);
-  const Interval pi = Interval::pi(precision);
-  const Interval t1(Exact(shares.theta1), precision), t2(Exact(shares.theta2), precision);
-  if (load == SheetLoad::normal) return (t2 * I4_interval(eta, nats) - t1 * I5_interval(eta, nats)) / pi;
-  return (t1 * I7_interval(eta, nats) - I6_eta_interval(eta, nats)) / pi +
-         Interval(eta.magnitude(), precision) / 4;
-}
-
 }  // namespace
 
 Enclosure sheet_across(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
@@ -176,9 +152,9 @@ Enclosure vs_slope(const Exact& alpha, Derivative order, int digits) {
 
 Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& poisson, int digits) {
   check_place(alpha, depth);
-  check_ratio(poisson);
+  check_poisson(poisson);
   const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
-  return by_parity(displacement_across(load, depth.magnitude().value(), Shares(poisson)), alpha, depth,
+  return by_parity(displacement_across(load, depth.magnitude().value(), ThetaShares(poisson)), alpha, depth,
                    digits, first_nats);
 }
 
@@ -186,21 +162,21 @@ Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, Shee
                   const Exact& poisson, int digits) {
   check_place(alpha, depth);
   check_argument(eta, "eta");
-  check_ratio(poisson);
+  check_poisson(poisson);
   const bool odd = load == SheetLoad::normal;
   if (odd && alpha.sign() == 0 && eta.sign() == 0) return exact_zero(digits);
   if (depth.sign() == 0 &&
       (alpha.value() == eta.value() || (!odd && abs(alpha.value()) == abs(eta.value())))) {
     return exact_zero(digits);
   }
-  const Shares shares(poisson);
+  const ThetaShares shares(poisson);
   const FieldIntegrand integrand = displacement_along(load, depth.magnitude().value(), shares);
   const FieldPoint at{alpha.magnitude(), depth.magnitude()};
   // Far from the load, on the side of the fixed point, the parts that do not decay cancel.
   const bool same_side = !odd || alpha.sign() * eta.sign() > 0;
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
   return enclose(digits, same_side ? slowest_decay * nearer : 0, [&](double nats) {
-    const Interval of_eta = fixed_point_part(load, eta, shares, nats);
+    const Interval of_eta = fixed_point_interval(load, eta, shares, nats);
     if (odd && alpha.sign() == 0) return of_eta;
     const Interval value = field_integral(integrand, at, nats);
     return odd && alpha.sign() < 0 ? of_eta - value : of_eta + value;

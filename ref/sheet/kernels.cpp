@@ -44,6 +44,11 @@ void check_nonzero_argument(const Exact& argument, const char* name) {
   if (argument.sign() == 0) throw data::BadInput(name, "0", "must be nonzero: the kernel is infinite there");
 }
 
+void check_poisson(const Exact& poisson) {
+  if (poisson.value() <= -1 || 2 * poisson.value() > 1)
+    throw data::BadInput("poisson", poisson.approximate(), "must satisfy -1 < poisson <= 0.5");
+}
+
 Enclosure I1(const Exact& alpha, int digits) {
   check_nonzero_argument(alpha, "alpha");
   const double first = slowest_decay * std::abs(alpha.approximate());

@@ -38,6 +38,9 @@ void check_argument(const Exact& argument, const char* name);
 /// The same, and BadInput at 0, where the kernel is infinite.
 void check_nonzero_argument(const Exact& argument, const char* name);
 
+/// BadInput unless -1 < poisson <= 1/2.
+void check_poisson(const Exact& poisson);
+
 /// Im z_1, the slowest decay of a kernel, rounded up.
 inline constexpr double slowest_decay = 2.1062;
 

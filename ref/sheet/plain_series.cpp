@@ -1,7 +1,6 @@
 #include <nipref/ref/number/internal/complex_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
-#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {
@@ -10,7 +9,7 @@ ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits) 
   check_root_number(n);
   const auto coefficient = [&](auto part) {
     return enclose(digits, 0, [&](double nats) {
-      return part(plain_term(n, working_precision(nats, n))->coefficient(kernel));
+      return part(plain_coefficient(kernel, *sheet_pole(n, working_precision(nats, n))));
     });
   };
   // Of a sine transform the term is Re C e^(i z x), of a cosine transform -Im C e^(i z x).
@@ -33,9 +32,9 @@ Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms) {
       sum = sum.widened(rest);
       break;
     }
-    const auto term = plain_term(n, precision + 32);
-    const Interval size = exp(-(a * term->z.imag)), angle = a * term->z.real;
-    const ComplexInterval wave = term->coefficient(kernel) * ComplexInterval{cos(angle), sin(angle)};
+    const auto pole = sheet_pole(n, precision + 32);
+    const Interval size = exp(-(a * pole->z.imag)), angle = a * pole->z.real;
+    const ComplexInterval wave = plain_coefficient(kernel, *pole) * ComplexInterval{cos(angle), sin(angle)};
     sum = sum + size * (odd ? wave.real : wave.imag);
   }
   if (!odd) {

@@ -5,7 +5,8 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/number/internal/complex.hpp>
+#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/roots.hpp>
@@ -31,39 +32,25 @@ Interval residual(const Interval& x, long n) {
   return cosh(x) * p.sine - p.y;
 }
 
-Interval point(const Float& x) { return {x, x, bits_of(x)}; }
-
-/// One step of Newton's iteration for sinh w + w = 0 (derivative cosh w + 1) at the precision of `scratch`.
-void newton_step(Complex& w, Complex& scratch, Complex& slope) {
-  mpc_sinh(scratch.get(), w.get(), MPC_RNDNN);
-  mpc_add(scratch.get(), scratch.get(), w.get(), MPC_RNDNN);
-  mpc_cosh(slope.get(), w.get(), MPC_RNDNN);
-  mpc_add_ui(slope.get(), slope.get(), 1, MPC_RNDNN);
-  mpc_div(scratch.get(), scratch.get(), slope.get(), MPC_RNDNN);
-  mpc_sub(w.get(), w.get(), scratch.get(), MPC_RNDNN);
-}
-
-/// Re of the root w = 2z, by Newton steps with doubled precision. The error of the first guess is below 1, and small
-/// for large n.
+/// Re of the root w = 2z, by Newton's steps for sinh w + w = 0 with doubled precision. The error of the first guess is below
+/// 1, and small for large n.
 Float approximate(long n, mpfr_prec_t precision) {
   const double y = (2 * static_cast<double>(n) - 0.5) * std::numbers::pi;
   const double x = std::acosh(y);
-  Complex w(precision);
-  mpc_set_d_d(w.get(), x, y - x / std::sinh(x), MPC_RNDNN);
+  ComplexFloat w(x, y - x / std::sinh(x));
+  const auto improve = [&](mpfr_prec_t bits) {
+    const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.30103) + 1);
+    w = {at_working_precision(w.re), at_working_precision(w.im)};
+    const ComplexFloat up = exp(w), down = exp(-w);
+    w = w - ((up - down) / Float(2) + w) / ((up + down) / Float(2) + ComplexFloat(1));
+  };
   constexpr mpfr_prec_t first_precision = 128;
   constexpr int first_steps = 8;
-  for (int step = 0; step < first_steps; ++step) {
-    Complex scratch(first_precision);
-    Complex slope(first_precision);
-    newton_step(w, scratch, slope);
-  }
-  for (mpfr_prec_t reached = first_precision - 32; reached < precision; reached *= 2) {
-    Complex scratch(std::min(2 * reached + 64, precision));
-    Complex slope(std::min(2 * reached + 64, precision));
-    newton_step(w, scratch, slope);
-  }
+  for (int step = 0; step < first_steps; ++step) improve(first_precision);
+  for (mpfr_prec_t reached = first_precision - 32; reached < precision; reached *= 2)
+    improve(std::min(2 * reached + 64, precision));
   Float result = zero_of_bits(precision);
-  mpfr_set(raw(result), mpc_realref(w.get()), MPFR_RNDN);
+  mpfr_set(raw(result), raw(w.re), MPFR_RNDN);
   return result;
 }
 
@@ -77,8 +64,8 @@ Interval bracket(const Float& x, long n) {
     mpfr_set_ui_2exp(raw(distance), 1, exponent, MPFR_RNDN);
     mpfr_sub(raw(left), raw(x), raw(distance), MPFR_RNDN);
     mpfr_add(raw(right), raw(x), raw(distance), MPFR_RNDN);
-    const bool rises = mpfi_is_strictly_neg(residual(point(left), n).get()) > 0 &&
-                       mpfi_is_strictly_pos(residual(point(right), n).get()) > 0;
+    const bool rises = mpfi_is_strictly_neg(residual(interval_of(left), n).get()) > 0 &&
+                       mpfi_is_strictly_pos(residual(interval_of(right), n).get()) > 0;
     if (rises) return {left, right, bits_of(x)};
   }
   throw std::logic_error("Newton's iteration missed the root of the sheet");

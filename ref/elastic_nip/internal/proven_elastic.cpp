@@ -98,25 +98,17 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
   const ContactPrecision precision = precision_for(guess, digits, true);
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
-  const Float wanted = to_float(load), enough = pow(Float(10), -precision.expansion);
+  const Float wanted = to_float(load);
   const auto near = static_cast<double>(improved_half_length(wanted, guess, 1, first_digits, *smooth));
-  if (!is_allowed(near) || size_for(near, precision.expansion) > most_terms) return std::nullopt;
-  Float half_length =
-      improved_half_length(wanted, near, first_digits - 1, precision.expansion / 2 + 2, *smooth);
-  for (int step = 0;; ++step) {
-    const int size = size_for(static_cast<double>(half_length), precision.expansion);
-    const SolvedSystem solved(half_length, size, *smooth);
-    const Float factor = solved.length_factor(wanted);
-    if (abs(factor - 1) > enough && step < most_steps) {
-      half_length *= factor;
-      continue;
-    }
-    // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
-    const Interval here = interval_of(half_length);
-    const Interval found = solved.proven(here, smooth, precision).contact->load();
-    const Interval there = here * sqrt(Interval(load, working_bits()) / found);
-    return solved.proven(hull(here, there), smooth, precision);
-  }
+  const int size = size_for(near, precision.expansion);
+  if (!is_allowed(near) || size > most_terms) return std::nullopt;
+  const SolvedSystem solved(
+      improved_half_length(wanted, near, first_digits - 1, precision.expansion, *smooth), size, *smooth);
+  // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
+  const Interval here = interval_of(solved.system.half_length());
+  const Interval found = solved.proven(here, smooth, precision).contact->load();
+  const Interval there = here * sqrt(Interval(load, working_bits()) / found);
+  return solved.proven(hull(here, there), smooth, precision);
 }
 
 }  // namespace nipref::ref

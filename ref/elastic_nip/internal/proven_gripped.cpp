@@ -3,7 +3,6 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/ref/elastic_nip/internal/gripped_coercivity.hpp>
 #include <nipref/ref/elastic_nip/internal/gripped_system.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
@@ -51,6 +50,10 @@ EntryBounds gripped_bounds(const Interval& half_length, long size) {
   EntryBounds bounds = entry_bounds(half_length, static_cast<int>(size));
   bounds.amplitude = bounds.amplitude * (half_length * cosh(bounds.rate) + 1);
   return bounds;
+}
+
+Interval gripped_coercivity(const Interval& half_length, const Interval& beta) {
+  return coercivity(half_length, [&](const Interval& x) { return gripped_stiffness(x, beta); });
 }
 
 Interval sum_of_magnitudes(const std::vector<Interval>& x) {
@@ -126,9 +129,10 @@ class GrippedContact final : public ProvenResults {
   [[nodiscard]] std::optional<Interval> peak_pressure() const override { return peak(false); }
   [[nodiscard]] std::optional<Interval> peak_shear() const override { return peak(true); }
   [[nodiscard]] int terms() const override { return static_cast<int>(size_); }
-  [[nodiscard]] long normal_values() const override { return kernels_->at(0).kernel_values(); }
-  [[nodiscard]] long coupling_values() const override { return (*kernels_)[1].kernel_values(); }
-  [[nodiscard]] long stretch_values() const override { return kernels_->back().kernel_values(); }
+  [[nodiscard]] KernelValues kernel_values() const override {
+    const Kernels& all = *kernels_;
+    return {all[0].kernel_values(), all[1].kernel_values(), all[2].kernel_values()};
+  }
 
  private:
   System<Interval> assembled();

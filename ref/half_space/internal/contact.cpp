@@ -6,6 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -45,10 +46,8 @@ UnitNodes made_nodes(const UnitKey& key) {
       static_cast<int>((std::asinh(2.3026 * (key.digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
   UnitNodes nodes;
   for (int i = -last; i <= last; ++i) {
-    const Float s = i * step;
-    const Float growth = exp(pi() * sinh(s));
-    const Float right = 1 / (1 + growth), left = growth / (1 + growth);
-    nodes.push_back({left, right, log(right), step * pi() * cosh(s) * left * right});
+    const UnitPoint at(i * step);
+    nodes.push_back({at.from_left, at.from_right, log(at.from_right), step * at.slope});
   }
   return nodes;
 }
@@ -105,6 +104,16 @@ Estimate of_levels(const Float& fine, const Float& coarse, int digits) {
   return {fine, abs(fine - coarse) + rounding, digits};
 }
 
+Estimate with_shifted_ends(int digits, const std::function<Estimate(const Float& change)>& at) {
+  const Float off = tolerance(digits + 6);
+  const Estimate result = at(0);
+  const Float value = at_working_precision(result.value);
+  const auto moved = [&](const Float& change) -> Float {
+    return abs(at_working_precision(at(change).value) - value);
+  };
+  return {result.value, at_working_precision(result.error) + std::max(moved(off), moved(-off)), digits};
+}
+
 Float span_along_of(const HalfSpaceLoad& load, const Float& factor) {
   if (const auto* span = std::get_if<data::GivenSpan>(&load)) return span->along;
   return pow(std::get<data::GivenNormalForce>(load).force / factor, Float(1) / 3);
@@ -114,6 +123,51 @@ Float force_of(const HalfSpaceLoad& load, const Float& factor) {
   if (const auto* force = std::get_if<data::GivenNormalForce>(&load)) return force->force;
   const Float span = span_along_of(load, factor);
   return factor * span * span * span;
+}
+
+ScaledContact::ScaledContact(SurfaceAnswer of_surface, const HalfSpaceLoad& given, int asked, int cancelled)
+    : surface(std::move(of_surface)),
+      load(given),
+      digits(asked),
+      working(working_digits(asked, cancelled)),
+      exponent(stress_exponent(surface)) {}
+
+const Levels& ScaledContact::factor() const {
+  if (!factor_) {
+    const auto [fine, coarse] = integrated();
+    factor_ = {ldexp(fine, exponent), ldexp(coarse, exponent)};
+  }
+  return *factor_;
+}
+
+Estimate ScaledContact::function_of_factor(const Function& function) const {
+  const WorkingDigits scope(working);
+  return of_levels(function(factor().fine), function(factor().coarse), digits);
+}
+
+Estimate ScaledContact::function_of_span(const Function& function) const {
+  if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
+    const WorkingDigits scope(working);
+    const Float value = function(Float(given->along));
+    return of_levels(value, value, digits);
+  }
+  return function_of_factor([&](const Float& found) { return function(span_along_of(load, found)); });
+}
+
+Estimate ScaledContact::span_ratio(const Exact& degrees) const {
+  const WorkingDigits scope(working);
+  const Float found = ratio(degrees);
+  return of_levels(found, found, digits);
+}
+
+Estimate ScaledContact::span(const Exact& degrees) const {
+  const WorkingDigits scope(working);
+  const Float found = ratio(degrees);
+  return function_of_span([&](const Float& along) -> Float { return found * along; });
+}
+
+Estimate ScaledContact::force() const {
+  return function_of_factor([&](const Float& found) { return force_of(load, found); });
 }
 
 Estimate closed(const Float& value, int digits) { return estimated(value, 0, digits); }

@@ -64,21 +64,16 @@ Estimate closed(const Float& value, int digits);
 /// surface's digits; it may be of any size.
 Estimate of_levels(const Float& fine, const Float& coarse, int digits);
 
-/// A traction on a line, whose error includes that of the line's ends, which dominates close to them. at(span along the
-/// motion, change of both ends over the line's span) increases with both arguments. Contact has function_of_span and
-/// `digits`.
-template <class Contact, class At>
-Estimate with_shifted_ends(const Contact& contact, const At& at) {
-  const Float off = tolerance(contact.digits + 6);
-  const Float none(0);
-  Estimate result = contact.function_of_span([&](const Float& along) { return at(along, none); });
-  const Estimate more = contact.function_of_span([&](const Float& along) { return at(along, off); });
-  const Estimate less = contact.function_of_span([&](const Float& along) { return at(along, -off); });
-  const Float value = at_working_precision(result.value);
-  const Float change = std::max(Float(abs(at_working_precision(more.value) - value)),
-                                Float(abs(at_working_precision(less.value) - value)));
-  return {result.value, at_working_precision(result.error) + change, contact.digits};
+/// A number of the lines that takes no quadrature: of(surface at working digits).
+template <class Of>
+Estimate of_lines(const SurfaceAnswer& surface, int digits, const Of& of, int cancelled = 0) {
+  return with_digits(
+      digits, [&](int working) { return closed(of(WorkingSurface(surface, working)), digits); }, cancelled);
 }
+
+/// A traction on a line, whose error includes that of the line's ends, which dominates close to them. at(change of both ends
+/// over the line's span) goes up or down with it.
+Estimate with_shifted_ends(int digits, const std::function<Estimate(const Float& change)>& at);
 
 /// The contact's span along the motion under a load, where force = factor span^3.
 Float span_along_of(const HalfSpaceLoad& load, const Float& factor);
@@ -102,6 +97,39 @@ struct Levels {
 };
 Levels half_turn_integral(int digits, const CrowdedDirections& directions,
                           const std::function<Float(const Exact& degrees)>& value);
+
+/// A contact by the papers' rule, whose spans and force follow from an integral over the lines: force = factor span^3.
+class ScaledContact {
+ public:
+  ScaledContact(SurfaceAnswer surface, const HalfSpaceLoad& load, int digits, int cancelled);
+  virtual ~ScaledContact() = default;
+
+  const SurfaceAnswer surface;
+  const HalfSpaceLoad load;
+  const int digits, working;
+  const long exponent;  ///< stresses of the lines are in units of 2^exponent
+
+  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
+  /// L(psi)/L(0) at the working precision.
+  [[nodiscard]] virtual Float ratio(const Exact& degrees) const = 0;
+  /// The factor, when it is first asked for.
+  [[nodiscard]] const Levels& factor() const;
+
+  using Function = std::function<Float(const Float&)>;
+  /// Estimates of a function of the factor, and of the span along the motion.
+  [[nodiscard]] Estimate function_of_factor(const Function& function) const;
+  [[nodiscard]] Estimate function_of_span(const Function& function) const;
+  [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;
+  [[nodiscard]] Estimate span(const Exact& degrees) const;
+  [[nodiscard]] Estimate force() const;
+
+ protected:
+  /// The factor in the unit of stress of the lines.
+  [[nodiscard]] virtual Levels integrated() const = 0;
+
+ private:
+  mutable std::optional<Levels> factor_;
+};
 
 /// A node of the double exponential rule on (0, 1).
 struct UnitNode {

@@ -7,6 +7,7 @@
 
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using Points = std::vector<ComplexInterval>;
 
 Interval rational_interval(const mpq_class& x, mpfr_prec_t bits) { return {Exact(x), bits}; }
-
-Interval larger(const Interval& x, const Interval& y) { return mpfr_cmp(x.upper(), y.upper()) < 0 ? y : x; }
 
 ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
 
@@ -144,7 +143,7 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   Points roots, faded;
   Interval mu(bits);
   for (const ComplexInterval& root : roots_near(denominator, bits)) {
-    mu = roots.empty() ? root.real : larger(mu, root.real);
+    mu = roots.empty() ? root.real : larger_of(mu, root.real);
     roots.push_back(root);
     faded.push_back({root.real * time, root.imag * time});
   }

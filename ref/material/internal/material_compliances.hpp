@@ -1,8 +1,24 @@
 #pragma once
-#include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/ref/material/internal/rational_compliance.hpp>
+#include <vector>
+
+#include <nipref/ref/material/exact_material.hpp>
+#include <nipref/ref/number/internal/complex_float.hpp>
 
 namespace nipref::ref {
+
+/// The term Re amplitude e^(-rate t).
+struct ComplianceTerm {
+  ComplexFloat amplitude;  ///< 1/(stress time); for a conjugate pair twice that of one term
+  ComplexFloat rate;       ///< 1/time; imaginary part >= 0; exactly 0 if the function's is
+};
+
+/// theta(t) = at_once delta(t) + sum of the terms
+struct Compliance {
+  Float at_once;  ///< 1/stress
+  std::vector<ComplianceTerm> terms;
+};
+/// To the working precision.
+Compliance compliance_of(const ExactFunction& theta);
 
 struct MaterialCompliances {
   Compliance theta1, theta2;

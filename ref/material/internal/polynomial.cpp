@@ -22,6 +22,16 @@ Interval exactly(const Float& x, mpfr_prec_t bits) {
   return result;
 }
 
+/// The coefficients to the working precision.
+struct FloatPolynomial {
+  std::vector<Float> coefficients;
+
+  explicit FloatPolynomial(const Polynomial& exact);
+  [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) - 1; }
+  /// Value and slope.
+  [[nodiscard]] std::pair<ComplexFloat, ComplexFloat> at(const ComplexFloat& z) const;
+};
+
 /// Points on a circle that contains all zeros (Fujiwara), rotated a little so that no two are conjugate.
 std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
   const int n = p.degree();
@@ -43,6 +53,42 @@ Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
   Float sum = 0;
   for (auto c = p.coefficients.rbegin(); c != p.coefficients.rend(); ++c) sum = sum * size + abs(*c);
   return sum;
+}
+
+FloatPolynomial::FloatPolynomial(const Polynomial& exact) {
+  for (const mpq_class& c : exact) coefficients.push_back(to_float(Exact(c)));
+}
+
+std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z) const {
+  ComplexFloat value, slope;
+  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
+    slope = slope * z + value;
+    value = value * z + ComplexFloat(*c);
+  }
+  return {std::move(value), std::move(slope)};
+}
+
+/// Approximations of all zeros by the method of Ehrlich and Aberth. It ends when no zero has a relative change above
+/// `unit` or the polynomial's values are rounding errors.
+std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
+  constexpr int most_rounds = 2000, lost_bits = 4;
+  const Float rounding = ldexp(Float(1), lost_bits - working_bits());
+  std::vector<ComplexFloat> zeros = first_guesses(p);
+  Float change = 1;
+  for (int round = 0; round < most_rounds && change > 0; ++round) {
+    change = 0;
+    for (std::size_t k = 0; k < zeros.size(); ++k) {
+      ComplexFloat& zero = zeros[k];
+      const auto [value, slope] = p.at(zero);
+      if (abs(value) <= rounding * size_of_terms(p, zero)) continue;
+      if (p.degree() * abs(value) <= unit * unit * abs(slope) * abs(zero)) continue;
+      const ComplexFloat step = zero_correction(zeros, k, slope / value);
+      zero = zero - step;
+      const Float relative = abs(step) / abs(zero);
+      if (relative > unit) change = std::max(change, relative);
+    }
+  }
+  return zeros;
 }
 
 }  // namespace
@@ -86,41 +132,14 @@ void cancel(Polynomial& numerator, Polynomial& denominator) {
   denominator = divide(denominator, common);
 }
 
-FloatPolynomial::FloatPolynomial(const Polynomial& exact) {
-  for (const mpq_class& c : exact) coefficients.push_back(to_float(Exact(c)));
-}
-
-std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z) const {
-  ComplexFloat value, slope;
-  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
-    slope = slope * z + value;
-    value = value * z + ComplexFloat(*c);
+ComplexFloat zero_correction(const std::vector<ComplexFloat>& zeros, std::size_t number,
+                             const ComplexFloat& slope_over_value) {
+  ComplexFloat push;
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    const ComplexFloat apart = zeros[number] - zeros[k];
+    if (k != number && abs(apart) > 0) push = push + ComplexFloat(1) / apart;
   }
-  return {std::move(value), std::move(slope)};
-}
-
-std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
-  constexpr int most_rounds = 2000, lost_bits = 4;
-  const Float rounding = ldexp(Float(1), lost_bits - working_bits());
-  std::vector<ComplexFloat> zeros = first_guesses(p);
-  Float change = 1;
-  for (int round = 0; round < most_rounds && change > 0; ++round) {
-    change = 0;
-    for (ComplexFloat& zero : zeros) {
-      const auto [value, slope] = p.at(zero);
-      if (abs(value) <= rounding * size_of_terms(p, zero)) continue;
-      if (p.degree() * abs(value) <= unit * unit * abs(slope) * abs(zero)) continue;
-      ComplexFloat push;
-      for (const ComplexFloat& other : zeros) {
-        if (&other != &zero && abs(zero - other) > 0) push = push + ComplexFloat(1) / (zero - other);
-      }
-      const ComplexFloat step = ComplexFloat(1) / (slope / value - push);
-      zero = zero - step;
-      const Float relative = abs(step) / abs(zero);
-      if (relative > unit) change = std::max(change, relative);
-    }
-  }
-  return zeros;
+  return ComplexFloat(1) / (slope_over_value - push);
 }
 
 std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {

@@ -20,19 +20,10 @@ Polynomial divide(Polynomial& dividend, const Polynomial& divisor);
 /// Divides both by their greatest common factor; the denominator is not 0.
 void cancel(Polynomial& numerator, Polynomial& denominator);
 
-/// The same coefficients to the working precision.
-struct FloatPolynomial {
-  std::vector<Float> coefficients;
-
-  explicit FloatPolynomial(const Polynomial& exact);
-  [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) - 1; }
-  /// Value and slope.
-  [[nodiscard]] std::pair<ComplexFloat, ComplexFloat> at(const ComplexFloat& z) const;
-};
-
-/// Approximations of all zeros by the method of Ehrlich and Aberth. It ends when no zero has a relative change above
-/// `unit` or the polynomial's values are rounding errors. The caller has to prove the zeros.
-std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit);
+/// Aberth's and Ehrlich's correction of one of the approximate zeros of a function: Newton's for the function over the product
+/// of its distances from the others. `slope_over_value` is that of the function at the zero.
+ComplexFloat zero_correction(const std::vector<ComplexFloat>& zeros, std::size_t number,
+                             const ComplexFloat& slope_over_value);
 
 /// Approximations of the roots to about `bits` bits. A root 0 is exact and appears as often as its multiplicity. The
 /// caller has to prove the others.

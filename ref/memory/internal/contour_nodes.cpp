@@ -1,10 +1,8 @@
-#include <algorithm>
+#include <climits>
 #include <cmath>
-#include <stdexcept>
 
 #include <nipref/ref/memory/internal/contour_nodes.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -13,38 +11,6 @@ constexpr mpfr_prec_t guard_bits = 32;
 
 ComplexInterval scaled(long factor, const ComplexInterval& z) { return {factor * z.real, factor * z.imag}; }
 ComplexInterval one_minus(const ComplexInterval& z) { return {1 - z.real, -z.imag}; }
-
-struct PathPoint {
-  ComplexInterval z;
-  ComplexInterval slope;  ///< dz/dt
-};
-
-class Path {
- public:
-  Path(Contour contour, mpfr_prec_t precision)
-      : contour_(contour),
-        half_(0.5, precision),
-        angle_(angle(contour), precision),
-        cosine_(cos(angle_)),
-        sine_(sin(angle_)) {}
-
-  [[nodiscard]] PathPoint at(double t) const {
-    const Interval rising = exp(Interval(t, half_.precision())), falling = 1 / rising;
-    const Interval large = half_ * (rising + falling), small = half_ * (rising - falling);
-    if (contour_ == Contour::down)
-      return {{small * cosine_, 3 * half_ - large * sine_}, {large * cosine_, -(small * sine_)}};
-    return {{small * cosine_, large * sine_}, {large * cosine_, small * sine_}};
-  }
-
- private:
-  static double angle(Contour contour) {
-    if (contour == Contour::low) return 0.25;
-    return contour == Contour::high ? 0.75 : 0.5;
-  }
-
-  Contour contour_;
-  Interval half_, angle_, cosine_, sine_;
-};
 
 /// The complex interval around 1 whose real and imaginary parts have the half-width 2^-k.
 ComplexInterval nearly_one(mpfr_prec_t k) {
@@ -60,9 +26,7 @@ ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
   // (1 - E^2)^2/D differs from 1 by less than 5 (|z| + 1) e^{-2x} < e^{-x}, as |z| < 2x and x > 32.
   if (kernel == Symbol::normal && mpfr_cmp_si(z.real.lower(), precision) > 0)
     return nearly_one(precision) * inverse(z);
-  const Interval size = exp(-z.real);
-  const ComplexInterval e{size * cos(z.imag), -(size * sin(z.imag))};
-  const ComplexInterval square = e * e;
+  const ComplexInterval e = exp(-z), square = e * e;
   const ComplexInterval over_d = inverse(one_minus(square * square) + scaled(4, z * square));
   switch (kernel) {
     case Symbol::I3:
@@ -76,37 +40,22 @@ ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
   }
 }
 
-/// Sets `result` to the number rounded to its precision; std::logic_error if the interval is wider than 2^-precision.
-void set(Complex& result, const ComplexInterval& x) {
-  const mpfr_prec_t bits = mpfr_get_prec(mpc_realref(result.get()));
-  Float smallest = zero_of_bits(64), width = zero_of_bits(64), other = zero_of_bits(64);
-  mpfi_mig(raw(smallest), sqrt(square(x.real) + square(x.imag)).get());
-  mpfi_diam_abs(raw(width), x.real.get());
-  mpfi_diam_abs(raw(other), x.imag.get());
-  mpfr_max(raw(width), raw(width), raw(other), MPFR_RNDU);
-  mpfr_mul_2si(raw(width), raw(width), bits + 4, MPFR_RNDU);
-  if (mpfr_lessequal_p(raw(width), raw(smallest)) == 0)
-    throw std::logic_error("a node of the memory integrals lacks digits");
-  mpfi_get_fr(mpc_realref(result.get()), x.real.get());
-  mpfi_get_fr(mpc_imagref(result.get()), x.imag.get());
-}
-
 ContourNodes make_contour_nodes(const ContourKey& key) {
-  const Path path(key.contour, key.bits + guard_bits);
+  const mpfr_prec_t more = key.bits + guard_bits;
+  const Interval angle(key.angle, more), cosine = cos(angle), sine = sin(angle);
   ContourNodes nodes;
   for (long j = key.block * nodes_in_block; j < (key.block + 1) * nodes_in_block; ++j) {
-    const PathPoint point = path.at(static_cast<double>(j) * key.step);
-    ContourNode& node = nodes.emplace_back(key.bits);
-    set(node.z, point.z);
-    set(node.weight, whole_symbol(key.kernel, point.z) * point.slope);
+    const Interval t(static_cast<double>(j) * key.step, more), large = cosh(t), small = sinh(t);
+    const ComplexInterval z{small * cosine, large * sine}, slope{large * cosine, small * sine};
+    nodes.push_back({rounded(z, key.bits), rounded(whole_symbol(key.kernel, z) * slope, key.bits)});
   }
   return nodes;
 }
 
 std::size_t size_in_bytes(const ContourNodes& nodes) {
-  constexpr std::size_t parts = 4;  // real and imaginary parts of z and of the weight
-  const std::size_t digits = mpfr_custom_get_size(mpfr_get_prec(mpc_realref(nodes.front().z.get())));
-  return nodes.size() * (sizeof(ContourNode) + parts * digits);
+  constexpr std::size_t numbers = 8;  // both ends of the parts of z and of the weight
+  const auto bits = static_cast<std::size_t>(nodes.front().z.real.precision());
+  return nodes.size() * (sizeof(ContourNode) + numbers * bits / CHAR_BIT);
 }
 
 }  // namespace

@@ -5,14 +5,12 @@
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
 
 namespace nipref::ref {
 namespace {
 
-void add_product(Float& sum, Float& scratch, const Float& x, const Float& y) {
-  mpfr_mul(raw(scratch), raw(x), raw(y), MPFR_RNDN);
-  mpfr_add(raw(sum), raw(sum), raw(scratch), MPFR_RNDN);
-}
+using ref::add_product;
 void add_product(Interval& sum, Interval& scratch, const Interval& x, const Float& y) {
   mpfi_mul_fr(scratch.get(), x.get(), raw(y));
   mpfi_add(sum.get(), sum.get(), scratch.get());
@@ -147,25 +145,28 @@ ChebyshevSystem::Applied<Number> ChebyshevSystem::applied_to(const std::vector<N
 }
 
 std::vector<Float> ChebyshevSystem::solution(const SlopeSeries& right) const {
-  constexpr int most_rounds = 60;  // of refinement: each gains some ten digits
-  std::vector<Float> c(at(end())), rest = c;
-  for (long m = first(); m < end(); m += 2) rest[at(m)] = middle_of(right.coefficients[at(m)]);
-  Float last_size = -1;
-  for (int round = 0; round < most_rounds; ++round) {
-    Float size = 0;
-    for (const Float& x : rest) size = std::max<Float>(size, abs(x));
-    if (size == 0 || (round > 0 && !(size < last_size / 2))) break;
-    last_size = size;
-    Eigen::VectorXd scaled = Eigen::VectorXd::Zero(size_);
-    for (long m = first(); m < end(); m += 2) scaled((m - 1) / 2) = static_cast<double>(rest[at(m)] / size);
-    const Eigen::VectorXd change = solved_in_double(scaled);
-    for (long m = first(); m < end(); m += 2) c[at(m)] += size * change((m - 1) / 2);
-    const std::vector<Float> smooth = applied_to(c).smooth;
-    for (long m = first(); m < end(); m += 2)
-      rest[at(m)] =
-          middle_of(right.coefficients[at(m)]) - c[at(m)] - 2 * smooth[at(m)] / (Float(size_) * size_);
-  }
-  return c;
+  const Vector::Index unknowns = (end() - first() + 1) / 2;
+  const auto spread = [&](const Vector& x) {
+    std::vector<Float> c(at(end()));
+    for (Vector::Index k = 0; k < unknowns; ++k) c[at(first() + 2 * k)] = x(k);
+    return c;
+  };
+  const auto apply = [&](const Vector& x) {
+    const std::vector<Float> smooth = applied_to(spread(x)).smooth;
+    Vector result = x;
+    for (Vector::Index k = 0; k < unknowns; ++k)
+      result(k) += 2 * smooth[at(first() + 2 * k)] / (Float(size_) * size_);
+    return result;
+  };
+  Vector wanted(unknowns);
+  for (Vector::Index k = 0; k < unknowns; ++k) wanted(k) = middle_of(right.coefficients[at(first() + 2 * k)]);
+  const auto solve = [&](const Eigen::VectorXd& rest) -> Eigen::VectorXd {
+    Eigen::VectorXd padded = Eigen::VectorXd::Zero(size_);
+    padded.head(unknowns) = rest;
+    return solved_in_double(padded).head(unknowns);
+  };
+  // No proof relies on it, as proven() bounds what it leaves.
+  return spread(refined_by(solve, wanted, apply).value_or(Vector(unknowns)));
 }
 
 BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, const SlopeSeries& right,
@@ -192,7 +193,7 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   const Interval beyond = first_power / sqrt(1 - decay.power(4));
   const Interval norm = sqrt(sum) + 2 * (entry_error * node_sum) + sqrt_of(4 * n) * right.next +
                         unknowns * (apart / half_length + folded + decay.amplitude * beyond);
-  const Interval energy_radius = magnitude_of(norm / coercivity(half_length));
+  const Interval energy_radius = magnitude_of(norm / coercivity(half_length, frictionless_stiffness));
   const Interval radius =
       n * energy_radius + 8 * n * right.next +
       decay.amplitude * (unknowns * tail(decay.rate, rest) +

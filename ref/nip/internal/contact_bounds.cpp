@@ -15,17 +15,29 @@ double log_of_Q(double y) { return std::log(2 / (2 - y) + 4 / ((2 - y) * (2 - y)
 
 }  // namespace
 
-Interval coercivity(const Interval& half_length) {
-  constexpr int steps = 16;
+Interval coercivity(const Interval& half_length, const Stiffness& stiffness) {
+  constexpr long steps = 16;
   Interval best(half_length.precision());
-  for (int k = 1; k < steps; ++k) {
-    const Interval z = Interval(2L * k, half_length.precision()) / steps;
-    const Interval twice = 2 * z / half_length;
-    const Interval kept = (cosh(twice) - 1) / (sinh(twice) + twice);
-    const Interval value = kept * (1 - square(z) / 4);
+  for (long k = 1; k < steps; ++k) {
+    const Interval z = Interval(2 * k, half_length.precision()) / steps;
+    const Interval value = stiffness(z / half_length) * (1 - square(z) / 4);
     if (mpfr_greater_p(value.lower(), best.lower()) != 0) best = value;
   }
   return best;
+}
+
+Interval frictionless_stiffness(const Interval& x) {
+  const Interval twice = 2 * x;
+  return (cosh(twice) - 1) / (sinh(twice) + twice);
+}
+
+/// The least eigenvalue is at least the determinant over the trace, (1 - beta)(r + beta) with r = (sinh 2x - 2x)/S, which
+/// rises, times S/(2 cosh 2x), which rises and then falls to 1/2.
+Interval gripped_stiffness(const Interval& x, const Interval& beta) {
+  const Interval twice = 2 * x, S = sinh(twice) + twice;
+  const Interval over_trace = S / (2 * cosh(twice));
+  const Interval least = mpfr_cmp_d(over_trace.lower(), 0.5) < 0 ? over_trace : Interval(0.5, x.precision());
+  return (1 - beta) * ((sinh(twice) - twice) / S + beta) * least;
 }
 
 EntryBounds entry_bounds(const Interval& half_length, int size) {

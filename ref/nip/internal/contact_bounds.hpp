@@ -1,13 +1,20 @@
 #pragma once
+#include <functional>
+
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 
-// Bounds of the frictionless contact's system x + G x = f in Chebyshev's polynomials, (1) and (2) of
-// ref/elastic_nip/README.md, Contacts without friction.
+// Bounds of the contacts' systems in Chebyshev's polynomials, (1) and (2) of ref/elastic_nip/README.md.
 
-/// lambda of (1), for all half lengths of the interval.
-Interval coercivity(const Interval& half_length);
+/// A bound from below of x times the symbol of the displacements under the tractions, for the wave number x and all larger
+/// ones: without friction, and the least eigenvalue with full friction, beta = theta2/N.
+Interval frictionless_stiffness(const Interval& x);
+Interval gripped_stiffness(const Interval& x, const Interval& beta);
+
+/// lambda of (1) with such a bound, for all half lengths of the interval, in half-thicknesses.
+using Stiffness = std::function<Interval(const Interval& x)>;
+Interval coercivity(const Interval& half_length, const Stiffness& stiffness);
 
 /// C and tau of (2) that an expansion of this size is proven with.
 struct EntryBounds {

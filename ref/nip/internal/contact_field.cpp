@@ -40,9 +40,9 @@ ContactField::ContactField(const FieldSource& coarse, const FieldSource& fine, c
       digits_(digits) {}
 
 InnerStresses ContactField::at(const SheetPoint& point, bool symmetric, const Float& unit) const {
-  const FloatStresses value = fine_.at(point.alpha, point.depth);
-  const Float error = 2 * largest_difference(value, coarse_.at(point.alpha, point.depth)) +
-                      scale_ * power_of_ten(-digits_ - 2) + uncertainty_;
+  const FloatStresses value = fine_.at(point);
+  const Float error =
+      2 * largest_difference(value, coarse_.at(point)) + scale_ * power_of_ten(-digits_ - 2) + uncertainty_;
   const auto estimated = [&](const Float& x) -> Estimate { return {unit * x, unit * error, digits_}; };
   const bool no_shear = point.depth == 0 || (symmetric && point.alpha == 0);
   return {estimated(value.across), estimated(value.along),
@@ -51,8 +51,8 @@ InnerStresses ContactField::at(const SheetPoint& point, bool symmetric, const Fl
 
 InnerDisplacements ContactField::displacements_at(const SheetPoint& point, const FloatShares& share,
                                                   const Float& uncertain, const Float& unit) const {
-  const FloatDisplacements value = fine_.displacements(point.alpha, point.depth, share),
-                           other = coarse_.displacements(point.alpha, point.depth, share);
+  const FloatDisplacements value = fine_.displacements(point, share),
+                           other = coarse_.displacements(point, share);
   const auto estimated = [&](const Float& x, const Float& y, bool is_zero) -> Estimate {
     if (is_zero) return exact_zero(digits_);
     return {unit * x, unit * (2 * abs(x - y) + uncertain), digits_};
@@ -73,7 +73,7 @@ SheetPoint ContactField::best_sample(bool symmetric) const {
   SheetPoint best{middle_, 1};
   Float largest = -1;
   const auto is_better = [&](const SheetPoint& point) {
-    const Float shear = shear_of(rough_.at(point.alpha, point.depth));
+    const Float shear = shear_of(rough_.at(point));
     if (!(shear > largest)) return false;
     largest = shear;
     best = point;
@@ -102,7 +102,7 @@ ContactField::Peak ContactField::peak(const InnerField& field, const SheetPoint&
   const Float reach = smooth_radius(near);
   const bool on_face = near.depth == 1;
   const Float step = reach * pow(Float(10), -(digits_ + guard) / Float(5)) / 4;
-  const auto value = [&](const SheetPoint& at) { return shear_of(field.at(at.alpha, at.depth)); };
+  const auto value = [&](const SheetPoint& at) { return shear_of(field.at(at)); };
   SheetPoint at = near;
   Float change = reach;
   for (int round = 0; round < 12; ++round) {

@@ -15,11 +15,6 @@ struct FieldSource {
   InnerField::Tractions tractions;
 };
 
-/// A point inside the sheet, in half-thicknesses: alpha along the sheet, and -1 <= depth <= 1.
-struct SheetPoint {
-  Float alpha, depth;
-};
-
 /// The stresses inside the sheet from the tractions of two solutions of a contact, a coarse and a fine one. The
 /// values are those of the fine solution. The error is estimated, not proven: twice the largest difference of the two
 /// solutions' stresses at the point, plus a hundredth of the last digit of `scale`, plus `uncertainty`.

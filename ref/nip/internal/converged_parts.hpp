@@ -7,12 +7,27 @@
 
 #include <nipref/ref/nip/converged.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
-#include <nipref/ref/nip/internal/nip_units.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/nip/internal/solved_nip.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
+
+/// Units of the dimensionless contact, exactly.
+struct NipUnits {
+  mpq_class length;        ///< b
+  mpq_class slope;         ///< b/(2R)
+  mpq_class displacement;  ///< b^2/(2R)
+  mpq_class pressure;      ///< b/(2 R N), N at once
+  mpq_class force;         ///< b^2/(2 R N)
+
+  NipUnits(double roller_radius, double sheet_thickness, const mpq_class& compliance)
+      : length(mpq_class(sheet_thickness) / 2),
+        slope(length / (2 * mpq_class(roller_radius))),
+        displacement(slope * length),
+        pressure(slope / compliance),
+        force(pressure * length) {}
+};
 
 /// A nip that is to be solved to so many digits, and of which the reference solves contacts from `shortest` sheet
 /// thicknesses on.
@@ -61,7 +76,9 @@ struct ConvergedNip::Parts {
   [[nodiscard]] Float size() const;  ///< half length
   [[nodiscard]] const NipSolution& fine() const { return by_panels().fine(); }
   [[nodiscard]] Float in_unit(Unit unit) const { return to_float(Exact(units.*unit)); }
-  /// What `proven` gives of the proof, or else the estimate of a functional with the size of its kind.
+  /// What `proven` gives of the proof; nothing without one, or where it gives nothing.
+  [[nodiscard]] std::optional<Estimate> by_proof(Unit unit, const Proven& proven) const;
+  /// The same, or else the estimate of a functional with the size of its kind.
   [[nodiscard]] Estimate number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
                                 const SolvedNip::Functional& size) const;
   /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
@@ -73,7 +90,9 @@ struct ConvergedNip::Parts {
   [[nodiscard]] Float end_error() const;
   [[nodiscard]] bool is_outside(const Float& x) const;
   [[nodiscard]] Float by_ends(const Float& x, Float PressureAndShear::*part) const;
-  [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part) const;
+  using ProvenTraction = Interval (ProvenResults::*)(const SurfacePoint&) const;
+  [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part, ProvenTraction proven) const;
+  [[nodiscard]] long kernel_values(long KernelValues::*of) const;
   void check_place(double y) const;
   void check_has_shear() const;
   [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 #include <utility>
 
 #include <nipref/ref/nip/internal/inner_field.hpp>
@@ -20,18 +19,6 @@ struct SineAndCosine {
 };
 
 double nats_of(int digits) { return digits * std::numbers::ln10; }
-
-/// 1/(1 + e^{-pi sinh t}).
-struct UnitPoint {
-  Float from_left, from_right, slope;
-
-  explicit UnitPoint(const Float& t) {
-    const Float growth = exp(pi() * sinh(t));
-    from_right = 1 / (1 + growth);
-    from_left = growth * from_right;
-    slope = pi() * cosh(t) * from_left * from_right;
-  }
-};
 
 /// The substitution that maps (0, 1) to the range of u from `start` over `length`. It is linear, unless `scale`
 /// (which is d inside the sheet) is below the length: then u = scale sinh w with w linear.
@@ -65,28 +52,6 @@ class Substitution {
   Float scale_, first_, last_, span_;
 };
 
-Float largest_change(const FloatStresses& a, const FloatStresses& b) {
-  return std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)});
-}
-Float largest_change(const FloatDisplacements& a, const FloatDisplacements& b) {
-  return std::max(abs(a.across - b.across), abs(a.along - b.along));
-}
-FloatStresses times(const Float& factor, const FloatStresses& s) {
-  return {factor * s.across, factor * s.along, factor * s.shear};
-}
-FloatDisplacements times(const Float& factor, const FloatDisplacements& u) {
-  return {factor * u.across, factor * u.along};
-}
-void add(const FloatStresses& more, FloatStresses& sum) {
-  sum.across += more.across;
-  sum.along += more.along;
-  sum.shear += more.shear;
-}
-void add(const FloatDisplacements& more, FloatDisplacements& sum) {
-  sum.across += more.across;
-  sum.along += more.along;
-}
-
 /// The sign of u = alpha - alpha' for a traction on the left or the right of the point.
 enum Side { left_of_point = 1, right_of_point = -1 };
 
@@ -101,24 +66,22 @@ struct InnerField::FacePoint {
 
   /// Adds half of pi times the displacements of a traction at |alpha - alpha'| = `gap`, times a weight.
   void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
-           FloatDisplacements& sum) const {
+           Displacements& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance, part = shares.theta1 * distance / square;
     const Float logarithm = log(square) / 2, angle = shares.theta2 * atan2(u, distance), half = weight / 2;
-    sum.across +=
-        face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
-    sum.along += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
+    sum[0] += face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
+    sum[1] += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
   }
   /// Adds the stresses of a traction at |alpha - alpha'| = `gap`, times a weight.
-  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
-           FloatStresses& sum) const {
+  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight, Stresses& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance;
     const Float along = (distance * here.pressure + u * here.shear) * weight / (square * square);
     const Float share = along * distance;
-    sum.across -= share * distance;
-    sum.along -= along * u * u;
-    sum.shear += face * (share * u);
+    sum[0] -= share * distance;
+    sum[1] -= along * u * u;
+    sum[2] += face * (share * u);
   }
 };
 
@@ -154,13 +117,13 @@ const std::vector<InnerField::UnitNode>& InnerField::level(int number) const {
 }
 
 /// Adds the integral over a segment, with finer and finer levels until it has converged.
-template <class Field>
-void InnerField::add_segment(const Segment& segment, const FacePoint& point, Field& sum) const {
+template <std::size_t Parts>
+void InnerField::add_segment(const Segment& segment, const FacePoint& point,
+                             std::array<Float, Parts>& sum) const {
   // Displacements are smaller than tractions under a short contact.
-  constexpr bool is_displacement = std::is_same_v<Field, FloatDisplacements>;
-  const Float scale = is_displacement ? std::min(Float(1), half_length_) : Float(1);
+  const Float scale = Parts == 2 ? std::min(Float(1), half_length_) : Float(1);
   const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits);
-  Field total, before;
+  std::array<Float, Parts> total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitNode& node : level(number)) {
       const Substitution::Point at = segment.range.at(node.from_left, node.from_right);
@@ -177,22 +140,23 @@ void InnerField::add_segment(const Segment& segment, const FacePoint& point, Fie
       }
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
-    const Field now = times(factor, total);
-    const Float change = largest_change(now, before);
-    before = now;
+    Float change = 0;
+    for (std::size_t i = 0; i < Parts; ++i) {
+      const Float now = factor * total[i];
+      change = std::max(change, Float(abs(now - before[i])));
+      before[i] = now;
+    }
     if (number >= first_judged_level && change <= enough) break;
   }
-  ref::add(before, sum);
+  for (std::size_t i = 0; i < Parts; ++i) sum[i] += before[i];
 }
 
-InnerField::FacePoint InnerField::face_point(const Float& alpha, const Float& depth, int face,
-                                             const FloatShares& share) const {
-  const Float from_middle = alpha - middle_;
-  return {half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false, share};
-}
-
-template <class Field>
-void InnerField::add_half_plane(FacePoint point, Field& sum) const {
+template <std::size_t Parts>
+void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
+                                std::array<Float, Parts>& sum) const {
+  const Float from_middle = at.alpha - middle_;
+  FacePoint point{
+      half_length_ + from_middle, half_length_ - from_middle, 1 - face * at.depth, face, false, shares};
   const Float near = std::min(point.from_left, point.from_right),
               far = std::max(point.from_left, point.from_right);
   const bool more_right = point.from_right > point.from_left;
@@ -206,11 +170,11 @@ void InnerField::add_half_plane(FacePoint point, Field& sum) const {
   if (near > 0) {
     add_segment({Substitution(0, near, scale), true, true, point.from_left - near, point.from_right - near},
                 point, sum);
-    if constexpr (std::is_same_v<Field, FloatStresses>) {
-      if (point.distance == 0) {
-        const FaceTraction here = tractions_(point.from_left, point.from_right);
-        ref::add({-here.pressure, -here.pressure, point.face * here.shear}, sum);
-      }
+    if (Parts == 3 && point.distance == 0) {
+      const FaceTraction here = tractions_(point.from_left, point.from_right);
+      sum[0] -= here.pressure;
+      sum[1] -= here.pressure;
+      sum.back() += face * here.shear;
     }
   }
   if (far > near)
@@ -300,52 +264,57 @@ struct InnerField::Across {
   }
 };
 
-void InnerField::add_sheet_rest(const Float& alpha, const Float& s, FloatStresses& sum) const {
+void InnerField::add_sheet_rest(const SheetPoint& point, const FloatShares&, Stresses& sum) const {
+  const auto& [alpha, s] = point;
   for (const Wave& wave : waves(alpha)) {
     const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
     const Across at(wave, s);
     const Float zaC = z * a * at.C, zbC = z * b * at.C, szaS = s * z * a * at.S, szbS = s * z * b * at.S;
     const Float zaS = z * a * at.S, zbS = z * b * at.S, szaC = s * zaC, szbC = s * zbC;
     const Transforms of(wave, alpha - middle_);
-    sum.across += wave.weight * ((at.even + at.z_even - a * at.C - zbC + szaS) * of.p_even +
-                                 (at.z_even - zaC + szbS) * of.q_odd);
-    sum.along += wave.weight * ((zbC - a * at.C - szaS + at.even - at.z_even) * of.p_even +
-                                (zaC - 2 * (b * at.C) - szbS + 2 * at.even - at.z_even) * of.q_odd);
-    sum.shear += wave.weight * ((zbS - szaC - at.z_odd) * of.p_odd +
-                                (b * at.S - zaS + szbC - at.odd + at.z_odd) * of.q_even);
+    sum[0] += wave.weight * ((at.even + at.z_even - a * at.C - zbC + szaS) * of.p_even +
+                             (at.z_even - zaC + szbS) * of.q_odd);
+    sum[1] += wave.weight * ((zbC - a * at.C - szaS + at.even - at.z_even) * of.p_even +
+                             (zaC - 2 * (b * at.C) - szbS + 2 * at.even - at.z_even) * of.q_odd);
+    sum[2] += wave.weight *
+              ((zbS - szaC - at.z_odd) * of.p_odd + (b * at.S - zaS + szbC - at.odd + at.z_odd) * of.q_even);
   }
 }
 
-void InnerField::add_sheet_rest(const Float& alpha, const Float& s, const FloatShares& share,
-                                FloatDisplacements& sum) const {
-  const auto& [t1, t2] = share;
+void InnerField::add_sheet_rest(const SheetPoint& point, const FloatShares& shares,
+                                Displacements& sum) const {
+  const auto& [alpha, s] = point;
+  const auto& [t1, t2] = shares;
   for (const Wave& wave : waves(alpha)) {
     const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
     const Across at(wave, s);
     const Transforms of(wave, alpha - middle_);
     const Float over = wave.weight / z, t1z = t1 * z;
-    sum.across +=
+    sum[0] +=
         over * ((at.odd - a * at.S + t1 * at.z_odd - t1z * (b * at.S - s * a * at.C)) * of.p_even +
                 (t2 * (at.odd - b * at.S) + t1 * at.z_odd - t1z * (a * at.S - s * b * at.C)) * of.q_odd);
-    sum.along +=
+    sum[1] +=
         over * ((t2 * (at.even - a * at.C) - t1 * at.z_even + t1z * (b * at.C - s * a * at.S)) * of.p_odd +
                 (b * at.C - at.even + t1 * at.z_even - t1z * (a * at.C - s * b * at.S)) * of.q_even);
   }
 }
 
-FloatStresses InnerField::at(const Float& alpha, const Float& depth) const {
-  FloatStresses sum;
-  for (const int face : {1, -1}) add_half_plane(face_point(alpha, depth, face, {}), sum);
-  add_sheet_rest(alpha, depth, sum);
+template <std::size_t Parts>
+std::array<Float, Parts> InnerField::sums(const SheetPoint& point, const FloatShares& shares) const {
+  std::array<Float, Parts> sum;
+  for (const int face : {1, -1}) add_half_plane(point, face, shares, sum);
+  add_sheet_rest(point, shares, sum);
   return sum;
 }
 
-FloatDisplacements InnerField::displacements(const Float& alpha, const Float& depth,
-                                             const FloatShares& share) const {
-  FloatDisplacements sum;
-  for (const int face : {1, -1}) add_half_plane(face_point(alpha, depth, face, share), sum);
-  add_sheet_rest(alpha, depth, share, sum);
-  return sum;
+FloatStresses InnerField::at(const SheetPoint& point) const {
+  const auto [across, along, shear] = sums<3>(point, {});
+  return {across, along, shear};
+}
+
+FloatDisplacements InnerField::displacements(const SheetPoint& point, const FloatShares& shares) const {
+  const auto [across, along] = sums<2>(point, shares);
+  return {across, along};
 }
 
 }  // namespace nipref::ref

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -7,6 +8,11 @@
 #include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
+
+/// A point inside the sheet, in half-thicknesses: alpha along the sheet, and -1 <= depth <= 1.
+struct SheetPoint {
+  Float alpha, depth;
+};
 
 /// The pressure, and the shear traction along the sheet.
 struct FaceTraction {
@@ -39,25 +45,8 @@ struct FieldFineness {
 /// The stresses inside the sheet -1 <= x <= 1 under the same tractions on both faces of a contact, in
 /// half-thicknesses and the tractions' unit. (thesis 3.19, 3.26, 4.3, 4.14 as integrals over the contact)
 ///
-/// The part of each face is the field of a half-plane (Flamant),
-///
-///     sigma = -(2/pi) int (d p + u q)/r^4 (d^2, u^2, -+ d u) d alpha',    u = alpha - alpha', r^2 = u^2 + d^2
-///
-/// where d is the distance from the face. It is integrated by the double exponential rule in w, u = d sinh w, over
-/// both sides of the point together. Up to the nearer end this integrand is analytic for every d, and for d = 0 the
-/// integral is the principal value.
-///
-/// The rest consists of the sheet's symbols less those of both half-planes, which decrease like z^2 e^(-2z), times
-/// the tractions' Fourier transforms. It is integrated by a Gauss rule in z. Neither part uses the kernels of
-/// sheet/field.hpp.
-///
-/// Displacements likewise. A half-plane's are
-///
-///     pi u = +- int p (ln r - theta1 d^2/r^2) - q (theta2 arctan(u/d) + theta1 d u/r^2) d alpha'
-///     pi v = int p (theta1 d u/r^2 - theta2 arctan(u/d)) - q (ln r + theta1 d^2/r^2) d alpha'
-///
-/// and the rests of their symbols are finite at z = 0 but for that of v under shear, whose pole a shear without resultant
-/// cancels.
+/// The field of each face's half-plane by the double exponential rule, the rest by a Gauss rule over the wave numbers:
+/// ref/nip/README.md, Stresses inside, Displacements inside. Neither part uses the kernels of sheet/field.hpp.
 class InnerField {
  public:
   /// Tractions that are 0 at the ends and analytic between them, as functions of the distances from the left and the
@@ -66,12 +55,10 @@ class InnerField {
 
   InnerField(const Float& middle, const Float& half_length, Tractions tractions, FieldFineness fineness);
 
-  /// The stresses at a point, -1 <= depth <= 1.
-  [[nodiscard]] FloatStresses at(const Float& alpha, const Float& depth) const;
+  [[nodiscard]] FloatStresses at(const SheetPoint& point) const;
   /// The displacements there, which vanish at alpha = 0 on the middle plane if the pressure is even and the shear odd. The shear
   /// must have no resultant.
-  [[nodiscard]] FloatDisplacements displacements(const Float& alpha, const Float& depth,
-                                                 const FloatShares& share) const;
+  [[nodiscard]] FloatDisplacements displacements(const SheetPoint& point, const FloatShares& shares) const;
 
  private:
   /// A node of the double exponential rule on (0, 1). Each level has only the nodes that the levels before it lack.
@@ -94,18 +81,21 @@ class InnerField {
   };
   struct Transforms;
   struct Across;
+  /// across, along and shear; across and along.
+  using Stresses = std::array<Float, 3>;
+  using Displacements = std::array<Float, 2>;
 
   [[nodiscard]] const std::vector<UnitNode>& level(int number) const;
   /// Of stresses or displacements.
-  template <class Field>
-  void add_segment(const Segment& segment, const FacePoint& point, Field& sum) const;
-  template <class Field>
-  void add_half_plane(FacePoint point, Field& sum) const;
-  [[nodiscard]] FacePoint face_point(const Float& alpha, const Float& depth, int face,
-                                     const FloatShares& share) const;
-  void add_sheet_rest(const Float& alpha, const Float& depth, FloatStresses& sum) const;
-  void add_sheet_rest(const Float& alpha, const Float& depth, const FloatShares& share,
-                      FloatDisplacements& sum) const;
+  template <std::size_t Parts>
+  [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares) const;
+  template <std::size_t Parts>
+  void add_segment(const Segment& segment, const FacePoint& point, std::array<Float, Parts>& sum) const;
+  template <std::size_t Parts>
+  void add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
+                      std::array<Float, Parts>& sum) const;
+  void add_sheet_rest(const SheetPoint& point, const FloatShares& shares, Stresses& sum) const;
+  void add_sheet_rest(const SheetPoint& point, const FloatShares& shares, Displacements& sum) const;
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 

@@ -51,17 +51,11 @@ class ProvenResults {
   [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place,
                                                        const Interval& beta) const = 0;
   [[nodiscard]] virtual std::optional<Interval> peak_pressure() const = 0;
-  [[nodiscard]] virtual std::optional<Interval> peak_pressure_position() const {
-    return std::nullopt;
-  }                                                                                          ///< Y
-  [[nodiscard]] virtual std::optional<Interval> peak_shear() const { return std::nullopt; }  ///< of |shear|
-  [[nodiscard]] virtual const ProvenExpansion* expansion() const {
-    return nullptr;
-  }  ///< with friction there is none
+  [[nodiscard]] virtual std::optional<Interval> peak_pressure_position() const { return {}; }  ///< Y
+  [[nodiscard]] virtual std::optional<Interval> peak_shear() const { return {}; }              ///< of |shear|
+  [[nodiscard]] virtual const ProvenExpansion* expansion() const { return nullptr; }  ///< none with friction
   [[nodiscard]] virtual int terms() const = 0;
-  [[nodiscard]] virtual long normal_values() const = 0;    ///< of I1, so far
-  [[nodiscard]] virtual long coupling_values() const = 0;  ///< of I3, so far
-  [[nodiscard]] virtual long stretch_values() const = 0;   ///< of what I6 has beside I1, so far
+  [[nodiscard]] virtual KernelValues kernel_values() const = 0;  ///< so far
 };
 
 /// What follows from a proven expansion without friction, for each half length of the expansion's.
@@ -97,9 +91,9 @@ class ProvenContact final : public ProvenResults {
 
   [[nodiscard]] const ProvenExpansion* expansion() const override { return &expansion_; }
   [[nodiscard]] int terms() const override { return static_cast<int>(size()); }
-  [[nodiscard]] long normal_values() const override { return kernel_ ? kernel_->kernel_values() : 0; }
-  [[nodiscard]] long coupling_values() const override { return coupling_values_; }
-  [[nodiscard]] long stretch_values() const override { return 0; }
+  [[nodiscard]] KernelValues kernel_values() const override {
+    return {kernel_ ? kernel_->kernel_values() : 0, coupling_values_, 0};
+  }
 
  private:
   [[nodiscard]] bool remembers() const { return kernel_ == nullptr; }

@@ -26,9 +26,9 @@ class SheetKernels {
   /// From here on I1 is 0 and I3 its limit to the digits of the kernels: they approach these like e^(-2.1 |alpha|).
   [[nodiscard]] const Float& far() const { return far_; }
   [[nodiscard]] double nats() const { return nats_; }
-  [[nodiscard]] long normal_values() const { return normal_.kernel_values(); }
-  [[nodiscard]] long coupling_values() const { return coupling_.kernel_values(); }
-  [[nodiscard]] long stretch_values() const { return stretch_.kernel_values(); }
+  [[nodiscard]] KernelValues values() const {
+    return {normal_.kernel_values(), coupling_.kernel_values(), stretch_.kernel_values()};
+  }
 
  private:
   double nats_;

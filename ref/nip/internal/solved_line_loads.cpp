@@ -17,6 +17,13 @@ Interval SolvedLineLoads::load() const {
   return sum;
 }
 
+Interval SolvedLineLoads::displacement(decltype(&LineLoadSheet::normal_displacement) by_load,
+                                       const LineLoadPlace& place) const {
+  Interval sum(working_bits());
+  for (std::size_t load = 0; load < normal.size(); ++load) sum = sum + (*sheet.*by_load)(*this, load, place);
+  return sum;
+}
+
 std::optional<bool> SolvedLineLoads::presses_everywhere() const {
   if (std::ranges::any_of(normal, [](const Interval& load) { return mpfr_sgn(load.upper()) < 0; }))
     return false;

@@ -16,14 +16,14 @@ struct LineLoadPlace {
   long half_elements;
 };
 
-/// What the surface of a sheet does under line loads: towards the middle plane, and along Y from a point that is the
-/// same for all places. Not at the place of a load.
+/// What the surface of a sheet does under one of the loads of a contact: towards the middle plane, and along Y from a point
+/// that is the same for all places. Not at the place of the load.
 class LineLoadSheet {
  public:
   virtual ~LineLoadSheet() = default;
-  [[nodiscard]] virtual Interval normal_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] virtual Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
                                                      const LineLoadPlace& place) const = 0;
-  [[nodiscard]] virtual Interval tangential_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] virtual Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
                                                          const LineLoadPlace& place) const = 0;
 };
 
@@ -64,6 +64,9 @@ struct SolvedLineLoads {
   /// From a load's place to another, unit of length.
   [[nodiscard]] Interval distance(std::size_t load, const LineLoadPlace& place) const;
   [[nodiscard]] Interval load() const;
+  /// Under all loads.
+  [[nodiscard]] Interval displacement(decltype(&LineLoadSheet::normal_displacement) by_load,
+                                      const LineLoadPlace& place) const;
   /// No normal load is negative; nothing where the bounds do not tell.
   [[nodiscard]] std::optional<bool> presses_everywhere() const;
 };

@@ -20,11 +20,6 @@ constexpr double near = 0.5;
 /// no nearer than that or 2 beside.
 constexpr double nats_of_degree = 1.25;
 
-void accumulate(Float& sum, Float& product, const Float& x, const Float& y) {
-  mpfr_mul(raw(product), raw(x), raw(y), MPFR_RNDN);
-  mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
-}
-
 /// T_0 .. T_{count - 1} at x.
 void chebyshev_values(const Float& x, std::vector<Float>& values) {
   const Float twofold = 2 * x;
@@ -77,15 +72,6 @@ LegendreMoments legendre_moments(const Float& x, int count) {
     moments.sign[k] = at_working_precision(moments.sign[k]);
   }
   return moments;
-}
-
-std::vector<Float> chebyshev_points(int count) {
-  std::vector<Float> points;
-  for (int i = 0; i < count; ++i) {
-    const Float half = sin((2 * i + 1) * pi() / (4 * count));
-    points.push_back(half * half);
-  }
-  return points;
 }
 
 /// Interpolation at Chebyshev's points of 0 .. 1: the values at `places` of the polynomials that are 1 at one point, a row a
@@ -315,8 +301,8 @@ Vector Tractions::at_nodes(const Piece& piece, const Nodes& nodes, const Image& 
     Float sum = 0;
     for (Index k = 0; k < terms; ++k) {
       const auto degree = static_cast<std::size_t>(k);
-      accumulate(sum, product, gauss.legendre(j, k),
-                 is_sign ? moments.sign[degree] : moments.logarithm[degree]);
+      add_product(sum, product, gauss.legendre(j, k),
+                  is_sign ? moments.sign[degree] : moments.logarithm[degree]);
     }
     if (is_sign) {
       values(j) = -image.side * sum / 2;
@@ -411,8 +397,8 @@ void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vec
         const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number];
         const Float shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
         for (Index j = 0; j < count; ++j) {
-          if (pressure != 0) accumulate(on_pressure[f](j), product, pressure, values(j));
-          if (shear != 0) accumulate(on_shear[f](j), product, shear, values(j));
+          if (pressure != 0) add_product(on_pressure[f](j), product, pressure, values(j));
+          if (shear != 0) add_product(on_shear[f](j), product, shear, values(j));
         }
       }
     }
@@ -422,11 +408,11 @@ void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vec
     for (Index k = 0; k < terms; ++k) {
       for (Index j = 0; j < count; ++j) {
         const Float& real = nodes.real(j, k);
-        accumulate(rows[f](first + k), product, on_pressure[f](j), real);
-        if (has_shear_) accumulate(rows[f](first + terms + k), product, on_shear[f](j), real);
+        add_product(rows[f](first + k), product, on_pressure[f](j), real);
+        if (has_shear_) add_product(rows[f](first + terms + k), product, on_shear[f](j), real);
         if (nodes.imaginary.size() == 0) continue;
         const Float& imaginary = nodes.imaginary(j, k);
-        accumulate(rows[f](first + k), product, on_shear[f](j), imaginary);
+        add_product(rows[f](first + k), product, on_shear[f](j), imaginary);
         mpfr_mul(raw(product), raw(on_pressure[f](j)), raw(imaginary), MPFR_RNDN);
         Float& here = rows[f](first + terms + k);
         mpfr_sub(raw(here), raw(here), raw(product), MPFR_RNDN);
@@ -469,11 +455,8 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
 std::vector<Float> Tractions::matching_points() const {
   std::vector<Float> points;
   for (std::size_t p = 0; p < panels_.size(); ++p) {
-    const int count = panels_[p].terms + (p == 0 ? 1 : 0);
-    for (int i = 0; i < count; ++i) {
-      const Float half = sin((2 * i + 1) * pi() / (4 * count));
-      points.push_back(panels_[p].left + panels_[p].width * half * half);
-    }
+    for (const Float& x : chebyshev_points(panels_[p].terms + (p == 0 ? 1 : 0)))
+      points.push_back(panels_[p].left + panels_[p].width * x);
   }
   return points;
 }

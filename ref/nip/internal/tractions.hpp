@@ -41,11 +41,8 @@ struct LineFunctional {
 ///
 /// without friction epsilon = 0 and b = 0. What the other half has follows by parity.
 ///
-/// Functionals are sums over Gauss's nodes of pieces of the panels, so many that they integrate polynomials times what is
-/// analytic of the kernels, for |Im alpha| < 2. On a piece with the place in it or near, the logarithm and the sign are
-/// integrated against Legendre's polynomials in closed form. On the panel at the end, where g is w times polynomials,
-/// the nodes are Chebyshev's points with the weights of product integration with w, and the singular parts are in closed
-/// form, too (end_integrals.hpp).
+/// Functionals are sums over nodes of pieces of the panels; next to a place and at the end what is singular is in closed form:
+/// ref/nip/README.md, Tractions on panels.
 class Tractions {
  public:
   /// Integrals are good to about e^-nats.

@@ -16,4 +16,13 @@ Float chebyshev_sum(std::span<const Float> coefficients, const Float& x) {
   return now;
 }
 
+std::vector<Float> chebyshev_points(int count) {
+  std::vector<Float> points;
+  for (int i = 0; i < count; ++i) {
+    const Float half = sin((2 * i + 1) * pi() / (4 * count));
+    points.push_back(half * half);
+  }
+  return points;
+}
+
 }  // namespace nipref::ref

@@ -20,5 +20,7 @@ ComplexInterval inverse(const ComplexInterval& x);
 ComplexInterval exp(const ComplexInterval& x);
 ComplexInterval sin(const ComplexInterval& x);
 ComplexInterval cos(const ComplexInterval& x);
+/// The same with so many bits, rounded outwards.
+ComplexInterval rounded(const ComplexInterval& x, mpfr_prec_t bits);
 
 }  // namespace nipref::ref

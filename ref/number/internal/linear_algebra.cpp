@@ -7,19 +7,15 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// sum += x y. The product is written to `product`, so that no number is allocated for it.
-void add_product(double& sum, double x, double y, double& /*product*/) { sum += x * y; }
-void add_product(Float& sum, const Float& x, const Float& y, Float& product) {
-  mpfr_mul(raw(product), raw(x), raw(y), MPFR_RNDN);
-  mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
-}
+using ref::add_product;
+void add_product(double& sum, double& /*scratch*/, double x, double y) { sum += x * y; }
 
 template <class Scalar>
 void add_multiple_of_row(DenseMatrix<Scalar>& x, Index row, const Scalar& factor, Index other,
                          Index first_column) {
   Scalar product = 0;
   for (Index column = first_column; column < x.cols(); ++column)
-    add_product(x(row, column), factor, x(other, column), product);
+    add_product(x(row, column), product, factor, x(other, column));
 }
 
 }  // namespace
@@ -30,7 +26,7 @@ DenseMatrix<Scalar> DenseMatrix<Scalar>::operator*(const DenseMatrix& y) const {
   Scalar product = 0;
   for (Index k = 0; k < y.cols(); ++k) {
     for (Index j = 0; j < y.rows(); ++j) {
-      for (Index i = 0; i < this->rows(); ++i) add_product(result(i, k), (*this)(i, j), y(j, k), product);
+      for (Index i = 0; i < this->rows(); ++i) add_product(result(i, k), product, (*this)(i, j), y(j, k));
     }
   }
   return result;

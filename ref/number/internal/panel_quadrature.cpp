@@ -5,11 +5,7 @@
 namespace nipref::ref {
 namespace {
 
-Interval rational(const mpq_class& value, mpfr_prec_t precision) {
-  Interval result(precision);
-  mpfi_set_q(result.get(), value.get_mpq_t());
-  return result;
-}
+Interval rational(const mpq_class& value, mpfr_prec_t precision) { return {Exact(value), precision}; }
 
 /// The least k >= 0 with |x| <= 2^k.
 unsigned long bits_above(const mpq_class& x) {

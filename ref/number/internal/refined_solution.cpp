@@ -11,17 +11,16 @@ constexpr int most_corrections = 60;
 
 }  // namespace
 
-std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
-                                       const std::function<Vector(const Vector&)>& apply) {
+std::optional<Vector> refined_by(const SolvedInDouble& solved, const Vector& right,
+                                 const std::function<Vector(const Vector&)>& apply) {
   const Vector::Index size = right.size();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> eliminated(matrix);
   Vector x(size), rest = right;
   const Float enough = size * std::numeric_limits<Float>::epsilon() * largest_entry(right);
   for (int round = 0; round < most_corrections && largest_entry(rest) > enough; ++round) {
     const Float scale = largest_entry(rest);
     Eigen::VectorXd correction(size);
     for (Vector::Index i = 0; i < size; ++i) correction(i) = static_cast<double>(rest(i) / scale);
-    correction = eliminated.solve(correction);
+    correction = solved(correction);
     if (!correction.allFinite()) return {};
     Vector better = x;
     for (Vector::Index i = 0; i < size; ++i) better(i) += correction(i) * scale;
@@ -31,6 +30,13 @@ std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const 
     rest = std::move(left);
   }
   return largest_entry(rest) <= 1000 * enough ? std::optional(std::move(x)) : std::nullopt;
+}
+
+std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
+                                       const std::function<Vector(const Vector&)>& apply) {
+  const Eigen::PartialPivLU<Eigen::MatrixXd> eliminated(matrix);
+  return refined_by([&](const Eigen::VectorXd& rest) -> Eigen::VectorXd { return eliminated.solve(rest); },
+                    right, apply);
 }
 
 Vector refined_solution(const Matrix& matrix, const Vector& right) {

@@ -6,9 +6,14 @@
 
 namespace nipref::ref {
 
-/// The solution x of apply(x) = right by iterative refinement, where `apply` is the product with a matrix that `matrix`
-/// approximates. Its factors, in double, give corrections from the residuals in the working precision, until a residual
-/// is of the order of the rounding errors. Nothing if none becomes so small.
+using SolvedInDouble = std::function<Eigen::VectorXd(const Eigen::VectorXd& right)>;
+
+/// The solution x of apply(x) = right by iterative refinement. `solved` solves nearly the same system in double: it gives
+/// corrections from the residuals in the working precision, until a residual is of the order of the rounding errors. Nothing
+/// if none becomes so small.
+std::optional<Vector> refined_by(const SolvedInDouble& solved, const Vector& right,
+                                 const std::function<Vector(const Vector&)>& apply);
+/// The same where `apply` is the product with a matrix that `matrix` approximates.
 std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
                                        const std::function<Vector(const Vector&)>& apply);
 

@@ -22,29 +22,16 @@ UnitRule gauss_rule(int points) {
       x -= now / slope;
     }
     rule.from_left.push_back((1 - x) / 2);
-    rule.from_right.push_back((1 + x) / 2);
     rule.weight.push_back(1 / ((1 - x * x) * slope * slope));
   }
   return rule;
 }
 
-UnitRule double_exponential_rule(double nats, int degree) {
-  // On Im t = 1 the polynomials are at most about (3.9 + 4)^degree. The error of the trapezoidal sum is e^{-2 pi/step}
-  // times that.
-  const double step = 2 * std::numbers::pi / (nats + 2.07 * degree);
-  const double last = std::asinh((nats + 8) / std::numbers::pi);
-  const int half = static_cast<int>(std::ceil(last / step));
-  const Float here = step;
-  UnitRule rule;
-  for (int i = -half; i <= half; ++i) {
-    const Float t = i * here;
-    const Float growth = exp(pi() * sinh(t));
-    const Float left = growth / (1 + growth), right = 1 / (1 + growth);
-    rule.from_left.push_back(left);
-    rule.from_right.push_back(right);
-    rule.weight.push_back(here * pi() * cosh(t) * left * right);
-  }
-  return rule;
+UnitPoint::UnitPoint(const Float& t) {
+  const Float growth = exp(pi() * sinh(t));
+  from_right = 1 / (1 + growth);
+  from_left = growth * from_right;
+  slope = pi() * cosh(t) * from_left * from_right;
 }
 
 }  // namespace nipref::ref

@@ -38,27 +38,21 @@ struct FieldPoint {
 /// where it is odd in depth. By residues from alpha = 1 on, by summation below.
 Interval field_integral(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 
-/// The integral for alpha < 1, which is made up of I4, I5 and the like at w = alpha + i depth, with
-///
-///     2 sinh z/S = 1/cosh z - 2z/(S cosh z),    2 cosh z/S = 1/sinh z - 2z/(S sinh z).
-///
-/// The integrals of the first parts are hyperbolic functions of w and contain all singularities at the loads. The
-/// second parts are integrated by the trapezoidal rule with step h, whose error is the sum of
+/// The integral for alpha < 1: the parts of the symbols that are singular at the loads in closed form, the others by the
+/// trapezoidal rule with step h, whose error is the sum of
 ///
 ///     aliasing    4 M e^{t alpha}/(e^{2 pi t/h} - 1), t = field_line, M = field_line_integral
 ///     truncation  field_sum_remainder X^4 e^{-(3 - depth) X}, X >= 8 the last node
 ///
-/// times alpha where the integral is odd in alpha, times depth where it is odd in depth. At the twofold pole cosh sz
-/// cos(alpha z) - 1 is summed and K5(0) added. Proof: ref/sheet/README.md, Inside the sheet.
+/// times alpha where the integral is odd in alpha, times depth where it is odd in depth. Proof: ref/sheet/README.md, Inside the
+/// sheet.
 Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr double field_line_integral = 64;  ///< proven by tests/ref/sheet/field.cpp
 inline constexpr double field_line = 1.25;
 inline constexpr long field_sum_remainder = 25;
 
-/// The integral for alpha >= 1 from the roots z_n: -2 Im or 2 Re of sum_n c_n e^{i alpha z_n} and the residue at 0,
-/// with c_n = z^power cosh(sz) (or sinh)/(2 cosh z) or -z^(power+1) cosh(sz)/(2 cosh^3 z). The truncation error after
-/// the first N >= 1 roots is below field_series_remainder (N + 1)^2 e^{-(N + 1/2) pi alpha}, times s if odd in depth.
-/// Proof: the same page.
+/// The integral for alpha >= 1 from the roots. The truncation error after the first N >= 1 is below field_series_remainder
+/// (N + 1)^2 e^{-(N + 1/2) pi alpha}, times s if odd in depth. Proof: the same page.
 Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr long field_series_remainder = 1300;
 

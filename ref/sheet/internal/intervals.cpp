@@ -57,14 +57,23 @@ Interval I6_eta_interval(const Exact& eta, double nats) {
   return cheaper_transform(Symbol::I6_eta, eta.magnitude(), nats);
 }
 
+Interval fixed_point_interval(data::SheetLoad load, const Exact& eta, const ThetaShares& shares,
+                              double nats) {
+  const mpfr_prec_t precision = working_precision(nats, 1000);
+  const Interval pi = Interval::pi(precision);
+  const Interval t1(Exact(shares.theta1), precision), t2(Exact(shares.theta2), precision);
+  if (load == data::SheetLoad::normal)
+    return (t2 * I4_interval(eta, nats) - t1 * I5_interval(eta, nats)) / pi;
+  return (t1 * I7_interval(eta, nats) - I6_eta_interval(eta, nats)) / pi +
+         Interval(eta.magnitude(), precision) / 4;
+}
+
 Interval I6_interval(const Exact& alpha, const Exact& eta, double nats) {
   const Exact a = alpha.magnitude();
   const Exact e = eta.magnitude();
   const mpq_class longer = e.value() - a.value();
   const mpfr_prec_t precision = working_precision(nats, std::abs(longer.get_d()));
-  Interval difference(precision);
-  mpfi_set_q(difference.get(), longer.get_mpq_t());
-  const Interval growth = Interval::pi(precision) / 4 * difference;
+  const Interval growth = Interval::pi(precision) / 4 * Interval(Exact(longer), precision);
   return growth + (I1_interval(a, nats) + cheaper_transform(Symbol::I6_alpha, a, nats)) -
          I6_eta_interval(e, nats);
 }

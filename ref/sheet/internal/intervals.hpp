@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/ref/number/interval.hpp>
 
@@ -19,6 +20,17 @@ Interval I7_interval(const Exact& eta, double nats);
 /// I6(alpha, eta) = I1(alpha) + I6_alpha transform - (pi/4)(|alpha| - |eta|) - I6_eta(eta), I6_eta the
 /// transform of 2 cosh z/(z S).
 Interval I6_eta_interval(const Exact& eta, double nats);
+
+/// theta1/N and theta2/N of an elastic sheet.
+struct ThetaShares {
+  mpq_class theta1, theta2;
+
+  explicit ThetaShares(const Exact& poisson) : theta1(1 / (2 * (1 - poisson.value()))), theta2(1 - theta1) {}
+};
+
+/// The part of the tangential displacements over N that depends on eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load,
+/// |eta|/4 + [theta1/N I7 - I6_eta]/pi for a shear load.
+Interval fixed_point_interval(data::SheetLoad load, const Exact& eta, const ThetaShares& shares, double nats);
 
 /// The bits that quantities of size up to `size` need for an error of e^{-nats}.
 mpfr_prec_t working_precision(double nats, double size);

@@ -1,4 +1,5 @@
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/kernel_over.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
@@ -16,8 +17,6 @@ PlainKernel plain(SheetKernel kernel) {
   return kernel == SheetKernel::I3 ? PlainKernel::I3 : PlainKernel::I6_alpha_part;
 }
 
-Interval point(const Float& x, mpfr_prec_t precision) { return {x, x, precision}; }
-
 }  // namespace
 
 Interval kernel_over(SheetKernel kernel, const Interval& alpha, int residue_terms, int digits) {
@@ -30,15 +29,14 @@ Interval kernel_over(SheetKernel kernel, const Interval& alpha, int residue_term
   mpfi_mid(raw(middle), alpha.get());
   mpfi_mig(raw(nearest), alpha.get());
   mpfi_mag(raw(farthest), alpha.get());
-  mpq_class exact;
-  mpfr_get_q(exact.get_mpq_t(), raw(middle));
-  const Enclosure value = kernel_at(kernel, Exact(exact), digits);
+  const Enclosure value = kernel_at(kernel, to_exact(middle), digits);
   Float radius = zero_of_bits(precision);
   mpfi_diam_abs(raw(radius), alpha.get());
-  const Interval far = point(farthest, precision), slope = 2 * (far + 1L) / point(nearest, precision);
-  return point(value.value, precision)
-      .widened(point(value.error, precision))
-      .widened(slope * point(radius, precision));
+  const Interval far = interval_of(farthest, precision),
+                 slope = 2 * (far + 1L) / interval_of(nearest, precision);
+  return interval_of(value.value, precision)
+      .widened(interval_of(value.error, precision))
+      .widened(slope * interval_of(radius, precision));
 }
 
 }  // namespace nipref::ref

@@ -34,13 +34,8 @@ long last_node(const NodeKey& key) {
   return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
-/// Evaluates h G(x) at equidistant x from powers of e^{-x}, each of which is the one before times a factor.
-///
-/// Rounding, in units of 2^-w with w the working precision: the exponential at the start of a block has a relative
-/// error of 2 and each of at most 31 steps adds 2, so that the relative errors are |d(e^{-x})| <= 70 and |d(e^{-2x})|
-/// <= 145. Q = 1 - e^{-4x} + 4 x e^{-2x} then has an absolute error of at most 1500. As Q >= min(1, 4 x), a quotient
-/// by Q has a relative error of at most 2^12/h, and the difference of two quotients in `normal`, divided by x, an
-/// absolute error of at most 2^13/h^2. w exceeds the block's precision by more than that, see guard_bits.
+/// Evaluates h G(x) at equidistant x from powers of e^{-x}, each of which is the one before times a factor. What that rounds
+/// is less than the guard bits: ref/sheet/README.md, Kernels.
 class SymbolLine {
  public:
   SymbolLine(const NodeKey& key, mpfr_prec_t precision) : key_(key), x_(zero_of_bits(precision)) {

@@ -1,45 +1,16 @@
-#include <climits>
+#include <array>
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
-#include <nipref/ref/sheet/internal/residues.hpp>
 
 namespace nipref::ref {
-namespace {
 
-struct PlainTermKey {
-  int n;
-  mpfr_prec_t precision;
-
-  auto operator<=>(const PlainTermKey&) const = default;
-};
-
-PlainTerm make_term(const PlainTermKey& key) {
-  const ComplexInterval z = sheet_root_interval(key.n, key.precision);
-  const ComplexInterval sech = reciprocal({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)});
-  const ComplexInterval square = sech * sech, over_z = reciprocal(z);
-  const auto minus = [](const ComplexInterval& x) -> ComplexInterval { return {-x.real, -x.imag}; };
-  return {z,
-          {z * square * square, square, minus(square * sech), sech, over_z, minus(over_z * sech),
-           minus(z * square * sech)}};
-}
-
-std::size_t size_of_term(const PlainTerm& term) {
-  return static_cast<std::size_t>(32 * term.z.real.precision()) / CHAR_BIT;
-}
-
-}  // namespace
-
-std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision) {
-  static Cache<PlainTermKey, PlainTerm> kept(make_term, size_of_term);
-  return kept.at({n, precision});
-}
-
-ComplexInterval reciprocal(const ComplexInterval& x) {
-  const Interval size = square(x.real) + square(x.imag);
-  return {x.real / size, -(x.imag / size)};
+ComplexInterval plain_coefficient(PlainKernel kernel, const SheetPole& pole) {
+  // In the order of PlainKernel.
+  constexpr std::array<PoleCoefficient, 7> all{
+      {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {1, -1, 0}, {-1, -1, 1}, {-1, 1, 3}}};
+  return twice(all[static_cast<std::size_t>(kernel)], pole);
 }
 
 void check_residue_terms(int terms) {

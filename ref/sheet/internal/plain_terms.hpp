@@ -1,26 +1,12 @@
 #pragma once
-#include <array>
-#include <memory>
-
 #include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {
 
-/// The n-th root z, and the kernels' coefficients at it in the order of PlainKernel, twice their residues.
-struct PlainTerm {
-  ComplexInterval z;
-  std::array<ComplexInterval, 7> coefficients;
-
-  [[nodiscard]] const ComplexInterval& coefficient(PlainKernel kernel) const {
-    return coefficients[static_cast<std::size_t>(kernel)];
-  }
-};
-
-/// The n-th term, cached.
-std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision);
-
-ComplexInterval reciprocal(const ComplexInterval& x);
+/// A kernel's coefficient at a root, twice its residue.
+ComplexInterval plain_coefficient(PlainKernel kernel, const SheetPole& pole);
 
 inline bool is_odd(PlainKernel kernel) {
   return kernel == PlainKernel::I3 || kernel == PlainKernel::I4 || kernel == PlainKernel::I5;

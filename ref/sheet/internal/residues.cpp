@@ -36,33 +36,20 @@ std::size_t size_of_pole(const SheetPole& pole) {
   return static_cast<std::size_t>(8 * pole.z.real.precision()) / CHAR_BIT;
 }
 
-/// c = sign z^p/(2 cosh^q z), see residue_series().
-struct Coefficient {
-  int sign, p, q;
-};
-
 /// In the order of Symbol.
-constexpr std::array<Coefficient, 7> symbol_coefficients{
+constexpr std::array<PoleCoefficient, 7> symbol_coefficients{
     {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {-1, 1, 3}, {1, -1, 2}, {1, -1, 1}}};
 
-/// 2 c_n, without the sign of c_n.
-ComplexInterval twice_residue(const Coefficient& c, const SheetPole& pole) {
-  ComplexInterval result = pole.sech;
-  for (int k = 1; k < c.q; ++k) result = result * pole.sech;
-  if (c.p > 0) result = result * pole.z;
-  if (c.p < 0) result = result * inverse(pole.z);
-  return result;
-}
-
-/// 2 c_n e^{i x z_n}, without the sign of c_n.
-ComplexInterval term(const Coefficient& c, const SheetPole& pole, const Exact& magnitude) {
+/// 2 c_n e^{i x z_n}
+ComplexInterval term(const PoleCoefficient& c, const SheetPole& pole, const Exact& magnitude) {
   const Interval x(magnitude, pole.z.real.precision());
-  return exp(ComplexInterval{-(x * pole.z.imag), x * pole.z.real}) * twice_residue(c, pole);
+  return exp(ComplexInterval{-(x * pole.z.imag), x * pole.z.real}) * twice(c, pole);
 }
 
 /// The factor of a wave e^{i x z} in the memory: 1/(rate - i z) ahead of the load, 1/(rate + i z) behind it.
-ComplexInterval fading(const Exact& exact_rate, bool to_come, const ComplexInterval& z) {
-  const Interval rate(exact_rate, z.real.precision());
+ComplexInterval fading(const Interval& exact_rate, bool to_come, const ComplexInterval& z) {
+  Interval rate(z.real.precision());
+  mpfi_set(rate.get(), exact_rate.get());
   return to_come ? inverse({rate + z.imag, -z.real}) : inverse({rate - z.imag, z.real});
 }
 
@@ -98,8 +85,8 @@ Interval passed_poles_of_tanh(const Exact& exact_x, double step, long lines, mpf
 template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
-  const bool odd = bounds(symbol).parity == Parity::odd;
-  const Coefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
+  const bool odd = is_odd(symbol);
+  const PoleCoefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   const long terms = terms_needed(x, nats);
   Interval sum(mpfr_prec_t{64});
   for (long n = terms; n >= 1; --n) {
@@ -107,13 +94,21 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
     const ComplexInterval next = with_factor(term(c, *root, exact_x), root->z);
     sum = sum + (odd ? next.real : next.imag);
   }
-  const Interval series = Interval::pi(sum.precision()) * (static_cast<long>(odd ? c.sign : -c.sign) * sum);
+  const Interval series = Interval::pi(sum.precision()) * (odd ? sum : -sum);
   const Interval tail =
       series_remainder * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(exact_x, 64)) / 2));
   return series.widened(tail);
 }
 
 }  // namespace
+
+ComplexInterval twice(const PoleCoefficient& c, const SheetPole& pole) {
+  const mpfr_prec_t precision = pole.z.real.precision();
+  ComplexInterval result{Interval(static_cast<long>(c.sign), precision), Interval(precision)};
+  for (int k = 0; k < c.q; ++k) result = result * pole.sech;
+  if (c.p > 0) return result * pole.z;
+  return c.p < 0 ? result * inverse(pole.z) : result;
+}
 
 std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
   static Cache<PoleKey, SheetPole> kept(make_pole, size_of_pole);
@@ -132,32 +127,32 @@ bool residues_are_cheaper(double x, double nats) {
 Interval residue_series(Symbol symbol, const Exact& x, double nats) {
   const Interval series = sum_over_roots(
       symbol, x, nats, [](const ComplexInterval& term, const ComplexInterval&) { return term; });
-  if (bounds(symbol).parity == Parity::even) return series;
+  if (!is_odd(symbol)) return series;
   return Interval::pi(std::max(series.precision(), working_precision(nats, 1))) / 4 + series;
 }
 
 Interval passed_poles(Symbol symbol, const Exact& exact_x, double step, long lines, double nats) {
   const double x = exact_x.approximate();
   const double turns = 2 * std::numbers::pi / step;
-  const bool odd = bounds(symbol).parity == Parity::odd;
-  const Coefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
+  const bool odd = is_odd(symbol);
+  const PoleCoefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   Interval sum(mpfr_prec_t{64});
   for (long n = 4 * lines; n >= 1; --n) {
     const auto root = sheet_pole(n, bits_at_root(n, turns - x, turns + x, nats));
     const ComplexInterval w = Interval(exact_x, root->z.real.precision()) * root->z;
-    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice_residue(c, *root)).imag;
+    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice(c, *root)).imag;
   }
-  const Interval roots = Interval::pi(sum.precision()) * (static_cast<long>(2 * c.sign) * sum);
+  const Interval roots = 2 * Interval::pi(sum.precision()) * sum;
   if (symbol != Symbol::normal) return roots;
   return roots + passed_poles_of_tanh(exact_x, step, lines, working_precision(nats, turns + x));
 }
 
-Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats) {
+Interval fading_residue_series(Symbol symbol, const Exact& x, const Interval& rate, double nats) {
   const bool to_come = x.sign() > 0;
   const Interval series = sum_over_roots(
       symbol, x.magnitude(), nats,
       [&](const ComplexInterval& term, const ComplexInterval& z) { return term * fading(rate, to_come, z); });
-  return !to_come && bounds(symbol).parity == Parity::odd ? -series : series;
+  return !to_come && is_odd(symbol) ? -series : series;
 }
 
 }  // namespace nipref::ref

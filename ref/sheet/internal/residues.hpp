@@ -15,37 +15,20 @@ bool residues_are_cheaper(double x, double nats);
 
 /// The Fourier transform of a symbol at an exact x >= 1, as an interval of half-width about e^{-nats}, from the roots
 /// z_n of S in the first quadrant. It is the value of transform(), except that for `normal`, whose poles of tanh are
-/// left out, it is the whole of I1.
-///
-///     even    -2 pi Im sum_n c_n e^{i x z_n}
-///     odd     pi/4 + 2 pi Re sum_n c_n e^{i x z_n}        (pi/4: half the residue 1/2 of the pole at 0)
-///
-///     normal    z/(2 cosh^4 z)     I3  1/(2 cosh^2 z)     I4  -1/(2 cosh^3 z)     I5  1/(2 cosh z)
-///     I6_alpha  1/(2 z cosh^2 z)   I6_eta  1/(2 z cosh z)                         I7  -z/(2 cosh^3 z)
-///
-/// with the residues c_n, all below 1. The terms beyond N sum to less than series_remainder e^{-(N+1/2) pi x}, which
-/// widens the interval; the terms are in interval arithmetic. Proof: ref/sheet/README.md, Kernels.
+/// left out, it is the whole of I1. The terms beyond N sum to less than series_remainder e^{-(N+1/2) pi x}, which widens the
+/// interval; the terms are in interval arithmetic. Proof: ref/sheet/README.md, Kernels.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 inline constexpr long series_remainder = 7;
 
-/// The correction to the trapezoidal rule with step h, see transform(), for the poles z_k of G below the line Im z =
-/// 4 pi lines, after which only the aliasing from that line remains as its error. With r_k the residue of G, c_n at a
-/// root and -4/(3 z_k) at the poles z_k = (2k + 1) 2 pi i/3 of `normal`, it is
-///
-///     -2 pi i sum_k r_k cos(x z_k)/(e^{-2 pi i z_k/h} - 1),    odd: sin(x z_k).
-///
-/// A root and its image -conj(z_n) together contribute 4 pi Im of the root's term. The terms are in interval
-/// arithmetic; the half-width is about e^{-nats} where 2 pi/h >= nats/(4 pi lines) + x.
+/// The correction to the trapezoidal rule with step h, see transform(), for the poles of G below the line Im z = 4 pi lines,
+/// after which only the aliasing from that line remains as its error. The terms are in interval arithmetic; the half-width
+/// is about e^{-nats} where 2 pi/h >= nats/(4 pi lines) + x. Proof: the same page.
 Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, double nats);
 
 /// The part of the roots in int_x^inf e^{-rate (w - x)} I(w) dw, the memory of a kernel (I1, I3, I4 or I5 for
-/// the symbol of its name), |x| >= 1, rate > 0, all else as above:
-///
-///     x > 0    even -2 pi Im, odd +2 pi Re of sum_n c_n e^{i x z_n}/(rate - i z_n)
-///     x < 0    even -2 pi Im, odd -2 pi Re of sum_n c_n e^{i |x| z_n}/(rate + i z_n).
-///
-/// The truncation error has the same bound. Proof: ref/memory/README.md, The memory of a load from infinity.
-Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats);
+/// the symbol of its name), |x| >= 1, rate >= 0, with the same truncation error. Proof: ref/memory/README.md, The memory of a
+/// load from infinity.
+Interval fading_residue_series(Symbol symbol, const Exact& x, const Interval& rate, double nats);
 
 /// A root z and 1/cosh z.
 struct SheetPole {
@@ -55,6 +38,13 @@ struct SheetPole {
 
 /// The pole z_n, cached. It has up to a quarter more bits than requested, so that many arguments share it.
 std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision);
+
+/// c = sign z^p/(2 cosh^q z) as a function of the pole.
+struct PoleCoefficient {
+  int sign, p, q;
+};
+/// 2 c
+ComplexInterval twice(const PoleCoefficient& c, const SheetPole& pole);
 
 /// The bits that the n-th term at x needs: its size is about e^{-x Im z_n}, and the relative error of z_n is
 /// multiplied by x |z_n|.

@@ -21,13 +21,17 @@ struct KernelShape {
 };
 inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integral_shape{false, 226};
 
+/// How many values of kernels were taken: of I1, of I3 and of what I6 has beside I1.
+struct KernelValues {
+  long normal = 0, coupling = 0, stretch = 0;
+};
+
 /// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1. It is interpolated at Chebyshev
 /// points on panels of length 1/4, each of which is made when it is first needed.
 ///
-/// A kernel differs from its value in the middle of a panel by at most M = variation within an ellipse whose semi-axes
-/// sum to 28 half lengths of the panel. Hence the n-th Chebyshev coefficient is at most 2 M/28^n, and the error of
-/// interpolation at n points at most 4 M/28^{n-1}/27. The same holds for I3, for alpha > 0, where the caller has to
-/// apply the sign, and for its integral from 0. Proof: ref/sheet/README.md, The smooth kernels.
+/// The n-th Chebyshev coefficient is at most 2 M/28^n, and the error of interpolation at n points at most 4 M/28^{n-1}/27. The
+/// same holds for I3, for alpha > 0, where the caller has to apply the sign, and for its integral from 0. Proof:
+/// ref/sheet/README.md, The smooth kernels.
 class SmoothKernel {
  public:
   /// The error is about 10^-digits; the working precision has to be a few digits more.

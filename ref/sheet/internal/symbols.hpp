@@ -40,5 +40,6 @@ struct SymbolBounds {
 };
 
 const SymbolBounds& bounds(Symbol symbol);
+inline bool is_odd(Symbol symbol) { return bounds(symbol).parity == Parity::odd; }
 
 }  // namespace nipref::ref

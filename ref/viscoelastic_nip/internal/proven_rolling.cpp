@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/memory/exact_material.hpp>
+#include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
@@ -174,10 +174,6 @@ struct Ellipse {
   }
 };
 
-Interval larger(const Interval& x, const Interval& y) {
-  return mpfr_greater_p(x.upper(), y.upper()) != 0 ? x : y;
-}
-
 /// Those of I1.
 Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
   const Interval A = upper(moments.half_length());
@@ -220,7 +216,7 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
   const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
   const Interval way = ellipse.height + ellipse.width - top;
   const Interval far = exp(r * (top + ellipse.width)), two_A = 2 * top;
-  const Interval log_size = larger(two_A * magnitude_of(log(two_A)), Interval(1L, working_bits()));
+  const Interval log_size = larger_of(two_A * magnitude_of(log(two_A)), Interval(1L, working_bits()));
   const Interval on_axis = log_size * exp(r * two_A) + 4;
   const Interval bound = exp(r * way) * (on_axis + way * (ellipse.smooth_kernel(top) + far));
   Intervals result = moments.smooth(values, bound, ellipse.rate);

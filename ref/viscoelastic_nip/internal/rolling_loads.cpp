@@ -61,24 +61,20 @@ class StartedSheet final : public LineLoadSheet {
   StartedSheet(RollingLoads problem, RollingGrid grid)
       : problem_(std::move(problem)), grid_(std::move(grid)) {}
 
-  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
                                              const LineLoadPlace& place) const override {
-    return sum(loads, place, normal_at);
+    return loads.normal[load] *
+           normal_at(problem_, grid_, in_half_thicknesses(place), static_cast<int>(load));
   }
-  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads,
+  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
                                                  const LineLoadPlace& place) const override {
-    return sum(loads, place, tangential_at);
+    return loads.normal[load] *
+           tangential_at(problem_, grid_, in_half_thicknesses(place), static_cast<int>(load));
   }
 
  private:
-  [[nodiscard]] Interval sum(const SolvedLineLoads& loads, const LineLoadPlace& place,
-                             const auto& displacement) const {
-    const RollingPlace in_half_thicknesses{place.distance / problem_.half_thickness(), place.half_elements};
-    Interval total(working_bits());
-    for (int j = 0; j < problem_.loads(); ++j)
-      total = total + loads.normal[static_cast<std::size_t>(j)] *
-                          displacement(problem_, grid_, in_half_thicknesses, j);
-    return total;
+  [[nodiscard]] RollingPlace in_half_thicknesses(const LineLoadPlace& place) const {
+    return {place.distance / problem_.half_thickness(), place.half_elements};
   }
 
   RollingLoads problem_;

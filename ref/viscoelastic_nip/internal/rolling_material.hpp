@@ -26,7 +26,7 @@ struct RollingMaterial {
 };
 
 /// To the working precision, from the constants that the nip's material was made of, exactly, or, where there
-/// are none, from its functions as they are. BadInput as of rational_compliance().
+/// are none, from its functions as they are. Throws data::NoMaterial as material_compliances().
 RollingMaterial rolling_material(const data::ViscoelasticNip& nip);
 
 }  // namespace nipref::ref

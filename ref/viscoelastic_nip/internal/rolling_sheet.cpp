@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
 namespace nipref::ref {
@@ -28,11 +29,10 @@ std::vector<RollingMemory> with_conjugates(const std::vector<RollingMemory>& ter
   return all;
 }
 
-/// The zeros of C(-s), by the steps of Aberth: Newton's for C(-s) prod (r_i - s), without those of the other zeros. They
-/// start beside the real axis, as real steps find no complex zeros.
+/// The zeros of C(-s), as those of C(-s) prod (r_i - s). They start beside the real axis, as real steps find no complex zeros.
 std::vector<ComplexFloat> zeros_of(const std::vector<RollingMemory>& terms) {
   constexpr int most_rounds = 400;
-  const ComplexFloat beside(1, Float(1) / 8), one(1);
+  const ComplexFloat beside(1, Float(1) / 8);
   std::vector<ComplexFloat> zeros;
   for (const RollingMemory& term : terms) zeros.push_back(term.rate + term.amplitude * beside);
   const Float enough = ldexp(Float(1), 8 - working_bits());
@@ -40,17 +40,15 @@ std::vector<ComplexFloat> zeros_of(const std::vector<RollingMemory>& terms) {
     Float largest = 0;
     for (std::size_t j = 0; j < zeros.size(); ++j) {
       const ComplexFloat s = zeros[j];
-      ComplexFloat value(1), slope, others;
+      ComplexFloat value(1), slope, poles;
       for (const RollingMemory& term : terms) {
         const ComplexFloat distance = term.rate - s, part = term.amplitude / distance;
         value = value + part;
         slope = slope + part / distance;
-        others = others + one / distance;
+        poles = poles + ComplexFloat(1) / distance;
       }
       if (abs(value) == 0) continue;
-      for (std::size_t k = 0; k < zeros.size(); ++k)
-        if (k != j) others = others + one / (s - zeros[k]);
-      const ComplexFloat change = one / (slope / value - others);
+      const ComplexFloat change = zero_correction(zeros, j, slope / value - poles);
       zeros[j] = s - change;
       largest = std::max(largest, Float(abs(change) / abs(s)));
     }

@@ -12,29 +12,6 @@ namespace {
 
 using Index = Matrix::Index;
 
-/// int_0^x e^(-s (x - t)) t^k/k! dt, k = 0, 1, 2.
-std::array<ComplexFloat, 3> faded_powers(const ComplexFloat& s, const Float& x) {
-  const ComplexFloat z = s * x;
-  if (abs(z) >= Float(1)) {
-    const ComplexFloat zeroth = faded_way(s, x), first = (ComplexFloat(x) - zeroth) / s;
-    return {zeroth, first, (ComplexFloat(x * x / 2) - first) / s};
-  }
-  // x^(k + 1) sum_n (-z)^n/(n + k + 1)!
-  const Float least = ldexp(Float(1), -working_bits() - 4);
-  std::array<ComplexFloat, 3> powers;
-  Float scale = 1;
-  for (int k = 0; k < 3; ++k) {
-    scale *= x / (k + 1);
-    ComplexFloat term(1), sum;
-    for (int n = 0; abs(term) > least; ++n) {
-      sum = sum + term;
-      term = term * (-z) / Float(n + k + 2);
-    }
-    powers[static_cast<std::size_t>(k)] = sum * scale;
-  }
-  return powers;
-}
-
 /// The columns of direct_row(): what is known, edge_displacement, the offset, then real and imaginary part of each n_j.
 constexpr Index known = 0, edge = 1, shift = 2, first_memory = 3;
 
@@ -117,8 +94,8 @@ Vector RollingSolution::direct_row(const Float& x) const {
   std::array<Float, 3> powers{1, x, x * x / 2};
   for (Index j = 0; j < modes; ++j) {
     const auto& [amplitude, rate] = sheet_.inverse[static_cast<std::size_t>(j)];
-    const std::array<ComplexFloat, 3> faded = faded_powers(rate, x);
-    for (std::size_t k = 0; k < 3; ++k) powers[k] += (amplitude * faded[k]).re;
+    for (int k = 0; k < 3; ++k)
+      powers[static_cast<std::size_t>(k)] += (amplitude * faded_power(rate, x, k)).re;
     const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
     row(first_memory + 2 * j) = wave.re;
     row(first_memory + 2 * j + 1) = -wave.im;
@@ -308,7 +285,7 @@ Float RollingSolution::tangential(const Float& x, SheetKernels& kernels) const {
     const Trace& trace = elastic_trace(Influence::coupling, kernels);
     ComplexFloat faded = trace.faded(rate, x);
     // Behind all that the sheet feels g stays what it is.
-    if (x > trace.end()) faded = faded + faded_way(rate, x - trace.end()) * Float(load_ / 2);
+    if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
     sum -= (amplitude * faded).re;
   }
   return sum;

@@ -10,15 +10,9 @@
 
 namespace nipref::ref {
 
-/// The contact of a steadily rolling viscoelastic sheet as that of an elastic one, so that by RollingSheet
-///
-///     K p = f = u + sum_j b_j (int_0^x e^(-s_j (x - t)) u(t) dt + n_j e^(-s_j x)),   0 <= x <= 2A,
-///     n_j = int_0^inf e^(-s_j w) u(-w) dw = sum_i a_i/(s_j - r_i) int_0^inf e^(-r_i w) f(-w) dw,
-///
-/// where the last integral, of what the elastic sheet would do ahead of the contact, is one of the pressure. The even and
-/// the odd part of the pressure are those of elastic contacts with other right-hand sides: one for u as far as it is
-/// known, for edge_displacement, for the offset and for each n_j. Each is solved with a bounded pressure and a constant or
-/// a line beside f. These two must vanish in the sum, and the n_j be those of its pressure, which gives the unknowns.
+/// The contact of a steadily rolling viscoelastic sheet as a sum of elastic ones, whose right-hand sides are what the inverse of
+/// its compliance makes of the displacement: ref/viscoelastic_nip/README.md, Rolling contacts. n_j is what of the memory j comes
+/// from ahead of the contact.
 class RollingSolution : public NipSolution {
  public:
   /// Integrals are good to about e^-nats.

@@ -25,7 +25,7 @@ Float variable_at(const TracePanel& panel, const Float& place) {
   return sqrt(std::max(Float(0), panel.root == TracePanel::Root::left ? x : Float(1 - x)));
 }
 
-/// Coefficients of the polynomial with these values at Chebyshev's points sin^2((2i + 1) pi/(4n)).
+/// Coefficients of the polynomial with these values at chebyshev_points().
 std::vector<Float> chebyshev_coefficients(const std::vector<Float>& values) {
   const std::size_t n = values.size();
   std::vector<Float> cosine;
@@ -34,10 +34,8 @@ std::vector<Float> chebyshev_coefficients(const std::vector<Float>& values) {
   Float product;
   for (std::size_t j = 0; j < n; ++j) {
     Float sum = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      mpfr_mul(raw(product), raw(values[i]), raw(cosine[j * (2 * i + 1) % (4 * n)]), MPFR_RNDN);
-      mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      add_product(sum, product, values[i], cosine[j * (2 * i + 1) % (4 * n)]);
     // The points are 1 - cos over 2, which changes the sign of odd polynomials.
     coefficients.push_back((j == 0 ? 1 : j % 2 == 0 ? 2 : -2) * sum / n);
   }
@@ -50,10 +48,7 @@ Trace::Trace(std::vector<TracePanel> panels, const Function& function, double na
   int most = 0;
   for (TracePanel& panel : panels) {
     std::vector<Float> values;
-    for (int i = 0; i < panel.terms; ++i) {
-      const Float half = sin((2 * i + 1) * pi() / (4 * panel.terms));
-      values.push_back(function(place_at(panel, half * half)));
-    }
+    for (const Float& xi : chebyshev_points(panel.terms)) values.push_back(function(place_at(panel, xi)));
     most = std::max(most, panel.terms);
     panels_.push_back({std::move(panel), chebyshev_coefficients(values)});
   }
@@ -101,19 +96,23 @@ ComplexFloat Trace::faded(const ComplexFloat& rate, const Float& x) const {
 }
 
 ComplexFloat Trace::faded_integral(const ComplexFloat& rate, const Float& x) const {
-  return integral(rate, x, false, [&](const Float& way) { return faded_way(rate, way); });
+  return integral(rate, x, false, [&](const Float& way) { return faded_power(rate, way, 0); });
 }
 
-ComplexFloat faded_way(const ComplexFloat& rate, const Float& way) {
+ComplexFloat faded_power(const ComplexFloat& rate, const Float& way, int k) {
   const ComplexFloat z = rate * way;
-  if (!(abs(z) < Float(1))) return (ComplexFloat(1) - exp(-z)) / rate;
+  Float power = 1;  // way^k/k!
+  for (int j = 1; j <= k; ++j) power *= way / j;
+  if (!(abs(z) < Float(1)))
+    return (ComplexFloat(power) - (k == 0 ? exp(-z) : faded_power(rate, way, k - 1))) / rate;
+  // way^(k + 1) sum_n (-z)^n/(n + k + 1)!
   const Float least = ldexp(Float(1), -working_bits() - 4);
   ComplexFloat sum, term(1);
-  for (int n = 1; abs(term) > least; ++n) {
+  for (int n = 0; abs(term) > least; ++n) {
     sum = sum + term;
-    term = term * (-z) / Float(n + 1);
+    term = term * (-z) / Float(n + k + 2);
   }
-  return sum * way;
+  return sum * Float(power * way / (k + 1));
 }
 
 }  // namespace nipref::ref

@@ -49,7 +49,7 @@ class Trace {
   UnitRule rule_;
 };
 
-/// int_0^way e^(-rate w) dw
-ComplexFloat faded_way(const ComplexFloat& rate, const Float& way);
+/// int_0^way e^(-rate (way - t)) t^k/k! dt
+ComplexFloat faded_power(const ComplexFloat& rate, const Float& way, int k);
 
 }  // namespace nipref::ref

@@ -9,8 +9,8 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/internal/gripped_coercivity.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
+#include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 #include "support/intervals.hpp"
@@ -186,7 +186,9 @@ TEST_CASE("ref gripped contact: lambda is the stiffness at z/A less what longer 
         lambda = std::fmax(
             lambda, (1 - beta) * (r + beta) * std::fmin(0.5, S / (2 * std::cosh(twice))) * (1 - z * z / 4));
       }
-      const Interval found = ref::gripped_coercivity(Interval(A, 128), Interval(beta, 128));
+      const Interval found = ref::coercivity(Interval(A, 128), [&](const Interval& x) {
+        return ref::gripped_stiffness(x, Interval(beta, 128));
+      });
       CHECK(highest(found) == doctest::Approx(lambda).epsilon(1e-9));
     }
   }
@@ -195,7 +197,7 @@ TEST_CASE("ref gripped contact: lambda is the stiffness at z/A less what longer 
 TEST_CASE("ref gripped contact: the stiffness of long waves and all shorter ones is what the proof takes") {
   for (const double beta : {0.0, 0.01, 0.3, 0.749}) {
     for (double z = 0.02; z < 10; z *= 1.5) {
-      const double least = highest(ref::least_stiffness(Interval(z, 128), Interval(beta, 128)));
+      const double least = highest(ref::gripped_stiffness(Interval(z, 128), Interval(beta, 128)));
       double found = 1;
       for (double x = z; x < 40; x *= 1.03) {
         // Of [[a, i c], [-i c, d]].

@@ -1,4 +1,3 @@
-#include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 
 #include "support/decimal.hpp"

@@ -77,7 +77,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
       CAPTURE(half_length);
       CAPTURE(alpha);
       const double middle = half_length < 1 ? 0.25 : 0.0;  // far enough from the faces for forty loads
-      const ref::FloatDisplacements here = field.displacements(alpha, middle, exact),
+      const ref::FloatDisplacements here = field.displacements({alpha, middle}, exact),
                                     sum = Summed(half_length, symmetric, alpha, middle).moved;
       near(here.across, sum.across, 1e-16);
       near(here.along, sum.along, 1e-16);
@@ -85,13 +85,13 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
         CAPTURE(depth);
         const Float step = 1e-6;
         const auto difference = [&](const Float& along, const Float& across) {
-          const auto after = field.displacements(alpha + along, depth + across, exact),
-                     before = field.displacements(alpha - along, depth - across, exact);
+          const auto after = field.displacements({alpha + along, depth + across}, exact),
+                     before = field.displacements({alpha - along, depth - across}, exact);
           return ref::FloatDisplacements{(after.across - before.across) / (2 * step),
                                          (after.along - before.along) / (2 * step)};
         };
         const ref::FloatDisplacements by_x = difference(0, step), by_y = difference(step, 0);
-        const FloatStresses stress = field.at(alpha, depth);
+        const FloatStresses stress = field.at({alpha, depth});
         const Float mean = (exact.theta1 - exact.theta2) / 2 * (stress.across + stress.along);
         near(by_x.across, exact.theta1 * stress.across - mean, 1e-8);
         near(by_y.along, exact.theta1 * stress.along - mean, 1e-8);
@@ -110,11 +110,11 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
       const double depth = half_length < 1 ? 0.25 : 0.0;
       CAPTURE(half_length);
       CAPTURE(alpha);
-      CHECK(largest_difference(field.at(alpha, depth), Summed(half_length, lopsided, alpha, depth).stresses) <
-            1e-16);
-      FloatStresses mirrored = field.at(alpha, -depth);
+      CHECK(largest_difference(field.at({alpha, depth}),
+                               Summed(half_length, lopsided, alpha, depth).stresses) < 1e-16);
+      FloatStresses mirrored = field.at({alpha, -depth});
       mirrored.shear = -mirrored.shear;
-      CHECK(largest_difference(mirrored, field.at(alpha, depth)) < 1e-17);
+      CHECK(largest_difference(mirrored, field.at({alpha, depth})) < 1e-17);
     }
   }
 }
@@ -138,7 +138,7 @@ TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from t
       const long double across = F.imag() - (d == 0 ? 0 : d * slope.real()),
                         along = F.imag() + (d == 0 ? 0 : d * slope.real()),
                         shear = d == 0 ? 0 : d * slope.imag();
-      const FloatStresses here = field.at(Float(y) * a, 1 - Float(d) * a);
+      const FloatStresses here = field.at({Float(y) * a, 1 - Float(d) * a});
       CHECK(static_cast<double>(here.across) == doctest::Approx(static_cast<double>(across)).epsilon(1e-14));
       CHECK(static_cast<double>(here.along) == doctest::Approx(static_cast<double>(along)).epsilon(1e-14));
       CHECK(std::fabs(static_cast<double>(here.shear) - static_cast<double>(shear)) < 1e-14);
@@ -153,7 +153,7 @@ TEST_CASE("fields of different fineness and of more digits agree, beside the end
     for (const double depth : {1.0, 1 - 1e-13, -0.9999, 0.5, 0.0}) {
       CAPTURE(alpha);
       CAPTURE(depth);
-      CHECK(largest_difference(field.at(alpha, depth), finer.at(alpha, depth)) < 1e-17);
+      CHECK(largest_difference(field.at({alpha, depth}), finer.at({alpha, depth})) < 1e-17);
     }
   }
 }
@@ -163,7 +163,7 @@ TEST_CASE("on a face it has the tractions, and far away it is nothing but what t
   const InnerField field(0, 0.5, lopsided, {18, 1, 1});
   const ref::FaceTraction there = lopsided(Float(0.75), Float(0.25));
   for (const int face : {1, -1}) {
-    const FloatStresses here = field.at(0.25, face);
+    const FloatStresses here = field.at({0.25, face});
     CHECK(static_cast<double>(abs(here.across + there.pressure)) < 1e-17);
     CHECK(static_cast<double>(abs(here.shear - face * there.shear)) < 1e-17);
   }
@@ -175,7 +175,7 @@ TEST_CASE("on a face it has the tractions, and far away it is nothing but what t
     force += rule.weight[i] * ref::pi() / 2 * sin(angle) * lopsided(sine * sine, cosine * cosine).shear;
   }
   for (const int side : {1, -1}) {
-    const FloatStresses far = field.at(25 * side, 0.5);
+    const FloatStresses far = field.at({25 * side, 0.5});
     CHECK(static_cast<double>(abs(far.along + side * force / 2)) < 1e-15);
     CHECK(static_cast<double>(abs(far.across)) < 1e-15);
   }

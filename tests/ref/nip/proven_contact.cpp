@@ -107,7 +107,7 @@ TEST_CASE("the contact's quadratic form is at least what the proof takes for it,
     CAPTURE(half_length);
     const int n = size_for(half_length, 6);
     const auto systems = ChebyshevSystem::of_half_length(half_length, n, smooth, true);
-    const double bound = lowest(coercivity(Interval(half_length, 64)));
+    const double bound = lowest(coercivity(Interval(half_length, 64), frictionless_stiffness));
     double least = 1, largest_part = 0;
     for (const int first : {1, 2}) {
       const auto form = symmetric_form(systems[static_cast<std::size_t>(first - 1)], first);
@@ -150,7 +150,9 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
       const double k = 2 * z / A;
       lambda = std::fmax(lambda, (std::cosh(k) - 1) / (std::sinh(k) + k) * (1 - z * z / 4));
     }
-    if (A > 0.01) CHECK(lowest(coercivity(Interval(A, 64))) == doctest::Approx(lambda).epsilon(1e-12));
+    if (A > 0.01)
+      CHECK(lowest(coercivity(Interval(A, 64), frictionless_stiffness)) ==
+            doctest::Approx(lambda).epsilon(1e-12));
     // Half a difference of two values of J, |J'| <= 2, whose arguments are rounded as the system rounds them.
     const WorkingDigits working(40);
     const Cosines cosines(2L * n, working_bits());

@@ -59,8 +59,11 @@ TEST_CASE("ref: a trace with the roots of its ends") {
 
 TEST_CASE("ref: the way that a memory fades by") {
   const WorkingDigits working(30);
-  CHECK(is_near(faded_way({}, 3), ComplexFloat(3)));
-  CHECK(is_near(faded_way(ComplexFloat(2), 3), ComplexFloat((1 - exp(Float(-6))) / 2)));
+  CHECK(is_near(faded_power({}, 3, 0), ComplexFloat(3)));
+  CHECK(is_near(faded_power({}, 3, 2), ComplexFloat(Float(9) / 2)));
+  CHECK(is_near(faded_power(ComplexFloat(2), 3, 0), ComplexFloat((1 - exp(Float(-6))) / 2)));
+  // int_0^3 e^(-2 (3 - t)) t dt = (2 * 3 - 1 + e^-6)/4
+  CHECK(is_near(faded_power(ComplexFloat(2), 3, 1), ComplexFloat((5 + exp(Float(-6))) / 4)));
   const ComplexFloat slow(1e-12, 2e-12);
-  CHECK(is_near(faded_way(slow, 1), ComplexFloat(1) - slow / Float(2) + slow * slow / Float(6)));
+  CHECK(is_near(faded_power(slow, 1, 0), ComplexFloat(1) - slow / Float(2) + slow * slow / Float(6)));
 }

@@ -11,7 +11,6 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/moduli.hpp>
 #include <nipref/fast/material/rational_solid.hpp>
-#include <nipref/ref/material/moduli.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 #include <nipref/ref/material/relaxation_terms.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
@@ -36,16 +35,14 @@ std::size_t model_of(const NamedExact& x) { return static_cast<std::size_t>(x["m
 bool is_of_springs(std::size_t model) { return model < of_springs.size(); }
 int theta2_rate_factor(std::size_t model) { return model == thesis_model ? data::misprinted_rate_factor : 1; }
 
-/// The moduli of springs and dashpots, fast::Modulus or ref::ExactModulus; name: shear or bulk.
-template <class Modulus, class Number>
-Modulus modulus_of(const Named<const Number>& x, const std::string& name) {
-  const Modulus modulus{of_springs[model_of(x)], x[name], x[name + "_2"], x[name + "_viscosity"]};
+/// The moduli of springs and dashpots; name: shear or bulk.
+fast::Modulus modulus_in(const NamedPoint& x, const std::string& name) {
+  const fast::Modulus modulus{of_springs[model_of(x)], x[name], x[name + "_2"], x[name + "_viscosity"]};
   modulus.check(name.c_str());
   return modulus;
 }
-fast::Modulus modulus_in(const NamedPoint& x, const char* name) { return modulus_of<fast::Modulus>(x, name); }
-ref::ExactModulus modulus_in(const NamedExact& x, const char* name) {
-  return modulus_of<ref::ExactModulus>(x, name);
+ref::ExactRatio modulus_in(const NamedExact& x, const std::string& name) {
+  return ref::exact_modulus(of_springs[model_of(x)], x[name], x[name + "_2"], x[name + "_viscosity"], name);
 }
 
 fast::RationalSolid rational_solid(const NamedPoint& x) {
@@ -55,7 +52,8 @@ fast::RationalSolid rational_solid(const NamedPoint& x) {
                                          theta2_rate_factor(model_of(x))};
 }
 
-ref::ExactRationalSolid rational_solid(const NamedExact& x) {
+ref::ExactRationalSolid exact_solid_of(const NamedExact& x) {
+  if (is_of_springs(model_of(x))) return ref::exact_moduli(modulus_in(x, "shear"), modulus_in(x, "bulk"));
   if (model_of(x) == prony_model) return exact_prony_of(x);
   if (model_of(x) == operators_model) return exact_operators_of(x);
   return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], theta2_rate_factor(model_of(x)));
@@ -106,20 +104,17 @@ double fastest_rate(const NamedPoint& x) {
   return fastest;
 }
 
-/// An entry by the functions for springs and dashpots, and by those for a rational solid, which are accurate to a unit in
-/// the last place. variable: t or omega.
-template <class Springs, class Rational>
-Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational) {
+/// An entry by functions of fast for springs and dashpots, and for a rational solid, which are accurate to a unit in the
+/// last place, and by ref's for an exact solid. variable: t or omega.
+template <class Springs, class Rational, class OfExact>
+Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational,
+                        OfExact of_exact) {
   const auto found = [=](const NamedPoint& x) -> fast::Fading {
     if (!is_of_springs(model_of(x))) return rational(rational_solid(x), x[variable]);
     return springs(x, x[variable]);
   };
   Quantity entry = entry_of(
-      name,
-      [=](const NamedExact& x, int digits) {
-        return is_of_springs(model_of(x)) ? springs(x, x[variable], digits)
-                                          : rational(rational_solid(x), x[variable], digits);
-      },
+      name, [=](const NamedExact& x, int digits) { return of_exact(exact_solid_of(x), x[variable], digits); },
       [found](const NamedPoint& x) { return found(x).value; },
       [found](const NamedPoint& x) { return found(x).size; });
   entry.fast_error = of_point(entry, [found, promise = entry.promise](const NamedPoint& x) {
@@ -137,26 +132,21 @@ Quantity material_entry(const char* name, const char* variable, Springs springs,
 
 fast::Fading unfaded(double value) { return {value, 0}; }
 fast::Fading unfaded(const fast::Fading& value) { return value; }
-ref::Enclosure unfaded(ref::Enclosure value) { return value; }
 
 /// A response function of one modulus. `function` calls fast's or the reference's function of that name by overloading:
 /// relaxation, creep, storage or loss. modulus: shear or bulk.
 template <class Function>
 Quantity modulus_entry(const char* name, const char* variable, const char* modulus, Function function) {
   const bool is_shear = modulus == std::string_view("shear");
-  const auto of_rational = [=](const auto& solid, const auto& at, auto... digits) {
-    if constexpr (sizeof...(digits) > 0) {
-      return function(is_shear ? solid.shear : solid.dilatation, at, digits...);
-    } else {
-      return function(solid, is_shear ? fast::Strain::shear : fast::Strain::dilatation, at);
-    }
-  };
   return material_entry(
       name, variable,
-      [=](const auto& x, const auto& at, auto... digits) {
-        return unfaded(function(modulus_in(x, modulus), at, digits...));
+      [=](const NamedPoint& x, double at) { return unfaded(function(modulus_in(x, modulus), at)); },
+      [=](const fast::RationalSolid& solid, double at) {
+        return function(solid, is_shear ? fast::Strain::shear : fast::Strain::dilatation, at);
       },
-      of_rational);
+      [=](const ref::ExactRationalSolid& solid, const Exact& at, int digits) {
+        return function(is_shear ? solid.shear : solid.dilatation, at, digits);
+      });
 }
 
 /// theta1 or theta2 without its impulse.
@@ -164,19 +154,12 @@ template <class Springs>
 Quantity theta_entry(const char* name, Springs springs,
                      fast::Fading (*rational)(const fast::RationalSolid&, double),
                      ref::ExactRatio ref::ExactRationalSolid::*theta) {
-  return material_entry(name, "t", springs, [=](const auto& solid, const auto& t, auto... digits) {
-    if constexpr (sizeof...(digits) > 0) {
-      return ref::fading_part(solid.*theta, t, digits...);
-    } else {
-      return rational(solid, t);
-    }
-  });
+  return material_entry(name, "t", springs, rational,
+                        [=](const ref::ExactRationalSolid& solid, const Exact& t, int digits) {
+                          return ref::fading_part(solid.*theta, t, digits);
+                        });
 }
 
-ref::ExactRationalSolid exact_solid_of(const NamedExact& x) {
-  return is_of_springs(model_of(x)) ? ref::exact_springs(modulus_in(x, "shear"), modulus_in(x, "bulk"))
-                                    : rational_solid(x);
-}
 ref::ComplexPart part_of(const NamedExact& x) {
   return x["part"].sign() == 0 ? ref::ComplexPart::re : ref::ComplexPart::im;
 }
@@ -286,30 +269,28 @@ std::vector<Quantity> material_entries() {
   const auto creeps = [](const auto&... x) { return creep(x...); };
   const auto stores = [](const auto&... x) { return storage(x...); };
   const auto loses = [](const auto&... x) { return loss(x...); };
-  return {theta_entry(
-              "material.theta1",
-              [](const auto& x, const auto& t, auto... digits) {
-                return theta1(modulus_in(x, "shear"), t, digits...);
-              },
-              fast::theta1, &ref::ExactRationalSolid::theta1),
-          theta_entry(
-              "material.theta2",
-              [](const auto& x, const auto& t, auto... digits) {
-                return theta2(modulus_in(x, "shear"), modulus_in(x, "bulk"), t, digits...);
-              },
-              fast::theta2, &ref::ExactRationalSolid::theta2),
-          modulus_entry("material.G", "t", "shear", relaxes),
-          modulus_entry("material.K", "t", "bulk", relaxes),
-          modulus_entry("material.creep_shear", "t", "shear", creeps),
-          modulus_entry("material.creep_bulk", "t", "bulk", creeps),
-          term_entry("material.gamma", true),
-          term_entry("material.lambda", false),
-          modulus_entry("material.storage_shear", "omega", "shear", stores),
-          modulus_entry("material.storage_bulk", "omega", "bulk", stores),
-          modulus_entry("material.loss_shear", "omega", "shear", loses),
-          modulus_entry("material.loss_bulk", "omega", "bulk", loses),
-          growth_entry("material.G_of_p", true),
-          growth_entry("material.K_of_p", false)};
+  return {
+      theta_entry(
+          "material.theta1", [](const NamedPoint& x, double t) { return theta1(modulus_in(x, "shear"), t); },
+          fast::theta1, &ref::ExactRationalSolid::theta1),
+      theta_entry(
+          "material.theta2",
+          [](const NamedPoint& x, double t) {
+            return theta2(modulus_in(x, "shear"), modulus_in(x, "bulk"), t);
+          },
+          fast::theta2, &ref::ExactRationalSolid::theta2),
+      modulus_entry("material.G", "t", "shear", relaxes),
+      modulus_entry("material.K", "t", "bulk", relaxes),
+      modulus_entry("material.creep_shear", "t", "shear", creeps),
+      modulus_entry("material.creep_bulk", "t", "bulk", creeps),
+      term_entry("material.gamma", true),
+      term_entry("material.lambda", false),
+      modulus_entry("material.storage_shear", "omega", "shear", stores),
+      modulus_entry("material.storage_bulk", "omega", "bulk", stores),
+      modulus_entry("material.loss_shear", "omega", "shear", loses),
+      modulus_entry("material.loss_bulk", "omega", "bulk", loses),
+      growth_entry("material.G_of_p", true),
+      growth_entry("material.K_of_p", false)};
 }
 
 }  // namespace nipref::verify

@@ -34,8 +34,9 @@ struct ExactMaterial {
 /// below.
 ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
 
-/// The material by its compliances theta1 and theta2. BadInput that names `last` for an infinite instantaneous
-/// compliance, for repeated roots, and for a memory that does not decay, except that of a fluid.
+/// The material by its compliances theta1 and theta2. Throws data::NoMaterial that names Q or Q_dilatation for what gives way
+/// at once without bound, or later than a dashpot does, for repeated roots, and for a memory that does not decay, except
+/// that of a fluid.
 ExactMaterial exact_material(const ExactRationalSolid& solid);
 
 /// A material without fractions, and the share by which its amplitudes and rates may be off.

@@ -5,9 +5,9 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
-#include <nipref/ref/memory/exact_material.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -31,12 +31,12 @@ ExactFunction exact_function(ExactRatio theta, const std::string& last) {
   auto& [numerator, denominator] = theta;
   cancel(numerator, denominator);
   const Polynomial at_once = divide(numerator, denominator);
-  if (at_once.size() > 1)
-    throw data::BadInput(last, "of the lower degree",
-                         "must not let the solid give way without bound at once");
+  if (at_once.size() > 1 || (at_once.empty() && numerator.size() + 1 < denominator.size()))
+    throw data::NoMaterial(last, "(its degree)",
+                           "must give way at once by a finite compliance or by a dashpot");
   if (has_repeated_root(denominator))
-    throw data::BadInput(last, "(its roots)",
-                         "must not be repeated: t e^(-rate t) is not among the terms of a material");
+    throw data::NoMaterial(last, "(its roots)",
+                           "must not be repeated: t e^(-rate t) is not among the terms of a material");
   ExactFunction result{at_zero(at_once), {}, {}};
   if (denominator.front() == 0) {  // a fluid, with the rate 0
     denominator.erase(denominator.begin());
@@ -48,7 +48,7 @@ ExactFunction exact_function(ExactRatio theta, const std::string& last) {
   }
   if (numerator.empty()) return result;
   if (!(slowest_rate(denominator) > 0))
-    throw data::BadInput(last, "(its roots)", "must have negative real parts: strains fade");
+    throw data::NoMaterial(last, "(its roots)", "must have negative real parts: strains fade");
   if (denominator.size() == 2) {
     result.terms.push_back({numerator[0] / denominator[1], denominator[0] / denominator[1]});
     return result;
@@ -74,18 +74,19 @@ struct FromConstants {
                                             Exact(solid.relaxation_time), solid.theta2_rate_factor));
   }
   ExactMaterial operator()(const data::StandardLinearSolid& s) const {
-    constexpr auto model = data::SpringModel::standard_linear;
-    return exact_material(exact_springs({model, Exact(s.shear_1), Exact(s.shear_2), Exact(s.shear_viscosity)},
-                                        {model, Exact(s.bulk_1), Exact(s.bulk_2), Exact(s.bulk_viscosity)}));
+    const auto modulus = [](double first, double second, double viscosity, const char* name) {
+      return exact_modulus(data::SpringModel::standard_linear, Exact(first), Exact(second), Exact(viscosity),
+                           name);
+    };
+    return exact_material(exact_moduli(modulus(s.shear_1, s.shear_2, s.shear_viscosity, "shear"),
+                                       modulus(s.bulk_1, s.bulk_2, s.bulk_viscosity, "bulk")));
   }
   ExactMaterial operator()(const data::DifferentialOperators& operators) const {
-    const auto exact = [](const std::vector<double>& coefficients) {
-      std::vector<Exact> result;
-      for (const double coefficient : coefficients) result.emplace_back(coefficient);
-      return result;
+    const auto ratio = [](const std::vector<double>& above, const std::vector<double>& below) -> ExactRatio {
+      return {{above.begin(), above.end()}, {below.begin(), below.end()}};
     };
-    return exact_material(exact_operators(exact(operators.p), exact(operators.q),
-                                          exact(operators.p_dilatation), exact(operators.q_dilatation)));
+    return exact_material(
+        exact_moduli(ratio(operators.q, operators.p), ratio(operators.q_dilatation, operators.p_dilatation)));
   }
 };
 

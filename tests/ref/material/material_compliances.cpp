@@ -1,5 +1,6 @@
 // Quotients of polynomials as sums of fading terms.
-#include <nipref/ref/material/internal/rational_compliance.hpp>
+#include <nipref/ref/material/internal/material_compliances.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 
 #include "support/test.hpp"
 
@@ -7,20 +8,25 @@ using namespace nipref::ref;
 
 namespace {
 
+Compliance compliance(const Polynomial& numerator, const Polynomial& denominator) {
+  return compliance_of(
+      exact_material(ExactRationalSolid{{}, {}, {numerator, denominator}, {{1}, {1}}}).theta1);
+}
+
 bool near(const Float& x, const Float& y) { return abs(x - y) <= 1e-38 * (1 + abs(y)); }
 
 }  // namespace
 
-TEST_CASE("rational compliance: real rates and a conjugate pair, as they were put together") {
+TEST_CASE("compliances: real rates and a conjugate pair, as they were put together") {
   const WorkingDigits working(40);
   // 2 + 3/(p + 1/7) + (p + 5)/(p^2 + 2 p + 10), the pair's rates 1 +- 3 i
   const Polynomial single{mpq_class(1, 7), 1}, pair{10, 2, 1};
   const Polynomial numerator =
       sum(sum(product(product({2}, single), pair), product({3}, pair)), product({5, 1}, single));
-  const Compliance compliance = rational_compliance(numerator, product(single, pair), "Q");
-  CHECK(near(compliance.at_once, 2));
-  REQUIRE(compliance.terms.size() == 2);
-  for (const ComplianceTerm& term : compliance.terms) {
+  const Compliance found = compliance(numerator, product(single, pair));
+  CHECK(near(found.at_once, 2));
+  REQUIRE(found.terms.size() == 2);
+  for (const ComplianceTerm& term : found.terms) {
     if (term.rate.is_real()) {
       CHECK(near(term.rate.re, Float(1) / 7));
       CHECK(near(term.amplitude.re, 3));
@@ -34,43 +40,41 @@ TEST_CASE("rational compliance: real rates and a conjugate pair, as they were pu
   }
 }
 
-TEST_CASE("rational compliance: common factors cancel exactly, and rates need not be doubles' size apart") {
+TEST_CASE("compliances: common factors cancel exactly, and rates need not be doubles' size apart") {
   const WorkingDigits working(40);
   const Polynomial common{mpq_class(1, 3), 1}, rest{2, 1}, zero{5, 1};
-  const Compliance compliance = rational_compliance(product(common, zero), product(common, rest), "Q");
-  REQUIRE(compliance.terms.size() == 1);
-  CHECK(near(compliance.terms[0].rate.re, 2));
-  CHECK(near(compliance.terms[0].amplitude.re, 3));
+  const Compliance found = compliance(product(common, zero), product(common, rest));
+  REQUIRE(found.terms.size() == 1);
+  CHECK(near(found.terms[0].rate.re, 2));
+  CHECK(near(found.terms[0].amplitude.re, 3));
   const mpq_class small = mpq_class(1) / mpq_class(mpz_class("100000000000000000000"));
   const Compliance close =
-      rational_compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}), "Q");
+      compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}));
   CHECK(close.terms.size() == 2);
 }
 
-TEST_CASE(
-    "rational compliance: a fluid's rate is 0 exactly and once, and what gives way to nothing at once") {
+TEST_CASE("compliances: a fluid's rate is 0 exactly and once, and what gives way to nothing at once") {
   const WorkingDigits working(40);
   // 2 + 3/p + 5/(p + 7)
   const Polynomial rate{7, 1}, flow{0, 1};
   const Polynomial numerator =
       sum(sum(product({2}, product(flow, rate)), product({3}, rate)), product({5}, flow));
-  const Compliance fluid = rational_compliance(numerator, product(flow, rate), "Q");
+  const Compliance fluid = compliance(numerator, product(flow, rate));
   REQUIRE(fluid.terms.size() == 2);
   for (const ComplianceTerm& term : fluid.terms) {
     CHECK((term.rate.re == 0 || near(term.rate.re, 7)));
     CHECK(near(term.amplitude.re, term.rate.re == 0 ? 3 : 5));
   }
-  CHECK_THROWS_AS((void)rational_compliance(numerator, product(flow, product(flow, rate)), "Q"),
-                  nipref::data::BadInput);
-  const Compliance creeping = rational_compliance({3}, {14, 18}, "Q");
+  CHECK_THROWS_AS((void)compliance(numerator, product(flow, product(flow, rate))), nipref::data::BadInput);
+  const Compliance creeping = compliance({3}, {14, 18});
   CHECK(creeping.at_once == 0);
   REQUIRE(creeping.terms.size() == 1);
   CHECK(near(creeping.terms[0].amplitude.re, Float(1) / 6));
 }
 
-TEST_CASE("rational compliance: a twofold rate is refused by name") {
+TEST_CASE("compliances: a twofold rate is refused by name") {
   const WorkingDigits working(40);
   const Polynomial twice{2, 1}, zero{5, 1};
-  CHECK_THROWS_WITH_AS((void)rational_compliance(product(zero, zero), product(twice, twice), "Q"),
+  CHECK_THROWS_WITH_AS((void)compliance(product(zero, zero), product(twice, twice)),
                        doctest::Contains("Q = "), nipref::data::BadInput);
 }
