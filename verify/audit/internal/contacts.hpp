@@ -38,8 +38,8 @@ struct ContactAudit {
     each("unknowns", self.unknowns);
     each("condition", self.condition);
     each("oscillation", self.oscillation);
-    each("allowed", self.allowed);
     each("error", self.error);
+    each("allowed", self.allowed);
     each("kernel_error", self.kernel_error);
     each("discretisation_error", self.discretisation_error);
   }

@@ -44,9 +44,7 @@ struct SphereTerms {
   double numerator, m, n;
 
   SphereTerms(double c_d, double speed) {
-    const double d = square(c_d);
-    const double a = std::sqrt(1 - square(speed) / d);
-    const double b = std::sqrt(1 - square(speed));
+    const double d = square(c_d), a = std::sqrt(1 - square(speed) / d), b = std::sqrt(1 - square(speed));
     numerator = d * a * (a + b);
     m = 4 * (d - 1) * b - d * (a + b) * square(speed);
     n = d * a + (2 - d) * b;
@@ -58,13 +56,9 @@ struct SphereLine {
   double omega, h;  // Omega, sqrt(K^2 + Gamma^2)
 
   SphereLine(const ScaledModuli& moduli, double friction, double speed, double cosine) {
-    const double d1 = moduli.c11;
-    const double d5 = moduli.c44;
-    const double d13 = moduli.c13;
-    const double mean = std::sqrt(moduli.c33 * d5);
+    const double d1 = moduli.c11, d5 = moduli.c44, d13 = moduli.c13, mean = std::sqrt(moduli.c33 * d5);
     const double cx2 = square(moduli.speed_scale * speed * cosine);
-    const double a1 = std::sqrt(d1 - cx2);
-    const double b5 = std::sqrt(d5 - cx2);
+    const double a1 = std::sqrt(d1 - cx2), b5 = std::sqrt(d5 - cx2);
     const double p_plus =
         std::sqrt(square(std::sqrt(moduli.c33) * a1 + std::sqrt(d5) * b5) - square(d5 + d13));
     const double m = a1 * b5 * (b5 + std::sqrt(moduli.c33 / d5) * a1) - d5 * a1 - square(d13) * b5 / mean;
@@ -99,8 +93,7 @@ double over_half_turn(const std::function<double(double psi)>& value) {
 
 double die_span_ratio_as_printed(double poisson, double friction, double speed) {
   const Terms terms(poisson, speed, std::nullopt);
-  const double sheared = -friction * terms.n;
-  const double pressed = terms.c2 * terms.dilatation_root;
+  const double sheared = -friction * terms.n, pressed = terms.c2 * terms.dilatation_root;
   const double q = shape(-0.5 + std::atan(sheared / pressed) / std::numbers::pi);
   return std::sqrt(square(terms.d) + square(friction)) / (terms.d - 1) * terms.rayleigh * q /
          std::hypot(sheared, pressed);
@@ -179,22 +172,16 @@ double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, 
 double in_plane_compliance(InPlaneForm form, const ScaledModuli& moduli, fast::Direction line,
                            double cosine_from_motion, double speed) {
   const double sign = form == InPlaneForm::printed ? 1 : -1;
-  const double d1 = moduli.c11;
-  const double d5 = moduli.c66;
-  const double d6 = moduli.c44;
-  const double d6_and_d12 = d6 + moduli.c13;
+  const double d1 = moduli.c11, d5 = moduli.c66, d6 = moduli.c44, d6_and_d12 = d6 + moduli.c13;
   const double cx2 = square(moduli.speed_scale * speed * cosine_from_motion);
-  const double cosine2 = square(line.cosine);
-  const double sine2 = square(line.sine);
-  const double a6 = d6 * sine2 - cx2;
-  const double a2 = moduli.c33 * sine2 - cx2;
+  const double cosine2 = square(line.cosine), sine2 = square(line.sine);
+  const double a6 = d6 * sine2 - cx2, a2 = moduli.c33 * sine2 - cx2;
   const double half = d1 * a2 + d6 * a6 - square(d6_and_d12) * sine2;
   const double root = std::sqrt(square(half) - 4 * d1 * d6 * a2 * a6);
   const double b_plus = std::sqrt(cosine2 + (half + root) / (2 * d1 * d6));
   const double b_minus = std::sqrt(cosine2 + (half - root) / (2 * d1 * d6));
   const double b_cubic = b_plus * b_minus * (b_plus + b_minus);
-  const double b5 = std::sqrt(cosine2 + a6 / d5);
-  const double t5 = a6 + 2 * d5 * cosine2;
+  const double b5 = std::sqrt(cosine2 + a6 / d5), t5 = a6 + 2 * d5 * cosine2;
   const double q = square(d6_and_d12) * sine2 / (d1 * d6) - cosine2 - a2 / d6 - b_plus * b_minus;
   const double m = sign * 4 * square(d5) * b5 * b_cubic * cosine2 -
                    d6 * a6 * (cosine2 + a6 / d1 + b_plus * b_minus) * sine2 - q * square(t5);
