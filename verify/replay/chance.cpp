@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
@@ -47,21 +48,14 @@ void judge_erratum(const data::TableCell& printed, ReplayedCell& cell, const dat
 
 void explain_by_one_digit(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
-  const int exponent = table.columns[table.column_index(cell.column)].scale_exponent;
-  std::ptrdiff_t digits_behind = 0;
-  for (std::size_t place = printed.read_as.size(); place-- > 0;) {
-    if (!is_digit(printed.read_as[place])) continue;
+  for (const Reading& reading : one_digit_readings(table, cell.row, cell.column)) {
     const double chance =
-        chance_of_digit(printed.number->rounding, range, place_unit(printed, digits_behind++));
-    for (char digit = '0'; digit <= '9' && chance <= largest_likely; ++digit) {
-      std::string reading = printed.read_as;
-      reading[place] = digit;
-      const auto number = data::read_printed_number(reading, exponent);
-      if (!number || !number->rounding.meets(range)) continue;
-      cell.verdict = verdict_of(chance);
-      cell.note = note_of(fmt::format("{} for {}, one digit", printed.read_as, reading), chance, cell.note);
-      return;
-    }
+        chance_of_digit(printed.number->rounding, range, place_unit(printed, reading.digits_behind));
+    if (chance > largest_likely || !reading.rounding.meets(range)) continue;
+    cell.verdict = verdict_of(chance);
+    cell.note =
+        note_of(fmt::format("{} for {}, one digit", printed.read_as, reading.text), chance, cell.note);
+    return;
   }
 }
 

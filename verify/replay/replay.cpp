@@ -5,6 +5,7 @@
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
@@ -77,13 +78,6 @@ RowValues columns_of(double thickness, const Contact& contact) {
           {"muR", value(&Contact::rolling_resistance)}};
 }
 
-RowValues solved_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method, double length,
-                     std::optional<double> creep) {
-  using data::Grip;
-  const Grip grip = creep ? Grip{Grip::Creep::given, *creep} : Grip{};
-  return row_values(nip.sheet_thickness, fast::line_loads_for_length(nip, method, length, grip));
-}
-
 }  // namespace
 
 RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact) {
@@ -102,19 +96,29 @@ data::Interval ReplayedRow::range(const std::string& column) const {
   return all;
 }
 
+RowInput RowInput::middle() const {
+  const auto middle_of = [](const data::Interval& all) { return data::Interval::only(all.middle()); };
+  return {middle_of(length), creep ? std::optional(middle_of(*creep)) : std::nullopt};
+}
+
+std::vector<RowInput> RowInput::corners() const {
+  std::vector<RowInput> all;
+  for (const double L : {length.lower, length.upper}) {
+    if (!creep) all.push_back({data::Interval::only(L), {}});
+    for (const double one : creep ? std::vector{creep->lower, creep->upper} : std::vector<double>())
+      all.push_back({data::Interval::only(L), data::Interval::only(one)});
+  }
+  return all;
+}
+
 ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
                        const RowInput& input) {
-  std::vector<std::optional<double>> creeps{std::nullopt};
-  if (input.creep) creeps = {input.creep->lower, input.creep->upper};
-  ReplayedRow row;
-  row.at_centre = solved_row(nip, method, input.length.middle(),
-                             input.creep ? std::optional(input.creep->middle()) : std::nullopt);
-  for (const double length : {input.length.lower, input.length.upper}) {
-    for (const std::optional<double> creep : creeps) {
-      row.corners.push_back(solved_row(nip, method, length, creep));
-    }
-  }
-  return row;
+  const auto solved = [&](const RowInput& at) {
+    using data::Grip;
+    const Grip grip = at.creep ? Grip{Grip::Creep::given, at.creep->lower} : Grip{};
+    return row_values(nip.sheet_thickness, fast::line_loads_for_length(nip, method, at.length.lower, grip));
+  };
+  return {solved(input.middle()), mapped(input.corners(), solved)};
 }
 
 }  // namespace nipref::verify

@@ -23,6 +23,10 @@ namespace nipref::verify {
 struct RowInput {
   data::Interval length;                ///< L, in
   std::optional<data::Interval> creep;  ///< with full friction
+
+  // Inputs without width: in the middle of these intervals, and at the corners of their product.
+  [[nodiscard]] RowInput middle() const;
+  [[nodiscard]] std::vector<RowInput> corners() const;
 };
 
 /// The values of a row by the names of their columns, base units.

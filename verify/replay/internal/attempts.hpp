@@ -2,12 +2,23 @@
 #include <functional>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 
-/// A number that differs from the print in one digit and lies in `range`, in words; empty if there is none.
+/// What a cell would be with any digit in one of its places.
+struct Reading {
+  std::string text;
+  std::ptrdiff_t digits_behind;  ///< behind that place
+  data::Interval rounding;
+};
+
+/// All such readings of a cell, those of the last place first.
+std::vector<Reading> one_digit_readings(const data::Table& table, std::size_t row, const std::string& column);
+
+/// The first of them that lies in `range`, in words; empty if there is none.
 std::string one_digit(const data::Table& table, std::size_t row, const std::string& column,
                       const data::Interval& range);
 
@@ -22,20 +33,5 @@ std::string load_note(double replayed, double stated);
 
 /// The input that would give the value `goal`, by linear extrapolation from the values at the ends of its interval.
 double input_for(double goal, const data::Interval& input, double at_lower, double at_upper);
-
-/// A cell that does not match, with the inputs and the method of its row's replay.
-struct MissedCell {
-  const data::Table& table;
-  std::size_t row;
-  const std::string& column;
-  const data::ElasticNip& nip;
-  const fast::LineLoadMethod& method;
-  const RowInput& input;
-};
-
-/// The attempts to explain the cell by other lengths, loads, creep ratios, numbers of elements, a misread digit or
-/// the shear of another element, with their outcomes, in words. They do not change the verdict. The cell must be
-/// legible.
-std::string attempts(const MissedCell& missed);
 
 }  // namespace nipref::verify

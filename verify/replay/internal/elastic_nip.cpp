@@ -10,6 +10,7 @@
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -51,26 +52,29 @@ class RowReplay {
   }
 
  private:
+  [[nodiscard]] std::vector<double> shear_at(const RowInput& at) const {
+    return shear_of_side(nip_, method_, at.length.middle(), at.creep->middle());
+  }
+
   /// Marks a cell as an error of the seed if the shear of the table's element meets it, which is not the largest here.
   void explain_by_element(ReplayedCell& largest) const {
     const int element = line_load_table(table_.id).shear_element;
     if (element == 0) return;
-    const auto shear = [&](double length, double creep) {
-      return shear_of_side(nip_, method_, length, creep).at(static_cast<std::size_t>(element - 1));
+    const auto shear = [&](const RowInput& at) {
+      return shear_at(at)[static_cast<std::size_t>(element - 1)];
     };
-    const double middle = shear(input_.length.middle(), input_.creep->middle());
-    data::Interval range = data::Interval::only(middle);
-    for (const double length : {input_.length.lower, input_.length.upper}) {
-      for (const double creep : {input_.creep->lower, input_.creep->upper}) {
-        range.lower = std::min(range.lower, shear(length, creep));
-        range.upper = std::max(range.upper, shear(length, creep));
-      }
-    }
+    const double middle = shear(input_);
+    const auto [least, most] = std::ranges::minmax(mapped(input_.corners(), shear));
+    const data::Interval range{std::min(least, middle), std::max(most, middle)};
     if (assess(table_.cell(row_, largest.column), range) == Verdict::unexplained) return;
     largest.verdict = Verdict::seed_error;
     largest.note = fmt::format(
         "not the largest shear: that of element {} of {}, {:.6g}, which is the largest in most rows of the table",
         element, method_.elements_per_side, middle);
+  }
+
+  [[nodiscard]] bool meets(const std::string& column, const data::Interval& range) const {
+    return table_.cell(row_, column).number->rounding.meets(range);
   }
 
   [[nodiscard]] bool length_is_printed() const {
@@ -116,7 +120,55 @@ class RowReplay {
                return replay_row(nip_, method_, {data::Interval::only(length), input_.creep}).at_centre;
              });
     if (verdict == Verdict::input) return "";
-    return note_on(cell, verdict, [&] { return attempts({table_, row_, column, nip_, method_, input_}); });
+    return note_on(cell, verdict, [&] { return attempts(column); });
+  }
+
+  /// What was tried to explain a legible cell: a misread digit, another length, creep ratio or number of elements, the
+  /// shear of another element. The verdict does not depend on it.
+  [[nodiscard]] std::string attempts(const std::string& column) const {
+    return all_outcomes({other_shear(column), one_digit(table_, row_, column, replayed_.range(column)),
+                         fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(column, &RowInput::length)),
+                         needed_creep(column), other_elements(column)});
+  }
+
+  /// The value of the input that would give the printed number, the other one being in the middle of its interval.
+  [[nodiscard]] double needed(const std::string& column, auto RowInput::*varied) const {
+    const data::Interval ends = *std::optional<data::Interval>(input_.*varied);
+    const auto value_at = [&](double at) {
+      RowInput input = input_.middle();
+      input.*varied = data::Interval::only(at);
+      return replay_row(nip_, method_, input).at_centre.at(column);
+    };
+    const double at_low = value_at(ends.lower), at_high = value_at(ends.upper);
+    const data::Interval& printed = table_.cell(row_, column).number->rounding;
+    return input_for(at_low < printed.lower ? printed.lower : printed.upper, ends, at_low, at_high);
+  }
+
+  [[nodiscard]] std::string needed_creep(const std::string& column) const {
+    return input_.creep ? fmt::format("or creep = {:.7g}e-4", 1e4 * needed(column, &RowInput::creep)) : "";
+  }
+
+  [[nodiscard]] std::string other_elements(const std::string& column) const {
+    constexpr int most_tried = 12;
+    std::string met;
+    for (int elements = 1; elements <= most_tried; ++elements) {
+      if (meets(column, replay_row(nip_, elements, input_).range(column)))
+        met += fmt::format(" {}", elements);
+    }
+    return met.empty() ? "no other number of elements up to 12 meets it"
+                       : "met by chance with elements a side:" + met;
+  }
+
+  /// The element whose shear is closest to the printed number, unless it is the element with the largest shear.
+  [[nodiscard]] std::string other_shear(const std::string& column) const {
+    if (column != "q_max") return "";
+    const std::vector<double> shear = shear_at(input_);
+    const double printed = table_.cell(row_, column).number->value;
+    const auto nearest =
+        std::ranges::min_element(shear, {}, [&](double here) { return std::fabs(here - printed); });
+    if (*nearest == std::ranges::max(shear)) return "";
+    return fmt::format("not the largest: element {} of {} has {:.6g}", nearest - shear.begin() + 1,
+                       shear.size(), *nearest);
   }
 
   const data::Table& table_;
