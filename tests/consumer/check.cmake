@@ -128,7 +128,7 @@ expect("promise of [0-9.]+ missed")
 
 # fast alone, without the packages of all others.
 set(without)
-foreach(package Boost CLI11 Eigen3 fmt GSL nlohmann_json)
+foreach(package Boost Eigen3 fmt GSL nlohmann_json)
   list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 set(alone ${work}/fast_alone)

@@ -9,15 +9,15 @@
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/statement.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 
 std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows) {
-  const Statement file = read_statements(data::statements_directory() / "speed.toml");
+  const TomlTable file = read_toml(data::statements_directory() / "speed.toml", "statements file");
   std::vector<BenchRatio> formed;
-  for (const Statement& promise :
+  for (const TomlTable& promise :
        file.list("promise", {"what", "quantity", "range", "quick"},
                  {"of", "slow_range", "slow", "factor", "wanted", "tolerance", "instruction_set"})) {
     const std::string set = promise.text_or("instruction_set", ""), slow = promise.text_or("slow", "");

@@ -81,25 +81,12 @@ Selection selected_by(const CommandLine& line) {
   return selected;
 }
 
-/// The words of the command that determine the findings: without the options that say where the findings are stored, who
-/// computes them and how they are printed.
-std::vector<std::string> recorded_words(const CommandLine& line) {
-  const std::set<std::string> without_effect{"out", "shard", "quiet", "json", "no-times"};
-  std::vector<std::string> words{line.verb};
-  words.insert(words.end(), line.words.begin(), line.words.end());
-  for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
-  for (const auto& [name, value] : line.options) {
-    if (!without_effect.contains(name)) words.push_back("--" + name + "=" + value);
-  }
-  for (const std::string& flag : line.flags) {
-    if (!without_effect.contains(flag)) words.push_back("--" + flag);
-  }
-  return words;
-}
+/// Options that do not determine the findings: where these are stored, who computes them and how they are printed.
+const std::set<std::string> without_effect{"out", "shard", "quiet", "json", "no-times"};
 
 }  // namespace
 
-AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(recorded_words(line)) {
+AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(words_of(line, without_effect)) {
   const Selection selected = selected_by(line);
   accuracy_ = accuracy_option(line);
   for (const Quantity* quantity : selected.quantities) {

@@ -3,7 +3,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
 
@@ -12,9 +11,9 @@
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
@@ -22,7 +21,7 @@ namespace nipref::verify {
 namespace {
 
 /// What this run was asked for, to ask the same of an older program.
-std::vector<std::string> words_of(const CommandLine& line) {
+std::vector<std::string> words_of_bench(const CommandLine& line) {
   std::vector<std::string> words = line.words;
   if (const auto isa = line.option("isa")) words.insert(words.end(), {"--isa", *isa});
   return words;
@@ -58,18 +57,18 @@ struct Measured {
 using Program = std::map<Key, Measured>;
 
 /// One round of a program. False if it does not answer as `bench` does.
-bool add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) {
+bool add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) try {
   std::vector<std::string> call{program, "bench", "--json", "--quiet"};
   call.insert(call.end(), words.begin(), words.end());
-  const nlohmann::json answer = nlohmann::json::parse(output_of(call).text, nullptr, false);
-  if (!answer.is_object() || !answer.contains("rows")) return false;
-  for (const auto& row : answer["rows"]) {
-    Measured& measured = rows[{row.at("quantity"), row.at("range"), row.at("method")}];
-    measured.nanoseconds.push_back(row.at("times").at("nanoseconds"));
-    const auto& ulp = row.at("max_error_ulp");
-    if (ulp.is_number()) measured.ulp = ulp.get<double>();
+  for (const Json& row : Json::parse(output_of(call).text).at("rows").items()) {
+    const auto text = [&](const char* key) { return row.at(key).as_text(); };
+    Measured& measured = rows[{text("quantity"), text("range"), text("method")}];
+    measured.nanoseconds.push_back(*row.at("times").at("nanoseconds").as_number());
+    measured.ulp = row.at("max_error_ulp").as_number();
   }
   return true;
+} catch (const JsonMisfit&) {
+  return false;
 }
 
 /// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have. BadInput naming
@@ -118,7 +117,7 @@ Json against_json(const std::vector<AgainstRow>& rows) {
 int against_verb(const CommandLine& line, std::ostream& out) {
   const auto most = max_slowdown_option(line);
   Progress progress(standard_error(line.has("quiet")));
-  const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of(line), progress);
+  const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of_bench(line), progress);
   const auto too_slow = [&](const AgainstRow& row) { return most && row.slower_by(*most); };
   return write_answer(line, out, "bench_against", std::ranges::none_of(rows, too_slow),
                       {{"rows", against_json(rows)}}, "bench_against.txt");

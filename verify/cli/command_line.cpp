@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include <nipref/data/bad_input.hpp>
@@ -29,69 +28,68 @@ std::vector<std::string> as_meant(std::vector<std::string> words) {
   return words;
 }
 
-/// The first word decides; a call for help is left to CLI11.
-void refuse_what_is_unknown(const std::vector<std::string>& words) {
-  const std::string first = words.empty() ? "(missing)" : words.front();
-  if (first == "-h" || first == "--help" || first == "--version") return;
-  const VerbText& verb = find_verb(first);
-  for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
-    if (word.starts_with("--"))
-      refuse_unknown_option(verb, word.substr(0, equals),
-                            equals == std::string::npos ? "(given)" : word.substr(equals + 1));
-  }
+/// Whether the word is an option, and no number below 0 or "-", which is standard input.
+bool is_option(std::string_view word) {
+  return word.size() > 1 && word[0] == '-' && word[1] != '.' && (word[1] < '0' || word[1] > '9');
 }
 
-struct Raw {
-  std::vector<std::string> words;
-  std::map<std::string, std::string> options;
-  std::map<std::string, bool> flags;
+/// A word with its value behind '=', or of -o directly behind the letter.
+struct Divided {
+  std::string name;
+  std::optional<std::string> value;
 };
 
-std::string footer_of(const VerbText& verb) {
-  return fmt::format("\nExamples:\n  {}\n\n{}", fmt::join(verb.examples, "\n  "), exit_statuses());
+Divided divided(const std::string& word) {
+  const bool is_letter = is_option(word) && word[1] != '-';
+  const std::size_t end = is_letter ? 2 : word.find('=');
+  if (end >= word.size()) return {word, {}};
+  return {word.substr(0, end), word.substr(is_letter ? end : end + 1)};
 }
 
-void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
-  CLI::App* sub = app.add_subcommand(verb.name, verb.meaning);
-  // A name with '=' in it is none to CLI11 from 2.4 on.
-  sub->add_option(verb.words.empty() ? "option" : verb.words, raw.words, verb.meaning_of_words)
-      ->option_text(verb.words.empty() ? "name=value ..." : "...");
+/// The option that is called so, with its hyphens. BadInput, with the nearest name, if there is none.
+const OptionText& option_called(const VerbText& verb, const Divided& word) {
+  std::vector<std::string> known{"--help"};
   for (const OptionText& option : verb.options) {
-    sub->add_option(names_of(option), raw.options[option.name],
-                    help_of(option) + "; also " + option.name + "=...");
+    known.push_back("--" + option.name);
+    if (word.name == known.back() || word.name == "-" + option.letter) return option;
   }
-  for (const OptionText& flag : verb.flags)
-    sub->add_flag("--" + flag.name, raw.flags[flag.name], flag.meaning);
-  sub->footer(footer_of(verb));
+  throw BadInput(word.name, word.value.value_or("(given)"),
+                 fmt::format("unknown option: {}{} takes {}",
+                             data::did_you_mean(word.name, {known.begin(), known.end()}), verb.name,
+                             fmt::join(known, ", ")));
 }
 
-[[noreturn]] void refuse_assignment(const VerbText& verb, const std::string& name, const std::string& value) {
-  const auto known = mapped<std::string_view>(verb.options, &OptionText::name);
-  throw BadInput(name, value,
-                 fmt::format("unknown argument: {}{} takes none of that name",
-                             data::did_you_mean(name, known), verb.name));
+/// The value of an option, which may be the next word.
+std::string value_of(const VerbText& verb, const OptionText& option, const Divided& word,
+                     std::span<const std::string> next) {
+  if (option.is_flag && word.value) throw BadInput(option.name, *word.value, "must be given without a value");
+  if (option.is_flag || word.value) return word.value.value_or("");
+  if (next.empty() || is_option(next.front()))
+    throw BadInput(option.name, "(missing)", fmt::format("{} needs it behind --{}", verb.name, option.name));
+  return next.front();
 }
 
-/// Words with '=' are options of the verb, arguments of the quantity or keys of the scene.
-void sort_words(const VerbText& verb, const Raw& raw, CommandLine& line) {
-  for (const std::string& word : raw.words) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos) {
-      if (verb.words.empty())
-        throw BadInput("argument", word, "unexpected: " + verb.name + " takes no names");
-      line.words.push_back(word);
-      continue;
-    }
-    const std::string name = word.substr(0, equals);
-    const std::string value = word.substr(equals + 1);
-    if (find_option(verb, name) == nullptr) {
-      if (!verb.takes_assignments) refuse_assignment(verb, name, value);
-      line.assignments.emplace_back(name, value);
-    } else if (!line.options.emplace(name, value).second) {
-      throw BadInput(name, value, "given twice: must be given once");
-    }
+void add_option(CommandLine& line, const OptionText& option, const std::string& value) {
+  if (!line.options.emplace(option.name, value).second && !option.is_flag)
+    throw BadInput(option.name, value, "given twice: must be given once");
+}
+
+/// A word with '=' is an option of the verb, an argument of the quantity or a key of the scene.
+void add_word(CommandLine& line, const VerbText& verb, const std::string& word) {
+  const auto [name, value] = divided(word);
+  if (!value) {
+    if (verb.words.empty()) throw BadInput("argument", word, "unexpected: " + verb.name + " takes no names");
+    return line.words.push_back(word);
   }
+  if (const OptionText* const option = find_option(verb, name); option != nullptr && !option->is_flag)
+    return add_option(line, *option, *value);
+  if (!verb.takes_assignments)
+    throw BadInput(
+        name, *value,
+        fmt::format("unknown argument: {}{} takes none of that name",
+                    data::did_you_mean(name, mapped<std::string_view>(verb.options, &OptionText::name)),
+                    verb.name));
+  line.assignments.emplace_back(name, *value);
 }
 
 }  // namespace
@@ -116,50 +114,46 @@ std::size_t CommandLine::count(const std::string& name) const {
   return static_cast<std::size_t>(number(name).value_or(0));
 }
 
-bool CommandLine::has(const std::string& flag) const { return flags.contains(flag); }
+std::vector<std::string> words_of(const CommandLine& line, const std::set<std::string>& without) {
+  std::vector<std::string> words{line.verb};
+  words.insert(words.end(), line.words.begin(), line.words.end());
+  for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
+  for (const auto& [name, value] : line.options) {
+    if (!without.contains(name)) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
+  }
+  return words;
+}
 
 bool asks_for_json(int argc, const char* const* argv) {
   return std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
 }
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  std::vector<std::string> words = as_meant({argv + std::min(argc, 1), argv + argc});
-  refuse_what_is_unknown(words);
-  CLI::App app(std::string(program_meaning()), "nipref");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "", "what it was built from and with; --version --json for machines");
-  app.footer(std::string("\nExamples:\n  nipref I1 alpha=0.73\n  nipref solve thick-full-friction\n\n") +
-             std::string(exit_statuses()));
-  std::map<std::string, Raw> raws;
-  for (const VerbText& verb : verbs()) declare(app, verb, raws[verb.name]);
-
+  const std::vector<std::string> words = as_meant({argv + std::min(argc, 1), argv + argc});
   CommandLine line;
-  try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back, as CLI11 has it
-  } catch (const CLI::CallForHelp&) {
-    const auto chosen = app.get_subcommands();
-    line.help = chosen.empty() ? app.help() : chosen.front()->help("nipref");
-    return line;
-  } catch (const CLI::CallForVersion&) {
-    line.version = true;
-    line.json = asks_for_json(argc, argv);
-    return line;
-  } catch (const CLI::ParseError& error) {
-    throw BadInput("command line", fmt::format("{}", fmt::join(words, " ")), error.what());
+  line.json = asks_for_json(argc, argv);
+  const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
+  const std::string first = words.empty() ? "(missing)" : words.front();
+  if (is_help(first)) line.help = program_help();
+  line.version = first == "--version";
+  if (line.help || line.version) return line;
+  const VerbText& verb = find_verb(first);
+  line.verb = verb.name;
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (is_help(words[i])) {
+      line.help = help_of(verb);
+      return line;
+    }
+    if (!is_option(words[i])) {
+      add_word(line, verb, words[i]);
+      continue;
+    }
+    const Divided word = divided(words[i]);
+    const OptionText& option = option_called(verb, word);
+    add_option(line, option, value_of(verb, option, word, std::span(words).subspan(i + 1)));
+    if (!option.is_flag && !word.value) ++i;
   }
-
-  line.verb = app.get_subcommands().front()->get_name();
-  const Raw& raw = raws[line.verb];
-  for (const auto& [name, given] : raw.flags) {
-    if (given) line.flags.insert(name);
-  }
-  line.json = line.has("json");
   line.no_times = line.has("no-times");
-  for (const auto& [name, value] : raw.options) {
-    if (app.get_subcommand(line.verb)->count("--" + name) > 0) line.options.emplace(name, value);
-  }
-  const VerbText& verb = find_verb(line.verb);
-  sort_words(verb, raw, line);
   for (const auto& [name, value] : line.options) check_option(*find_option(verb, name), value);
   check_company(verb, line);
   return line;
@@ -193,7 +187,9 @@ std::optional<int> digits_option(const CommandLine& line) {
 }
 
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
-  if (line.is_given(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
+  if (!line.has(name)) return;
+  const std::string& value = line.options.at(name);
+  throw BadInput(name, value.empty() ? "(given)" : value, why);
 }
 
 bool Selection::has(std::string_view group) const { return std::ranges::find(groups, group) != groups.end(); }

@@ -24,8 +24,8 @@ struct CommandLine {
   std::string verb;
   std::vector<std::string> words = {};  ///< names of quantities, tables or files
   Assignments assignments = {};         ///< arguments of a quantity or keys of a scene, name=value
-  std::map<std::string, std::string> options = {};  ///< given as --name value or as name=value
-  std::set<std::string> flags = {};
+  std::map<std::string, std::string> options =
+      {};  ///< given as --name value or as name=value; of flags empty
   bool json = false;
   bool no_times = false;                 ///< only with json
   std::optional<std::string> help = {};  ///< the help text, if help is asked for
@@ -39,11 +39,12 @@ struct CommandLine {
   [[nodiscard]] std::optional<double> number(const std::string& name) const;
   /// The same of a whole number, of which "1e4" is one too; 0 for nothing.
   [[nodiscard]] std::size_t count(const std::string& name) const;
-  /// True if the flag is given.
-  [[nodiscard]] bool has(const std::string& flag) const;
   /// True if the option or flag is given.
-  [[nodiscard]] bool is_given(const std::string& name) const { return has(name) || options.contains(name); }
+  [[nodiscard]] bool has(const std::string& name) const { return options.contains(name); }
 };
+
+/// The words of such a call, without these options.
+std::vector<std::string> words_of(const CommandLine& line, const std::set<std::string>& without = {});
 
 /// Whether JSON is asked for, also by a command line that cannot be parsed.
 bool asks_for_json(int argc, const char* const* argv);

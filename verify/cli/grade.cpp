@@ -131,7 +131,7 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
     for (const Graded& graded : all) keep_worst(*path, graded);
   }
   if (const auto junit = line.option("junit")) {
-    write_output_file(*junit, junit_text("nipref grade", mapped(all, junit_case)));
+    write_output_file(*junit, junit_text(all));
   }
   const auto text = [&] {
     std::string of_all;

@@ -12,6 +12,8 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/golden/make.hpp>
+#include <nipref/verify/support/internal/template.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -157,16 +159,36 @@ Json graded_json(const Graded& graded) {
   return row;
 }
 
-JUnitCase junit_case(const Graded& graded) {
+namespace {
+
+/// A test case: times are decimals without exponents there, and a message is one line.
+Json case_json(const Graded& graded) {
   const Grade& grade = graded.grade;
-  JUnitCase result{fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where),
-                   graded.seconds, JUnitCase::Outcome::passed, "", graded_text(graded)};
-  if (!graded.kept()) {
-    const bool error = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
-    result.outcome = error ? JUnitCase::Outcome::error : JUnitCase::Outcome::failed;
-    result.message = why_not_kept(graded);
-  }
-  return result;
+  const bool errs = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
+  const Json why = graded.kept() ? Json() : Json(why_not_kept(graded));
+  return {{"name", fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where)},
+          {"seconds", graded.seconds},
+          {"failure", errs ? Json() : why},
+          {"error", errs ? why : Json()},
+          {"details", graded_text(graded)}};
+}
+
+}  // namespace
+
+std::string junit_text(const std::vector<Graded>& all) {
+  const std::vector<Json> cases = mapped(all, case_json);
+  const auto count = [&](const char* outcome) {
+    return std::ranges::count_if(cases, [&](const Json& one) { return !one.at(outcome).is_null(); });
+  };
+  double seconds = 0;
+  for (const Graded& graded : all) seconds += graded.seconds;
+  return text_of("junit.xml",
+                 {{"tests", all.size()},
+                  {"failures", count("failure")},
+                  {"errors", count("error")},
+                  {"seconds", seconds},
+                  {"cases", cases}},
+                 escaped_for_html);
 }
 
 void keep_worst(const std::string& path, const Graded& graded) {

@@ -7,7 +7,6 @@
 #include <nipref/verify/grade/baseline.hpp>
 #include <nipref/verify/grade/fault.hpp>
 #include <nipref/verify/grade/grade.hpp>
-#include <nipref/verify/grade/junit.hpp>
 #include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -47,7 +46,8 @@ struct Graded {
 
 std::string graded_text(const Graded& graded);
 Json graded_json(const Graded& graded);
-JUnitCase junit_case(const Graded& graded);
+/// The test suite in the JUnit format, which Jenkins, GitLab and others read.
+std::string junit_text(const std::vector<Graded>& all);
 
 /// Allows what --promise says and returns it in words, none if it is not given: N or Nulp is in units in the last place, Nrel or N < 1/2 a part of
 /// the scale, as no double keeps less than half a unit, Nabs in the quantity's own unit.

@@ -1,11 +1,10 @@
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/house.hpp>
-#include <nipref/verify/cli/programs.hpp>
+#include <nipref/verify/support/internal/process.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -13,17 +12,17 @@ namespace {
 
 using Subjects = std::set<std::string>;
 
-/// The text of house.toml, put here by the build.
-constexpr std::string_view house =
+/// house.toml, whose text is put here by the build.
+const TomlTable& house() {
+  static const TomlTable all = parse_toml(
 #include <nipref_house.inc>
-    ;
+      , "house", "house.toml");
+  return all;
+}
 
-Arrows arrows_in(const toml::table& table) {
+Arrows arrows_in(const TomlTable& table) {
   Arrows arrows;
-  for (const auto& [name, included] : table) {
-    std::set<std::string>& names = arrows[std::string(name.str())];
-    for (const toml::node& one : *included.as_array()) names.insert(one.value<std::string>().value());
-  }
+  for (const auto& [name, included] : table.words) arrows[name] = {included.begin(), included.end()};
   return arrows;
 }
 
@@ -78,16 +77,15 @@ std::vector<std::string> lines_of_git(std::vector<std::string> words, const std:
 }  // namespace
 
 const Arrows& room_arrows() {
-  static const Arrows arrows = arrows_in(*toml::parse(house)["rooms"].as_table());
+  static const Arrows arrows = arrows_in(house().table("rooms"));
   return arrows;
 }
 
 const std::map<std::string, Arrows>& subject_arrows() {
   static const std::map<std::string, Arrows> arrows = [] {
     std::map<std::string, Arrows> of_rooms;
-    const toml::table defined = toml::parse(house);
-    for (const auto& [room, subjects] : *defined["subjects"].as_table())
-      of_rooms[std::string(room.str())] = arrows_in(*subjects.as_table());
+    for (const auto& [room, subjects] : house().table("subjects").tables)
+      of_rooms[room] = arrows_in(subjects.front());
     return of_rooms;
   }();
   return arrows;

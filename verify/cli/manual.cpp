@@ -17,7 +17,7 @@ namespace {
 
 /// For roff, which takes a hyphen for one that is to be read, and a dot or an apostrophe at a line's start for a
 /// command.
-std::string roff(std::string_view text) {
+std::string roff(const std::string& text) {
   std::string escaped;
   for (char before = '\n'; const char letter : text) {
     if (before == '\n' && (letter == '.' || letter == '\'')) escaped += "\\&";
@@ -31,22 +31,6 @@ std::string roff(std::string_view text) {
     before = letter;
   }
   return escaped;
-}
-
-Json entry_json(const std::string& name, const std::string& meaning) {
-  return {{"name", roff(name)}, {"meaning", roff(meaning)}};
-}
-
-Json verb_json(const VerbText& verb) {
-  std::vector<Json> entries;
-  if (!verb.words.empty()) entries.push_back(entry_json(verb.words + " ...", verb.meaning_of_words));
-  for (const OptionText& option : verb.options)
-    entries.push_back(entry_json(names_of(option) + " " + option.name, help_of(option)));
-  for (const OptionText& flag : verb.flags) entries.push_back(entry_json("--" + flag.name, flag.meaning));
-  return {{"name", roff(verb.name)},
-          {"meaning", roff(verb.meaning)},
-          {"entries", entries},
-          {"examples", json_list(verb.examples, roff)}};
 }
 
 /// Names that a verb's words may be, of those that are known here.
@@ -65,13 +49,26 @@ std::vector<std::string> names_for(const VerbText& verb) {
   return names;
 }
 
-/// A verb and the words that may follow it.
-Json completion_json(const VerbText& verb) {
+/// "-o,--output output", or the name of a flag.
+Json option_json(const OptionText& option) {
+  const std::string letter = option.letter.empty() ? "" : "-" + option.letter + ",";
+  return {{"names", letter + "--" + option.name + (option.is_flag ? "" : " " + option.name)},
+          {"assigned", option.is_flag ? Json() : Json(option.name)},
+          {"meaning", help_of(option)}};
+}
+
+/// A verb, and the words that may follow it.
+Json verb_json(const VerbText& verb) {
   std::vector<std::string> words = names_for(verb);
-  for (const auto* const group : {&verb.options, &verb.flags}) {
-    for (const OptionText& option : *group) words.push_back("--" + option.name);
-  }
-  return {{"name", verb.name}, {"words", fmt::format("{}", fmt::join(words, " "))}};
+  for (const OptionText& option : verb.options) words.push_back("--" + option.name);
+  return {{"name", verb.name},
+          {"meaning", verb.meaning},
+          {"positional", Json::unless_empty(verb.words)},
+          {"meaning_of_words", verb.meaning_of_words},
+          {"options", json_list(verb.options, option_json)},
+          {"examples", json_list(verb.examples)},
+          {"exit_statuses", exit_statuses()},
+          {"words", fmt::format("{}", fmt::join(words, " "))}};
 }
 
 /// A quantity and its arguments, as they are begun.
@@ -81,17 +78,19 @@ Json arguments_json(const Quantity& quantity) {
   return {{"name", quantity.name}, {"words", words}};
 }
 
+/// All that help, the manual and completions are made of.
+Json manual_json() {
+  return {{"meaning", program_meaning()},
+          {"verbs", json_list(verbs(), verb_json)},
+          {"quantities", json_list(catalogue(), arguments_json)},
+          {"exit_statuses", exit_statuses()}};
+}
+
 }  // namespace
 
-std::string manual_page() {
-  return text_of("nipref.1", {{"meaning", roff(program_meaning())},
-                              {"verbs", json_list(verbs(), verb_json)},
-                              {"exit_statuses", roff(exit_statuses())}});
-}
-
-std::string completion_for(const std::string& shell) {
-  return text_of("nipref." + shell, {{"verbs", json_list(verbs(), completion_json)},
-                                     {"quantities", json_list(catalogue(), arguments_json)}});
-}
+std::string program_help() { return text_of("help.txt", manual_json()); }
+std::string help_of(const VerbText& verb) { return text_of("help_verb.txt", verb_json(verb)); }
+std::string manual_page() { return text_of("nipref.1", manual_json(), roff); }
+std::string completion_for(const std::string& shell) { return text_of("nipref." + shell, manual_json()); }
 
 }  // namespace nipref::verify

@@ -11,7 +11,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/export.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/json_value.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -71,15 +71,6 @@ bool standard_output_shows_colours() {
          std::string_view(terminal) != "dumb" && isatty(STDOUT_FILENO) == 1;
 }
 
-bool write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = write(descriptor, text.data(), text.size());
-    if (written == -1 && errno != EINTR) return false;
-    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 void write_to_standard_output(std::string_view text) {
   if (!write_all(STDOUT_FILENO, text)) fail();
   // Some file systems tell only now that there was no room.
@@ -107,8 +98,8 @@ std::string answer_text(std::string_view verb, const Json& members, bool no_time
   return (no_times ? answer.without("times") : answer).text();
 }
 
-std::string text_of(const std::string& name, const Json& members) {
-  return filled_text(templates.at(name), members.value().tree, templates);
+std::string text_of(const std::string& name, const Json& members, const Escape& escape) {
+  return filled_text(templates.at(name), members, templates, escape);
 }
 
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,

@@ -20,9 +20,6 @@ class OutputError : public std::system_error {
   explicit OutputError(const std::string& place);
 };
 
-/// Writes the whole text to a descriptor. False if that fails, for the system's reason.
-bool write_all(int descriptor, std::string_view text);
-
 /// Writes the file's new content. OutputError if any of it could not be written.
 void write_output_file(const std::string& path, std::string_view text);
 
@@ -49,8 +46,9 @@ void write_to_standard_output(std::string_view text);
 /// the answer has "interrupted": true and only what was finished by then.
 std::string answer_text(std::string_view verb, const Json& members, bool no_times = false);
 
-/// The text for people that a template of cli/templates makes of an answer's members.
-std::string text_of(const std::string& name, const Json& members);
+/// The text for people that a template of cli/templates makes of an answer's members, escaped so if need be.
+std::string text_of(const std::string& name, const Json& members,
+                    const std::function<std::string(const std::string&)>& escape = std::identity());
 
 /// Writes the answer of a verb, as JSON, or as the text that its template makes of the members, folded. Members whose names
 /// begin with '_' are for the template alone. Returns the exit status: 0 if all is well, otherwise 1.

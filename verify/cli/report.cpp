@@ -13,7 +13,6 @@
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
@@ -31,13 +30,6 @@ namespace fs = std::filesystem;
 /// Of golden values so many are looked at, of those that take long fewer.
 constexpr std::size_t golden_sample = 25, golden_sample_of_slow = 5;
 constexpr std::size_t points_of_quick_quantity = 10'000;
-
-std::string command_of(const CommandLine& line) {
-  std::string command = "nipref report";
-  for (const auto& [name, value] : line.options) command += " --" + name + " " + value;
-  for (const std::string& flag : line.flags) command += " --" + flag;
-  return command;
-}
 
 GoldenSample sample_golden(const Quantity& quantity) {
   const fs::path path = golden_path(quantity);
@@ -191,7 +183,7 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   const auto folder = output_folder(line);
   Progress progress(line.has("quiet"));
   Report report;
-  report.command = command_of(line);
+  report.command = fmt::format("nipref {}", fmt::join(words_of(line), " "));
   report.seed = line.option_or_usual("seed");
   const Drawer draw = remembering(drawn_by_gnuplot);
   const std::vector<ReportPart> parts = report_parts(report, audits, folder.has_value(), progress);

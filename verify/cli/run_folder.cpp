@@ -17,6 +17,7 @@
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {
 namespace {

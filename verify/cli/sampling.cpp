@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
@@ -37,24 +38,13 @@ AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity,
   return options;
 }
 
-namespace {
-
-std::string command_text(const CommandLine& line) {
-  std::string text = "command: nipref points " + line.words.front();
-  for (const auto& [name, value] : line.assignments) text += fmt::format(" {}={}", name, value);
-  for (const auto& [name, value] : line.options) text += fmt::format(" --{} {}", name, value);
-  return text;
-}
-
-}  // namespace
-
 int points_verb(const CommandLine& line, std::ostream& out) {
   const std::string name = line.words.empty() ? "(missing)" : line.words.front();
   const auto answer = [&](const Quantity& quantity, const std::vector<Point>& points) {
-    const std::string csv =
-        points_csv(quantity, points,
-                   {"quantity: " + name, command_text(line),
-                    "arguments: exact in hexadecimal; NAME_decimal is read as the same double"});
+    const std::string csv = points_csv(
+        quantity, points,
+        {"quantity: " + name, fmt::format("command: nipref {}", fmt::join(words_of(line, {"json"}), " ")),
+         "arguments: exact in hexadecimal; NAME_decimal is read as the same double"});
     return write_answer(line, out, "points", true, {{"quantity", name}, {"csv", csv}}, [&] { return csv; });
   };
   if (is_contact_kind(name))

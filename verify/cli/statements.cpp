@@ -3,7 +3,6 @@
 
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/seeds/statements.hpp>

@@ -28,14 +28,15 @@ struct NumberRange {
 struct OptionText {
   std::string name;
   std::string meaning;  ///< with the unit; with the domain where neither a range nor choices can express it
-  std::string letter;   ///< "o" where -o is short for it
-  std::string usual;    ///< the default; empty where `meaning` describes it
-  std::optional<NumberRange> range;
-  bool positive;  ///< any number > 0 is allowed
-  std::vector<std::string> choices;
+  bool is_flag;         ///< it has no value
+  std::string letter = {};  ///< "o" where -o is short for it
+  std::string usual = {};   ///< the default; empty where `meaning` describes it
+  std::optional<NumberRange> range = {};
+  bool positive = false;  ///< any number > 0 is allowed
+  std::vector<std::string> choices = {};
   /// The options with which alone, or without which alone, it is allowed, and what is said otherwise.
-  std::map<std::string, std::string> needs, without;
-  std::vector<std::string> actions;  ///< the verb's first words with which it is allowed; empty: all
+  std::map<std::string, std::string> needs = {}, without = {};
+  std::vector<std::string> actions = {};  ///< the verb's first words with which it is allowed; empty: all
 };
 
 /// The meaning with the domain and the default.
@@ -43,9 +44,6 @@ std::string help_of(const OptionText& option);
 
 /// BadInput that names the option if `value` is outside its range or none of its choices.
 void check_option(const OptionText& option, const std::string& value);
-
-/// "-o,--output"
-std::string names_of(const OptionText& option);
 
 /// A verb of the command line, its options and its help, as defined in verbs.toml.
 struct VerbText {
@@ -56,18 +54,16 @@ struct VerbText {
   std::string meaning_of_words;
   std::string too_many;             ///< what is said where there is a second word; empty if there may be
   std::string missing;              ///< what is said where there is no word; empty if there may be none
-  std::vector<OptionText> options;  ///< --name value, or name=value
-  std::vector<OptionText> flags;
+  std::vector<OptionText> options;  ///< --name value, or name=value; flags behind the others
   std::vector<std::string> examples;
   bool takes_assignments;  ///< whether it takes name=value pairs that are no options
 };
 
-/// What the program is.
-std::string_view program_meaning();
-/// What its exit statuses mean.
-std::string_view exit_statuses();
-
 const std::vector<VerbText>& verbs();
+
+/// What the program is, and what its exit statuses mean.
+const std::string& program_meaning();
+const std::string& exit_statuses();
 
 /// The verb called `name`. BadInput, with the nearest names, if there is none.
 const VerbText& find_verb(const std::string& name);
@@ -78,8 +74,9 @@ const OptionText* find_option(const VerbText& verb, std::string_view name);
 /// BadInput for a missing word or one too many, and for an option beside others that it must not, or must, stand beside.
 void check_company(const VerbText& verb, const CommandLine& line);
 
-/// BadInput, with the nearest name, for a "--name" that the verb does not take.
-void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value);
+/// The help of the program, and of a verb.
+std::string program_help();
+std::string help_of(const VerbText& verb);
 
 /// What help says of all verbs, as a page for man.
 std::string manual_page();

@@ -90,4 +90,7 @@ std::string figure_text(const Figure& figure);
 /// they are drawn.
 std::string gnuplot_script(const Json& drawing);
 
+/// The drawing by such a script, as SVG; nothing if gnuplot is not installed. Throws std::runtime_error if it fails.
+std::optional<std::string> drawn_by_gnuplot(const std::string& script);
+
 }  // namespace nipref::verify

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {
@@ -229,6 +231,14 @@ std::string gnuplot_script(const Json& drawing) {
        {"width", columns == 1 ? 950 : columns * 620},  // as wide as a page shows without making it smaller
        {"height", 110 + rows * (columns == 1 ? 460 : 400)}});
   return filled(template_text("figure.gnuplot"), figure, escaped_for_gnuplot);
+}
+
+std::optional<std::string> drawn_by_gnuplot(const std::string& script) {
+  // Whatever the user has set up; by that name a script ends with its first error.
+  const ProgramOutput drawn = output_of({"gnuplot", "-d", "/dev/stdin"}, script);
+  if (drawn.status == status_not_found) return std::nullopt;
+  if (drawn.status != 0) throw std::runtime_error("gnuplot does not draw: " + script.substr(0, 1000));
+  return drawn.text;
 }
 
 }  // namespace nipref::verify

@@ -1,59 +1,41 @@
-#define TOML_HEADER_ONLY 1
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <sstream>
 
-#include <nipref/data/bad_input.hpp>
-#include <nipref/data/input_file.hpp>
-#include <nipref/data/toml_obstacle.hpp>
 #include <nipref/verify/grade/baseline.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
+#include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
-
-using data::BadInput;
 
 constexpr auto list_name = "graded";
 constexpr double tolerated_factor = 1.5;
 constexpr double tolerated_ulps = 0.25;  // so that a tiny error may change a little
 
-[[noreturn]] void refuse_entry(const std::string& path, const toml::node& node,
-                               const std::string& requirement) {
-  throw BadInput("baseline", fmt::format("{}:{}", path, node.source().begin.line), requirement);
-}
-
 /// The texts of a key, as the file names them.
-constexpr std::pair<std::string_view, std::string BaselineKey::*> texts[] = {
+constexpr std::pair<const char*, std::string BaselineKey::*> texts[] = {
     {"what", &BaselineKey::what},         {"quantity", &BaselineKey::quantity},
     {"where", &BaselineKey::where},       {"seed", &BaselineKey::seed},
     {"compiler", &BaselineKey::compiler}, {"instruction_set", &BaselineKey::instruction_set}};
 
-Baseline::Entry entry_of(const std::string& path, const toml::table& table) {
-  const auto get = [&]<class Value>(std::string_view key, Value) {
-    const auto value = table[key].value_exact<Value>();
-    if (!value)
-      refuse_entry(path, table, fmt::format("must have {} of its kind in each [[{}]]", key, list_name));
-    return *value;
-  };
-  Baseline::Entry entry{};
-  for (const auto& [name, member] : texts) entry.key.*member = get(name, std::string());
-  entry.key.points = static_cast<std::size_t>(std::max<std::int64_t>(0, get("points", std::int64_t{})));
-  entry.key.sampler = static_cast<int>(get("sampler", std::int64_t{}));
-  entry.max_error_ulp = get("max_error_ulp", double{});
-  entry.reason = get("reason", std::string());
-  if (!(entry.max_error_ulp >= 0)) refuse_entry(path, table, "must have a max_error_ulp >= 0");
+Baseline::Entry entry_of(const TomlTable& table) {
+  Baseline::Entry entry{{}, table.number("max_error_ulp"), table.text("reason")};
+  for (const auto& [name, member] : texts) entry.key.*member = table.text(name);
+  entry.key.points = static_cast<std::size_t>(std::max(0.0, table.number("points")));
+  entry.key.sampler = static_cast<int>(table.number("sampler"));
+  if (!(entry.max_error_ulp >= 0)) table.refuse("must have a max_error_ulp >= 0");
   return entry;
 }
 
-toml::table table_of(const Baseline::Entry& entry) {
-  toml::table table{{"points", static_cast<std::int64_t>(entry.key.points)},
-                    {"sampler", entry.key.sampler},
-                    {"max_error_ulp", entry.max_error_ulp},
-                    {"reason", entry.reason}};
-  for (const auto& [name, member] : texts) table.insert(name, entry.key.*member);
-  return table;
+/// TOML writes a text in quotes as JSON does.
+std::string text_of(const Baseline::Entry& entry) {
+  std::string text = fmt::format("[[{}]]\n", list_name);
+  for (const auto& [name, member] : texts)
+    text += fmt::format("{} = {}\n", name, Json(entry.key.*member).line());
+  return text + fmt::format("points = {}\nsampler = {}\nmax_error_ulp = {}\nreason = {}\n", entry.key.points,
+                            entry.key.sampler, entry.max_error_ulp, Json(entry.reason).line());
 }
 
 auto find(auto& entries, const BaselineKey& key) {
@@ -74,30 +56,18 @@ std::string difference(const BaselineKey& before, const BaselineKey& now) {
 
 }  // namespace
 
-Baseline Baseline::read(const std::string& path) try {
-  Baseline baseline;
-  const std::string text = data::text_of_input_file(path, "baseline");
-  if (const auto obstacle = data::toml_obstacle(text))
-    throw BadInput("baseline", fmt::format("{}:{}", path, obstacle->line), std::string(obstacle->allowed));
-  const toml::table file = toml::parse(text);
-  for (const auto& [key, node] : file) {
-    if (key.str() != list_name || !node.is_array_of_tables())
-      refuse_entry(path, node, fmt::format("must hold [[{}]] alone", list_name));
-    for (const toml::node& item : *node.as_array())
-      baseline.entries.push_back(entry_of(path, *item.as_table()));
-  }
-  return baseline;
-} catch (const toml::parse_error& error) {
-  throw BadInput("baseline", fmt::format("{}:{}", path, error.source().begin.line),
-                 fmt::format("must be TOML: {}", error.description()));
+Baseline Baseline::read(const std::string& path) {
+  const TomlTable file = read_toml(path, "baseline");
+  const std::size_t lists = file.tables.count(list_name);
+  if (file.texts.size() + file.numbers.size() + file.words.size() + file.tables.size() > lists)
+    file.refuse(fmt::format("must hold [[{}]] alone", list_name));
+  return {lists == 0 ? std::vector<Entry>() : mapped(file.tables.at(list_name), entry_of)};
 }
 
 std::string Baseline::text() const {
-  toml::array list;
-  for (const Entry& entry : entries) list.push_back(table_of(entry));
-  std::ostringstream text;
-  text << toml::table{{list_name, list}} << "\n";
-  return text.str();
+  std::string text;
+  for (const Entry& entry : entries) text += (text.empty() ? "" : "\n") + text_of(entry);
+  return text;
 }
 
 BaselineComparison compare_with(const Baseline& baseline, const BaselineKey& key, double max_error_ulp) {

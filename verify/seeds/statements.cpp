@@ -15,11 +15,11 @@ namespace {
 
 /// The entries of a list with their ids.
 template <class Entry>
-std::vector<Entry> read(const std::vector<Statement>& list) {
-  return mapped(list, [](const Statement& one) { return Entry{one.text("id"), &one}; });
+std::vector<Entry> read(const std::vector<TomlTable>& list) {
+  return mapped(list, [](const TomlTable& one) { return Entry{one.text("id"), &one}; });
 }
 
-Json texts_json(const Statement& entry, std::initializer_list<const char*> keys) {
+Json texts_json(const TomlTable& entry, std::initializer_list<const char*> keys) {
   return json_object(mapped(keys, [&](const char* key) { return std::pair(key, entry.text(key)); }));
 }
 
@@ -31,7 +31,9 @@ void set_number(Json& row, std::string_view key, std::string_view error_key,
   row.set(error_key, number ? Json::number(decimals.error) : Json());
 }
 
-Statement file_of(const char* name) { return read_statements(data::statements_directory() / name); }
+TomlTable file_of(const char* name) {
+  return read_toml(data::statements_directory() / name, "statements file");
+}
 
 constexpr std::pair<ClaimVerdict, std::string_view> verdicts[] = {
     {ClaimVerdict::holds, "holds"},
@@ -54,13 +56,13 @@ std::string with_values(const std::string& text, StatementFormulas& formulas) {
   return all;
 }
 
-const Statement& claims_file() {
-  static const Statement file = file_of("claims.toml");
+const TomlTable& claims_file() {
+  static const TomlTable file = file_of("claims.toml");
   return file;
 }
 
-const Statement& errata_file() {
-  static const Statement file = file_of("errata.toml");
+const TomlTable& errata_file() {
+  static const TomlTable file = file_of("errata.toml");
   return file;
 }
 
@@ -81,15 +83,15 @@ std::vector<Claim> claims() {
 }
 
 ClaimOutcome check(const Claim& claim) {
-  const Statement& entry = *claim.entry;
+  const TomlTable& entry = *claim.entry;
   StatementFormulas formulas(claims_file(), entry);
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
-  for (const Statement& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
+  for (const TomlTable& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
     const Propagated number = formulas.value(one.text("is"));
     if (const std::string name = one.text_or("name", ""); !name.empty()) formulas.define(name, number);
     outcome.numbers.push_back({one.text("what"), number, one.text_or("origin", "") == "printed"});
   }
-  for (const Statement& one : entry.list("verdict", {"is"}, {"if", "why"})) {
+  for (const TomlTable& one : entry.list("verdict", {"is"}, {"if", "why"})) {
     if (!formulas.is_true(one.text_or("if", "1"))) continue;
     const auto verdict =
         std::ranges::find(verdicts, one.text("is"), [](const auto& known) { return known.second; });
@@ -157,9 +159,9 @@ bool LimitRow::approached() const {
 
 std::vector<LimitRow> limits() {
   constexpr int sizes = 3;
-  const Statement file = file_of("limits.toml");
+  const TomlTable file = file_of("limits.toml");
   std::vector<LimitRow> rows;
-  for (const Statement& entry : file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
+  for (const TomlTable& entry : file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
                                           {"order", "first", "setting", "given"})) {
     rows.push_back({entry.text("name"), entry.text("statement"), entry.text("source"), entry.text("size"),
                     entry.number("order")});
@@ -215,7 +217,7 @@ std::vector<FormulaErratum> formula_errata() {
 }
 
 Settlement settle(const FormulaErratum& erratum) {
-  const Statement& entry = *erratum.entry;
+  const TomlTable& entry = *erratum.entry;
   StatementFormulas formulas(errata_file(), entry);
   if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
     const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };

@@ -12,7 +12,7 @@
 
 namespace nipref::verify {
 
-struct Statement;
+struct TomlTable;
 
 /// A number that decides about a claim.
 struct ClaimNumber {
@@ -39,7 +39,7 @@ struct ClaimOutcome {
 /// A claim that a seed makes in words. Its entry has its seed, its place and the claim in our words.
 struct Claim {
   std::string id;  ///< "thesis-creep-with-friction"
-  const Statement* entry;
+  const TomlTable* entry;
 };
 
 struct CheckedClaim {
@@ -93,7 +93,7 @@ Json limits_json(const std::vector<LimitRow>& limits);
 /// there, and the method that computes the truth of its Settlement.
 struct FormulaErratum {
   std::string id;  ///< "thesis-4.8"
-  const Statement* entry;
+  const TomlTable* entry;
 };
 
 /// The formula as printed and as it must be, at one place, against a truth that is computed by neither.

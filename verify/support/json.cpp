@@ -110,6 +110,10 @@ std::uint64_t Json::as_count() const {
   return value_->tree.get<std::uint64_t>();
 }
 
+std::optional<double> Json::as_number() const {
+  return value_->tree.is_number() ? std::optional(value_->tree.get<double>()) : std::nullopt;
+}
+
 bool Json::is_null() const { return value_->tree.is_null(); }
 
 Json exact_json(double number) {

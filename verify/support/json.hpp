@@ -75,6 +75,7 @@ class Json {
   [[nodiscard]] std::vector<Json> items() const;
   [[nodiscard]] std::string as_text() const;
   [[nodiscard]] std::uint64_t as_count() const;
+  [[nodiscard]] std::optional<double> as_number() const;  ///< nothing if it is none
   [[nodiscard]] bool is_null() const;
 
  private:

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <kainjow/mustache.hpp>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/support/formula.hpp>
+#include <nipref/verify/support/internal/json_value.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -277,12 +277,19 @@ std::string filled(const std::string& text, const TemplateData& data, const Esca
   return filled(text, data, escape, {}, true);
 }
 
-std::string filled_text(const std::string& text, const TemplateData& data, const Partials& partials) {
-  const auto escape = [](std::string value) {
-    std::ranges::replace(value, '|', bar_of_value);
-    return value;
+std::string filled_text(const std::string& text, const TemplateData& data, const Partials& partials,
+                        const Escape& escape) {
+  const auto without_bars = [&](const std::string& value) {
+    std::string escaped = escape(value);
+    std::ranges::replace(escaped, '|', bar_of_value);
+    return escaped;
   };
-  return filled(text, data, escape, partials, false);
+  return filled(text, data, without_bars, partials, false);
+}
+
+std::string filled_text(const std::string& text, const Json& data, const Partials& partials,
+                        const Escape& escape) {
+  return filled_text(text, data.value().tree, partials, escape);
 }
 
 }  // namespace nipref::verify

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
 
 #include <nipref/data/directory.hpp>
@@ -116,8 +118,22 @@ TEST_CASE(
 TEST_CASE("JUnit tells the outcome of a grade, and what cannot be graded is refused") {
   const ScratchFile wrong(with_values(points_of_I1(), [](double) { return 1.0; })), points(points_of_I1());
   const ScratchFile junit;
-  CHECK(run("grade '" + wrong.path() + "' --junit '" + junit.path() + "'").status == 1);
-  CHECK(contains(junit.text(), "failures=\"1\""));
+  const ScratchFolder folder;
+  const std::string name = "b <&\"> .csv";
+  folder.write(name, wrong.text());
+  CHECK(run("grade '" + folder.file(name).string() + "' --junit '" + junit.path() + "'").status == 1);
+  std::istringstream text(junit.text());
+  boost::property_tree::ptree root;
+  read_xml(text, root);
+  const auto& suite = root.get_child("testsuites.testsuite");
+  for (const auto& [count, wanted] : {std::pair{"tests", 1}, {"failures", 1}, {"errors", 0}})
+    CHECK(suite.get<int>(std::string("<xmlattr>.") + count) == wanted);
+  const auto& one = suite.get_child("testcase");
+  CHECK(one.get<std::string>("<xmlattr>.name") == name + " as I1, its points");
+  CHECK(!contains(one.get<std::string>("<xmlattr>.time"), "e"));
+  CHECK(contains(one.get<std::string>("failure.<xmlattr>.message"), "largest error found"));
+  CHECK(one.count("error") == 0);
+  CHECK(contains(one.get<std::string>("system-out"), "its points: FAIL"));
   CHECK(run("grade '" + wrong.path() + "' --junit /nowhere/at/all").status == 4);
   check_call_refused("grade '" + points.path() + "'", "must have the values in a column");
   for (const auto& [options, says] : {std::pair{" --promise 0", "promise = 0"},

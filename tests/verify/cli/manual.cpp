@@ -1,5 +1,5 @@
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 
 #include "support/test.hpp"
 

@@ -1,5 +1,5 @@
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 
 #include "support/paths.hpp"
 #include "support/test.hpp"

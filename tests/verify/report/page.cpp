@@ -6,11 +6,11 @@
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -31,8 +31,8 @@ TEST_CASE("formulas of statements follow the rules of arithmetic") {
 
 TEST_CASE("what a statement lacks is said with the file and the line") {
   const ScratchFile file("# a comment\n[[limit]]\nname = \"a\"\nfound = \"1 + unknown\"\norder = \"two\"\n");
-  const verify::Statement all = verify::read_statements(file.path());
-  const verify::Statement& limit = all.lists.at("limit").front();
+  const verify::TomlTable all = verify::read_toml(file.path(), "statements file");
+  const verify::TomlTable& limit = all.tables.at("limit").front();
   const std::string where = "statements file = " + file.path() + ":2: ";
   CHECK_THROWS_WITH_AS(static_cast<void>(limit.number("order")),
                        (where + "must have a number as order").c_str(), data::BadInput);

@@ -1,5 +1,5 @@
 #include <nipref/verify/seeds/statements.hpp>
-#include <nipref/verify/support/internal/statement.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 
 #include "support/test.hpp"
 

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -14,6 +13,7 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/grade/internal/child.hpp>
@@ -31,12 +31,6 @@ constexpr auto host_variable = "NIPREF_KERNEL_HOST";
 /// Of a system call: std::system_error unless the error is 0.
 void check(int error) {
   if (error != 0) throw std::system_error(error, std::generic_category(), "nipref-kernel-host");
-}
-
-/// A new file in memory, which is written at its end if that grows.
-int file_in_memory(int flags = O_APPEND) {
-  const int file = memfd_create("nipref", MFD_CLOEXEC);
-  return file != -1 && fcntl(file, F_SETFL, flags) == -1 ? -1 : file;
 }
 
 Exchange* mapped(int file) {
@@ -66,30 +60,6 @@ fs::path kernel_host() {
       "was installed");
 }
 
-/// Starts a program whose descriptors 0, 1, ... are these. It gets a process group of its own, so that Ctrl-C in a
-/// terminal interrupts this program only.
-pid_t started(std::vector<std::string> words, const std::vector<int>& descriptors) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  posix_spawn_file_actions_t actions{};
-  posix_spawnattr_t attributes{};
-  sigset_t none;
-  sigemptyset(&none);
-  check(posix_spawn_file_actions_init(&actions));
-  check(posix_spawnattr_init(&attributes));
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  for (std::size_t i = 0; i < descriptors.size(); ++i)
-    posix_spawn_file_actions_adddup2(&actions, descriptors[i], static_cast<int>(i));
-  pid_t process = -1;
-  const int error = posix_spawn(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  check(error);
-  return process;
-}
-
 std::string signal_text(int signal) {
   const char* const name = sigabbrev_np(signal);
   return name == nullptr ? fmt::format("signal {}", signal)
@@ -98,14 +68,11 @@ std::string signal_text(int signal) {
 
 }  // namespace
 
-Descriptor::Descriptor(int number) : number_(number) { check(number == -1 ? errno : 0); }
-Descriptor::~Descriptor() { close(number_); }
-
 Child::Child(const Plugin& plugin)
     : time_limit_(plugin.time_limit),
-      output_(file_in_memory()),
-      error_(file_in_memory()),
-      memory_(file_in_memory(0)),
+      output_(file_in_memory(O_APPEND)),
+      error_(file_in_memory(O_APPEND)),
+      memory_(file_in_memory()),
       exchange_(mapped(memory_.number()), [](Exchange* memory) { munmap(memory, sizeof(Exchange)); }) {
   std::array<int, 2> ends{-1, -1};
   check(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0 ? 0 : errno);
@@ -116,7 +83,7 @@ Child::Child(const Plugin& plugin)
                       fmt::format("{}", function.arity),
                       fmt::format("{}", function.thread_safe ? nipref_kernel_thread_safe : 0),
                       fmt::format("{}", time_limit_)},
-                     {memory_.number(), output_.number(), error_.number(), its_end.number()});
+                     {memory_.number(), output_.number(), error_.number(), its_end.number()}, true);
 }
 
 Child::~Child() {
@@ -144,13 +111,7 @@ std::optional<Trouble> Child::ask(Request request) {
   return kill(FaultKind::protocol, "wrote to a descriptor that is not its own");
 }
 
-int Child::wait() {
-  int status = 0;
-  while (waitpid(process_, &status, 0) == -1 && errno == EINTR) {
-  }
-  process_ = -1;
-  return status;
-}
+int Child::wait() { return status_at_end(std::exchange(process_, -1)); }
 
 Trouble Child::kill(FaultKind kind, std::string words) {
   ::kill(process_, SIGKILL);

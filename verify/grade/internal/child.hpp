@@ -8,6 +8,7 @@
 
 #include <nipref/verify/grade/internal/exchange.hpp>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {
 
@@ -15,20 +16,6 @@ namespace nipref::verify {
 struct Trouble {
   FaultKind kind;
   std::string words;
-};
-
-/// A file descriptor that is closed in the destructor.
-class Descriptor {
- public:
-  /// std::system_error if the number is -1, what a system call returns that failed.
-  explicit Descriptor(int number);
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor();
-  [[nodiscard]] int number() const { return number_; }
-
- private:
-  int number_;
 };
 
 /// A process that runs nipref-kernel-host with a plugin. After it has ended, which is a Trouble, it must not be asked

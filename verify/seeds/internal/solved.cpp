@@ -269,10 +269,10 @@ Formulas::Solve solved_numbers() {
   };
 }
 
-StatementFormulas::StatementFormulas(const Statement& file, const Statement& entry)
+StatementFormulas::StatementFormulas(const TomlTable& file, const TomlTable& entry)
     : entry_(entry), formulas_(solved_numbers()) {
   if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
-    const Statement& setting = file.entry("setting", named);
+    const TomlTable& setting = file.entry("setting", named);
     setting.located([&] { formulas_.define(setting.text("given")); });
     setting_ = setting.text_or("at", "");
   }

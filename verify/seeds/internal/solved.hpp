@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
-#include <nipref/verify/support/internal/statement.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
 
@@ -85,7 +85,7 @@ Propagated printed_form(double value);
 /// Evaluates the formulas of an entry, with the definitions of the [[setting]] that it names, then with its own in `given`.
 class StatementFormulas {
  public:
-  StatementFormulas(const Statement& file, const Statement& entry);
+  StatementFormulas(const TomlTable& file, const TomlTable& entry);
   /// Throws BadInput that names the entry's line.
   [[nodiscard]] Propagated value(const std::string& formula);
   [[nodiscard]] bool is_true(const std::string& formula) { return value(formula).value() != 0; }
@@ -94,7 +94,7 @@ class StatementFormulas {
   [[nodiscard]] const std::string& setting() const { return setting_; }
 
  private:
-  const Statement& entry_;
+  const TomlTable& entry_;
   Formulas formulas_;
   std::string setting_;
 };

@@ -4,6 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include <nipref/verify/support/json.hpp>
+
 namespace nipref::verify {
 
 /// The data from which a template is filled.
@@ -36,7 +38,10 @@ std::string filled(const std::string& text, const TemplateData& data, const Esca
 /// Texts that a template puts in by {{>NAME}}.
 using Partials = std::map<std::string, std::string>;
 
-/// The same for text that is nobody's markup. Throws std::runtime_error for a name that the data does not have, too.
-std::string filled_text(const std::string& text, const TemplateData& data, const Partials& partials = {});
+/// The same for text, which need not be escaped. Throws std::runtime_error for a name that the data does not have, too.
+std::string filled_text(const std::string& text, const TemplateData& data, const Partials& partials = {},
+                        const Escape& escape = std::identity());
+std::string filled_text(const std::string& text, const Json& data, const Partials& partials,
+                        const Escape& escape);
 
 }  // namespace nipref::verify
