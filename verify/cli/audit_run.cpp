@@ -161,16 +161,12 @@ AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
       shard_(parse_shard(line.option("shard").value_or("1/1"))),
       works_(line, keeps_points),
       all_(works_.all()),
-      blocks_done_(all_.size()) {
+      stored_(all_) {
   const auto folder = line.option("out");
   if (!folder) return;
   file_.emplace(*folder, works_.fingerprint(), shard_);
-  stored_.emplace(all_);
-  read_blocks(*folder, all_, *stored_);
-  for (std::size_t work = 0; work < all_.size(); ++work) {
-    for (std::size_t block = 0; block < all_[work]->blocks(); ++block)
-      blocks_done_[work] += stored_->has(work, block) ? 1U : 0U;
-  }
+  read_blocks(*folder, all_, stored_);
+  there_ = stored_.count();
 }
 
 void AuditRun::do_blocks(Progress& progress) try {
@@ -179,14 +175,13 @@ void AuditRun::do_blocks(Progress& progress) try {
     BlockWork& work = *all_[i];
     progress.next(work.name());
     for (std::size_t block = 0; block < work.blocks(); ++block) {
-      if (!shard_.has(block) || (stored_ && stored_->has(i, block))) continue;
+      if (!shard_.has(block) || stored_.has(i, block)) continue;
       stop_if_interrupted();
       const Json found = work.do_block(block, [&](double part) {
         progress.at((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
       });
       if (file_) file_->append(work, block, found);
-      ++blocks_done_[i];
-      ++done_;
+      stored_.add(i, block);
     }
   }
 } catch (const Interrupted&) {
@@ -194,7 +189,7 @@ void AuditRun::do_blocks(Progress& progress) try {
 
 std::size_t AuditRun::finished() const {
   std::size_t work = 0;
-  while (work < all_.size() && blocks_done_[work] == all_[work]->blocks()) ++work;
+  while (work < all_.size() && stored_.has_all_of(work)) ++work;
   return work;
 }
 
@@ -202,9 +197,9 @@ int AuditRun::answer(std::ostream& out) const {
   if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
   const std::string folder = line_.option("out").value();
   const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
-  const Json members{{"run", folder},           {"shard", shard},
-                     {"blocks_done", done_},    {"blocks_there", stored_->count()},
-                     {"blocks", stored_->of()}, {"_interrupted", interrupted()}};
+  const Json members{
+      {"run", folder},          {"shard", shard},         {"blocks_done", stored_.count() - there_},
+      {"blocks_there", there_}, {"blocks", stored_.of()}, {"_interrupted", interrupted()}};
   return write_answer(line_, out, "audit", true, members, "audit_shard.txt");
 }
 

@@ -72,10 +72,9 @@ class AuditRun {
   Shard shard_;
   AuditWorks works_;
   std::vector<BlockWork*> all_;
+  StoredBlocks stored_;  ///< those that are done
   std::optional<ShardFile> file_;
-  std::optional<StoredBlocks> stored_;    ///< at the start
-  std::vector<std::size_t> blocks_done_;  ///< of each work
-  std::size_t done_ = 0;
+  std::size_t there_ = 0;  ///< number of blocks at the start
 };
 
 }  // namespace nipref::verify

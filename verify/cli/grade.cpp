@@ -75,18 +75,6 @@ bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded
   return settled;
 }
 
-/// What CTest takes from the output of a test into its report.
-std::string measurements(const Graded& graded) {
-  const AuditResult& found = graded.grade.found;
-  const auto measurement = [](std::string_view name, double value) {
-    return fmt::format("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{}</CTestMeasurement>\n", name,
-                       value);
-  };
-  return measurement(found.quantity->name + " largest error found, ulp", found.max_error_ulp) +
-         measurement(found.quantity->name + " mean error, ulp", found.errors.mean()) +
-         measurement(found.quantity->name + " promise, ulp", found.promise);
-}
-
 }  // namespace
 
 std::vector<Graded> graded_file(const CommandLine& line) {
@@ -136,7 +124,8 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
   const auto text = [&] {
     std::string of_all;
     for (const Graded& graded : all)
-      of_all += folded(graded_text(graded)) + (line.has("ctest") ? measurements(graded) : "");
+      of_all +=
+          folded(graded_text(graded)) + (line.has("ctest") ? text_of("ctest.txt", graded_json(graded)) : "");
     return of_all;
   };
   return write_answer(line, out, "grade", kept, {{"rows", json_list(all, graded_json)}}, text);

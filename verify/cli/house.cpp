@@ -48,7 +48,7 @@ Subjects users_of(const std::string& room, const std::string& subject) {
 Subjects everything() { return users_of("ref", "number"); }
 
 Subjects touched_by(const std::string& file) {
-  const std::vector<std::string> parts = parts_of(file, '/');
+  const std::vector<std::string> parts = parts_of(file, "/");
   const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : ""; };
   const std::string& room = parts.front();
   if (room == "verify") {
@@ -71,7 +71,7 @@ std::vector<std::string> lines_of_git(std::vector<std::string> words, const std:
   const ProgramOutput output = output_of(words);
   if (output.status != 0)
     throw data::BadInput("since", revision, "must be a revision that git knows in the current folder");
-  return parts_of(output.text, '\n');
+  return parts_of(output.text, "\n");
 }
 
 }  // namespace

@@ -106,6 +106,10 @@ StoredBlocks::StoredBlocks(const std::vector<BlockWork*>& works) : works_(works)
   for (const BlockWork* work : works) hashes_.emplace_back(work->blocks());
 }
 
+bool StoredBlocks::has_all_of(std::size_t work) const {
+  return std::ranges::find(hashes_[work], std::size_t{0}) == hashes_[work].end();
+}
+
 std::size_t StoredBlocks::count() const {
   std::size_t sum = 0;
   for (const auto& hashes : hashes_)

@@ -32,10 +32,13 @@ class StoredBlocks {
   explicit StoredBlocks(const std::vector<BlockWork*>& works);
 
   [[nodiscard]] bool has(std::size_t work, std::size_t block) const { return hashes_[work][block] != 0; }
+  [[nodiscard]] bool has_all_of(std::size_t work) const;
   [[nodiscard]] std::size_t count() const;  ///< number of blocks with findings
   [[nodiscard]] std::size_t of() const;     ///< number of all blocks
   /// False if the block has findings already. BadInput that names "run" and `where` if those are different.
   bool add(std::size_t work, std::size_t block, const std::string& line, const std::string& where);
+  /// Of a block that this process has done.
+  void add(std::size_t work, std::size_t block) { hashes_[work][block] = 1; }
   /// The missing blocks in brief, "I1 block 17, I1 blocks 20 to 29 and 7 more"; empty if none is missing.
   [[nodiscard]] std::string gaps() const;
 

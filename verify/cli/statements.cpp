@@ -70,8 +70,9 @@ int figures_verb(const CommandLine& line, std::ostream& out) {
   const std::string drawing = svg ? figure_svg(figure, *svg) : "";
   if (csv) write_output_file(*csv, figure_csv(figure));
   if (svg) write_output_file(*svg, drawing);
-  return write_answer(line, out, "figures", true, {{"figure", figure_json(figure)}},
-                      [&] { return csv || svg ? folded(figure_text(figure)) : figure_csv(figure); });
+  return write_answer(line, out, "figures", true, {{"figure", figure_json(figure)}}, [&] {
+    return csv || svg ? folded(text_of("figure.txt", figure_json(figure))) : figure_csv(figure);
+  });
 }
 
 }  // namespace nipref::verify

@@ -81,9 +81,6 @@ std::string figure_csv(const Figure& figure);
 Json panel_json(const Panel& panel);
 Json figure_json(const Figure& figure);
 
-/// The title, the parameters, and the number of series in each panel.
-std::string figure_text(const Figure& figure);
-
 /// A script with which gnuplot writes an SVG to its standard output, of what figure_json answers; of what panel_json answers a
 /// drawing without a caption, small enough for a page: readable at half the width of a sheet of paper and on a telephone.
 /// Labels differ in colour (Okabe and Ito's, which colour-blind readers tell apart), in dashes and in symbols; roles in how

@@ -9,6 +9,7 @@
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -75,7 +76,9 @@ Json panel_json(const Panel& panel) {
           {"y_axis", axis_json(panel.y)},
           {"equal_scales", panel.equal_scales},
           {"series", json_list(panel.series, series_json)},
-          {"contours", panel.contours ? contours_json(*panel.contours) : Json()}};
+          {"contours", panel.contours ? contours_json(*panel.contours) : Json()},
+          {"_name", panel_name(panel)},
+          {"_count", panel.series.size()}};
 }
 
 Json figure_json(const Figure& figure) {
@@ -83,14 +86,6 @@ Json figure_json(const Figure& figure) {
           {"title", figure.title},
           {"parameters", figure.parameters},
           {"panels", json_list(figure.panels, panel_json)}};
-}
-
-std::string figure_text(const Figure& figure) {
-  std::string text = fmt::format("{}: {}\n  {}\n", figure.id, figure.title, figure.parameters);
-  for (const Panel& panel : figure.panels)
-    text += fmt::format("  {}: {} series{}\n", panel_name(panel), panel.series.size(),
-                        panel.contours ? ", contours" : "");
-  return text;
 }
 
 namespace {
@@ -204,16 +199,6 @@ void prepare(TemplateData& panel) {
   }
 }
 
-/// Splits a text at its semicolons.
-TemplateData parts_of(const std::string& text) {
-  TemplateData parts = TemplateData::array();
-  for (std::size_t at = 0, end = 0; end < text.size(); at = end + 2) {
-    end = std::min(text.find("; ", at), text.size());
-    parts.push_back(text.substr(at, end - at));
-  }
-  return parts;
-}
-
 }  // namespace
 
 std::string gnuplot_script(const Json& drawing) {
@@ -224,7 +209,7 @@ std::string gnuplot_script(const Json& drawing) {
   // A key beside a panel leaves no room for a second column; contours have none.
   const std::size_t columns = panels[0]["contours"].is_null() ? 1 : 2, rows = panels.size() / columns;
   figure.update(
-      {{"notes", parts_of(figure.value("parameters", ""))},
+      {{"notes", parts_of(figure.value("parameters", ""), "; ")},
        {"long_key", panels[0]["series"].size() > 4},
        {"columns", columns},
        {"rows", rows},

@@ -4,18 +4,19 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <span>
 
+#include <nipref/data/directory.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using nlohmann::json;
 
-constexpr Change all_changes[] = {Change::worse,   Change::slower,   Change::better, Change::quicker,
-                                  Change::changed, Change::appeared, Change::gone};
-/// In the same order, which is that of the enumeration.
+/// In the order of the enumeration.
 constexpr std::string_view change_names[] = {"worse",   "slower", "better", "quicker",
                                              "changed", "new",    "gone"};
 
@@ -37,95 +38,54 @@ std::string text_at(const json& row, const std::string& key) {
   return row[key].is_string() ? row[key].get<std::string>() : row[key].dump();
 }
 
-/// A member of a row that is compared with that of the older report, and the changes that a smaller and a larger number
-/// mean. A text that has become "true" counts as larger.
-struct Column {
-  std::string key;
-  std::string title;  ///< after the name of the row
-  Change smaller, larger;
-  double differs = 0;                 ///< the ratio above which two numbers differ; 0: texts are compared
-  const char* where_equal = nullptr;  ///< compared only where this member of both rows is the same
-};
-
-Column verdict_column(const std::string& key) { return {key, ", " + key, Change::worse, Change::better}; }
-
-/// A list of the report, the members that identify its rows, and the members that are compared, up to the first text that
-/// has changed.
-struct Part {
-  const char* path;
-  const char* name;
-  std::vector<const char*> keys;
-  std::vector<Column> columns;
-};
-
-const std::vector<Part>& parts() {
-  using enum Change;
-  static const std::vector<Part> all{
-      {"/audit/rows",
-       "audit",
-       {"quantity"},
-       {verdict_column("passed"), {"max_error_ulp", ", largest error, ulp", better, worse, 1.1, "points"}}},
-      {"/audit/scenes",
-       "random contacts",
-       {"kind"},
-       {verdict_column("passed"),
-        {"median_overestimate", ", statement over error, median", better, worse, 1.1, "scenes"}}},
-      {"/audit/contacts",
-       "hard case",
-       {"system", "length_over_thickness", "poisson", "unknowns"},
-       {verdict_column("passed")}},
-      {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", "", slower, quicker, 1.25}}},
-      {"/bench/error_ratios", "error,", {"what"}, {verdict_column("met")}},
-      {"/summary/tables",
-       "table",
-       {"id"},
-       {{"match", ", cells: match", worse, better, 1},
-        {"misprint", ", cells: misprint", changed, changed, 1},
-        {"likely_misprint", ", cells: likely-misprint", changed, changed, 1},
-        {"seed_error", ", cells: seed-error", changed, changed, 1},
-        {"unexplained", ", cells: unexplained", better, worse, 1}}},
-      {"/claims", "claim", {"id"}, {{"verdict", "", changed, changed}}},
-      {"/limits", "limit", {"name"}, {verdict_column("approached")}},
-      {"/errata", "erratum", {"id"}, {verdict_column("settled")}},
-      {"/golden", "golden", {"quantity"}, {verdict_column("passed")}}};
-  return all;
+Change change_named(const TomlTable& column, const std::string& key) {
+  const auto named = std::ranges::find(change_names, column.text(key));
+  if (named == std::end(change_names))
+    column.refuse(fmt::format("must have the name of a change as {}", key));
+  return static_cast<Change>(named - std::begin(change_names));
 }
 
-std::map<std::string, const json*> by_name(const json& rows, const std::vector<const char*>& keys) {
+std::map<std::string, const json*> by_name(const json& rows, const std::vector<std::string>& keys) {
   std::map<std::string, const json*> named;
   for (const json& row : rows) {
     std::string id;
-    for (const char* key : keys) id += (id.empty() ? "" : ", ") + text_at(row, key);
+    for (const std::string& key : keys) id += (id.empty() ? "" : ", ") + text_at(row, key);
     named.emplace(id, &row);
   }
   return named;
 }
 
-std::optional<ChangedItem> change_of(const Column& column, const std::string& row, const json& before,
+/// Of a member that is compared, and whether it is one of texts, of which "true" is better.
+std::optional<ChangedItem> change_of(const TomlTable& column, const std::string& row, const json& before,
                                      const json& now) {
-  const std::string what = row + column.title;
-  if (column.differs == 0) {
-    const std::string was = text_at(before, column.key), is = text_at(now, column.key);
+  const std::string &key = column.text("key"), what = row + column.text("title");
+  const Change smaller = change_named(column, "smaller"), larger = change_named(column, "larger");
+  const double differs = column.number_or("differs", 0);
+  if (differs == 0) {
+    const std::string was = text_at(before, key), is = text_at(now, key);
     if (was == is) return {};
-    return ChangedItem{is == "true" ? column.larger : column.smaller, what, was, is};
+    return ChangedItem{is == "true" ? larger : smaller, what, was, is};
   }
-  const auto was = number_at(before, column.key), is = number_at(now, column.key);
-  if (!was || !is || std::max(*was, *is) <= column.differs * std::min(*was, *is)) return {};
-  const int digits = column.smaller == Change::slower ? 3 : 4;
-  return ChangedItem{*is < *was ? column.smaller : column.larger, what, fmt::format("{:.{}g}", *was, digits),
+  const auto was = number_at(before, key), is = number_at(now, key);
+  if (!was || !is || std::max(*was, *is) <= differs * std::min(*was, *is)) return {};
+  const int digits = smaller == Change::slower ? 3 : 4;
+  return ChangedItem{*is < *was ? smaller : larger, what, fmt::format("{:.{}g}", *was, digits),
                      fmt::format("{:.{}g}", *is, digits)};
 }
 
 /// Adds the changes in the rows of a part, new rows and rows that are gone. Returns the number of rows whose numbers were
 /// found at other points.
-std::size_t compare(const Part& part, const json& older, const json& newer, std::vector<ChangedItem>& items) {
-  const auto before = by_name(list_at(older, part.path), part.keys),
-             now = by_name(list_at(newer, part.path), part.keys);
-  const std::string name = std::string(part.name) + " ";
-  if (!older.contains(json::json_pointer(part.path)) && !now.empty()) {
-    items.push_back({Change::appeared,
-                     fmt::format("{}: all {}, which the older report does not have", part.name, now.size()),
-                     "", ""});
+std::size_t compare(const TomlTable& part, const json& older, const json& newer,
+                    std::vector<ChangedItem>& items) {
+  const std::string &path = part.text("path"), name = part.text("name") + " ";
+  const auto keys = part.words_of("keys");
+  const auto& columns = part.list("column", {"key", "title", "smaller", "larger"}, {"differs", "of"});
+  const auto before = by_name(list_at(older, path), keys), now = by_name(list_at(newer, path), keys);
+  if (!older.contains(json::json_pointer(path)) && !now.empty()) {
+    items.push_back(
+        {Change::appeared,
+         fmt::format("{}: all {}, which the older report does not have", part.text("name"), now.size()), "",
+         ""});
     return 0;
   }
   std::size_t of_other_points = 0;
@@ -135,14 +95,15 @@ std::size_t compare(const Part& part, const json& older, const json& newer, std:
       items.push_back({Change::appeared, name + id, "", ""});
       continue;
     }
-    for (const Column& column : part.columns) {
-      const bool comparable = column.where_equal == nullptr ||
-                              text_at(*old->second, column.where_equal) == text_at(*row, column.where_equal);
-      of_other_points += !comparable;
-      const auto found =
-          comparable ? change_of(column, name + id, *old->second, *row) : std::optional<ChangedItem>();
+    for (const TomlTable& column : columns) {
+      const std::string of = column.text_or("of", "");
+      if (!of.empty() && text_at(*old->second, of) != text_at(*row, of)) {
+        ++of_other_points;
+        continue;
+      }
+      const auto found = change_of(column, name + id, *old->second, *row);
       if (found) items.push_back(*found);
-      if (found && column.differs == 0) break;
+      if (found && !column.numbers.contains("differs")) break;
     }
   }
   for (const auto& [id, row] : before) {
@@ -174,7 +135,9 @@ ReportComparison compare_reports(const std::string& older, const std::string& ne
   const json before = json::parse(older), now = json::parse(newer);
   ReportComparison comparison{version_of(before), "", {}};
   std::size_t of_other_points = 0;
-  for (const Part& part : parts()) of_other_points += compare(part, before, now, comparison.items);
+  const TomlTable parts = read_toml(data::statements_directory() / "comparison.toml", "statements file");
+  for (const TomlTable& part : parts.list("part", {"path", "name"}, {"keys", "column"}))
+    of_other_points += compare(part, before, now, comparison.items);
   std::ranges::stable_sort(comparison.items, {}, &ChangedItem::change);
   if (of_other_points > 0)
     comparison.note = fmt::format(
@@ -196,15 +159,18 @@ Json item_json(const ChangedItem& item) {
 
 Json comparison_json(const ReportComparison& comparison, std::size_t most_in_text) {
   const std::size_t count = comparison.items.size(), more = count - std::min(count, most_in_text);
-  return {{"older", comparison.older},
-          {"note", Json::unless_empty(comparison.note)},
-          {"counts", json_list(all_changes,
-                               [&](Change change) {
-                                 return Json{{"change", name(change)}, {"count", comparison.count(change)}};
-                               })},
-          {"items", json_list(comparison.items, item_json)},
-          {"_first", json_list(std::span(comparison.items).first(count - more), item_json)},
-          {"_more", more > 0 ? Json(more) : Json()}};
+  return {
+      {"older", comparison.older},
+      {"note", Json::unless_empty(comparison.note)},
+      {"counts",
+       json_list(
+           std::views::iota(0U, std::size(change_names)),
+           [&](std::size_t i) {
+             return Json{{"change", change_names[i]}, {"count", comparison.count(static_cast<Change>(i))}};
+           })},
+      {"items", json_list(comparison.items, item_json)},
+      {"_first", json_list(std::span(comparison.items).first(count - more), item_json)},
+      {"_more", more > 0 ? Json(more) : Json()}};
 }
 
 }  // namespace nipref::verify

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <kainjow/mustache.hpp>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -95,7 +94,6 @@ std::string without_end(std::string text) {
 // Mustache takes away the line of a section's tag that stands alone. The library leaves an empty line for a section that is
 // left out, so that such lines are joined here, and the library sees no line breaks but this character.
 constexpr char line_break = '\x1e';
-constexpr std::string_view separator = " | ";
 /// Stands for a bar in a value, which does not separate the cells of a table.
 constexpr char bar_of_value = '\x1f';
 
@@ -131,30 +129,11 @@ std::string restored(std::string text) {
   return text;
 }
 
-std::vector<std::string> split(const std::string& text, std::string_view at) {
-  std::vector<std::string> parts;
-  for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + at.size()) {
-    end = text.find(at, start);
-    parts.push_back(text.substr(start, end - start));
-  }
-  return parts;
-}
-
-/// Lays out a table: the first line has the heads, lines that are indented by four stand below the row before them.
-std::string table_text(const std::string& text) {
-  std::vector<std::string> lines = split(text, std::string_view(&line_break, 1));
+/// Of a table's lines.
+std::string laid_out(const std::string& text) {
+  std::vector<std::string> lines = parts_of(text, std::string_view(&line_break, 1));
   std::erase(lines, "");
-  if (lines.empty()) return "";
-  const std::vector<std::string> heads = split(lines.front(), separator);
-  TextTable table({heads.begin(), heads.end()});
-  for (const std::string& line : std::span(lines).subspan(1)) {
-    if (line.starts_with("    ")) {
-      table.add_below(line.substr(4));
-    } else {
-      table.add(split(line, separator));
-    }
-  }
-  return table.empty() ? "" : table.text();
+  return table_text(lines);
 }
 
 using Format = std::function<std::string(const std::string&)>;
@@ -176,7 +155,7 @@ void add_formats(mustache::data& data) {
                                                  {"shell", word_of_shell},
                                                  {"mathml", with_mathml},
                                                  {"trimmed", without_end},
-                                                 {"table", table_text},
+                                                 {"table", laid_out},
                                                  {"good", good},
                                                  {"bad", bad}};
   for (const auto& [name, format] : formats)

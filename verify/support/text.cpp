@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <sstream>
-#include <utility>
 
+#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -74,10 +74,13 @@ std::vector<std::string> words_of(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::istringstream stream(text);
+std::vector<std::string> parts_of(std::string_view text, std::string_view separator) {
   std::vector<std::string> parts;
-  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    parts.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + separator.size(), text.size()));
+  }
   return parts;
 }
 
@@ -111,44 +114,29 @@ std::string folded(std::string_view text, std::size_t width) {
   return all;
 }
 
-namespace {
-
-constexpr std::string_view gap = "  ", indent = "    ";
-
-std::string without_trailing_spaces(std::string line) {
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line;
-}
-
-}  // namespace
-
-TextTable::TextTable(std::vector<std::string_view> heads) {
-  std::vector<std::string> cells;
-  for (const std::string_view head : heads) {
-    flush_right_.push_back(head.starts_with('>'));
-    cells.emplace_back(head.substr(flush_right_.back() ? 1 : 0));
+std::string table_text(const std::vector<std::string>& lines) {
+  if (lines.size() < 2) return "";
+  std::vector<std::vector<std::string>> rows = mapped(lines, [](const std::string& line) {
+    return line.starts_with("    ") ? std::vector<std::string>() : parts_of(line, " | ");
+  });
+  std::vector<bool> flush_right;
+  for (std::string& head : rows.front()) {
+    flush_right.push_back(head.starts_with('>'));
+    if (flush_right.back()) head.erase(0, 1);
   }
-  rows_.push_back({std::move(cells)});
-}
-
-void TextTable::add(std::vector<std::string> cells) { rows_.push_back({std::move(cells)}); }
-void TextTable::add_below(std::string line) { rows_.back().below.push_back(std::move(line)); }
-
-std::string TextTable::text() const {
-  std::vector<std::size_t> widths(flush_right_.size());
-  for (const Row& row : rows_) {
-    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row.cells[i]));
+  std::vector<std::size_t> widths(flush_right.size());
+  for (auto& row : rows) {
+    if (!row.empty()) row.resize(widths.size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
   }
   std::string text;
-  for (const Row& row : rows_) {
-    std::string line;
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-      const std::string padding(widths[i] - width_of(row.cells[i]), ' ');
-      line += i == 0 ? "" : gap;
-      line += flush_right_[i] ? padding + row.cells[i] : row.cells[i] + padding;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::string line = rows[i].empty() ? folded(lines[i]) : "";
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      const std::string padding(widths[j] - width_of(rows[i][j]), ' ');
+      line += (j == 0 ? "" : "  ") + (flush_right[j] ? padding + rows[i][j] : rows[i][j] + padding);
     }
-    text += without_trailing_spaces(std::move(line)) + "\n";
-    for (const std::string& below : row.below) text += folded(std::string(indent) + below) + "\n";
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
 }

@@ -20,7 +20,7 @@ std::string trimmed(std::string_view text);
 std::vector<std::string> words_of(const std::string& text);
 
 /// The parts of a text between separators; what is behind the last one counts unless it is empty.
-std::vector<std::string> parts_of(const std::string& text, char separator);
+std::vector<std::string> parts_of(std::string_view text, std::string_view separator);
 
 /// The text without colours.
 std::string plain(std::string_view text);
@@ -32,28 +32,9 @@ std::size_t width_of(std::string_view text);
 /// in the first half, and otherwise four columns to the right of the line's start. A word that is too wide is not broken.
 std::string folded(std::string_view text, std::size_t width = text_width());
 
-/// A table in plain text: each column is as wide as its widest cell, with two spaces between columns.
-class TextTable {
- public:
-  /// The heads of the columns; a head that begins with '>', which is not shown, makes its column flush right.
-  explicit TextTable(std::vector<std::string_view> heads);
-
-  /// Adds a row, with a cell for each column.
-  void add(std::vector<std::string> cells);
-  /// Adds an indented line below the last row.
-  void add_below(std::string line);
-
-  [[nodiscard]] bool empty() const { return rows_.size() == 1; }
-  /// The table with its line of heads. Lines below rows are folded, rows are not.
-  [[nodiscard]] std::string text() const;
-
- private:
-  struct Row {
-    std::vector<std::string> cells;
-    std::vector<std::string> below = {};
-  };
-  std::vector<bool> flush_right_;
-  std::vector<Row> rows_;  ///< the first holds the heads
-};
+/// A table in plain text, of lines with " | " between cells: each column is as wide as its widest cell, with two spaces
+/// between columns. The first line has the heads; a head that begins with '>', which is not shown, makes its column flush
+/// right. A line that is indented by four is no row, and is folded. Nothing if there are only heads.
+std::string table_text(const std::vector<std::string>& lines);
 
 }  // namespace nipref::verify

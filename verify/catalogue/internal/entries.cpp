@@ -68,7 +68,7 @@ Argument argument_of(const std::string& text) {
       argument.choices.push_back(is_new ? name : fmt::format("{}/{}", name, argument.choices.size()));
     }
   } else if (kind.find('|') != kind.npos) {
-    argument.choices = parts_of(kind, '|');
+    argument.choices = parts_of(kind, "|");
   } else {
     argument.kind = argument_kind(kind);
   }

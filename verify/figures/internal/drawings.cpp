@@ -15,7 +15,7 @@
 namespace nipref::verify {
 FigureSubject::FigureSubject(const std::string& of, const std::string& numbers, const std::string& table_ids)
     : text(of), words(words_of(of)), tables(words_of(table_ids)) {
-  for (const std::string& list : parts_of(numbers, ';')) {
+  for (const std::string& list : parts_of(numbers, ";")) {
     const auto parts = words_of(list);
     if (!parts.empty()) lists_[parts.front()] = {parts.begin() + 1, parts.end()};
   }

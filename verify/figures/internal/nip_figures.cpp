@@ -19,6 +19,7 @@
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 // Numbers of nips against their loads and memories, and the creep ratios that the thesis's conditions allow (thesis, section 5.5,
 // 5.7, 7.5); pressure, shear and displacements along nips (thesis 5.7, 7.5), and stresses inside the sheet, which the
@@ -35,11 +36,10 @@ struct NipAt {
   data::Friction friction = data::Friction::none;
 };
 
-/// The nip without the memory, which differs from row to row.
-NipAt nip_of_table(const data::Table& table, double load) {
-  const bool is_rolling = table.columns.front().name != "W";
-  return {table.parameter("B").value, load, 0,
-          is_rolling ? data::Friction::none : line_load_table(table.id).friction};
+NipAt nip_of_row(const data::Table& table, std::size_t row) {
+  const double thickness = table.parameter("B").value, key = key_of_row(table, row);
+  if (find_viscoelastic_table(table.id) != nullptr) return {thickness, table.parameter("W").value, key};
+  return {thickness, key, 0, line_load_table(table.id).friction};
 }
 
 std::size_t row_of_memory(const data::Table& table, double memory) {
@@ -64,7 +64,6 @@ SolvedInDouble contact_of(const NipAt& nip, double accuracy) {
 
 std::string load_label(double load) { return fmt::format("W = {:g} lbf/in", load); }
 std::string memory_label(double memory) { return fmt::format("F0 tau = {:g} in", memory); }
-std::string thickness_label(double thickness) { return fmt::format("B = {:g} in", thickness); }
 std::string friction_label(data::Friction friction) {
   return friction == data::Friction::full ? "no slip" : "complete slip";
 }
@@ -91,102 +90,80 @@ double value_at(const NipAt& nip, const std::string& column) {
   return known.at(key, [&] { return values_of(nip); })->at(column);
 }
 
-/// A curve of continuous contacts, in which one number of the nip varies, and the rows of tables that lie on it.
-struct NipCurve {
-  std::string label;
-  NipAt nip;
-  std::vector<PlacedCell> cells = {};
-
-  void add(const Replay& replay, std::size_t row, const std::string& column, double printed_at,
-           double replayed_at) {
-    cells.push_back({&replay, row, column, printed_at, replayed_at});
-  }
-};
-
-void append(Panel& panel, const NipCurve& curve, double NipAt::*varied, const std::vector<double>& places,
-            const std::string& column) {
-  panel.series.push_back(computed(curve.label, of_continuum, Mark::line, places, [&](double at) {
-    NipAt nip = curve.nip;
-    nip.*varied = at;
-    return value_at(nip, column);
-  }));
-  panel.series.push_back(replayed_series(curve.label, by_thesis, curve.cells));
-  panel.series.push_back(printed_series(curve.label, curve.cells));
-}
-
-double load_of(const Replay& replay, std::size_t row) { return replay.nips[row].values.at("W"); }
-
-bool differ_in_thickness(const std::vector<Replay>& replays) {
-  return replays.front().table.parameter("B").value != replays.back().table.parameter("B").value;
-}
-
-/// A panel for each column, with a curve for each table.
-std::vector<Panel> elastic_against_load(const FigureSubject& subject) {
-  const std::vector<Replay> replays = subject.replays();
-  std::vector<Panel> panels;
-  for (const std::string& column : subject.words) {
-    Panel panel{{"load W, lbf/in"}, {axis_label(column), column == "L/B" || column == "d0/B"}, {}};
-    for (const Replay& replay : replays) {
-      NipCurve curve{"", nip_of_table(replay.table, 0)};
-      curve.label = differ_in_thickness(replays) ? thickness_label(curve.nip.thickness)
-                                                 : friction_label(curve.nip.friction);
-      for (std::size_t row = 0; row < replay.nips.size(); ++row)
-        curve.add(replay, row, column, key_of_row(replay.table, row), load_of(replay, row));
-      append(panel, curve, &NipAt::load, subject.numbers("load"), column);
-    }
-    panels.push_back(std::move(panel));
-  }
-  return panels;
-}
-
-/// A curve for each memory, with a row of each table.
-std::vector<Panel> rolling_against_load(const FigureSubject& subject) {
-  const std::vector<Replay> replays = subject.replays();
-  const std::string& column = subject.text;
-  Panel panel{{"load W, lbf/in"}, {axis_label(column)}, {}};
-  for (const double memory : subject.numbers("memory")) {
-    NipCurve curve{memory_label(memory), nip_of_table(replays.front().table, 0)};
-    curve.nip.memory = memory;
-    for (const Replay& replay : replays) {
-      const std::size_t row = row_of_memory(replay.table, memory);
-      curve.add(replay, row, column, replay.table.parameter("W").value, load_of(replay, row));
-    }
-    append(panel, curve, &NipAt::load, subject.numbers("load"), column);
-  }
-  return {panel};
-}
-
 /// The memory at which the rolling resistance is largest.
-Series largest_resistance(const NipCurve& curve) {
+Series largest_resistance(const std::string& label, NipAt nip) {
   constexpr int binary_digits = 16;
   const auto resistance = [&](double log_memory) {
-    NipAt nip = curve.nip;
     nip.memory = std::exp(log_memory);
     return value_at(nip, "muR");
   };
   const double at = boost::math::tools::brent_find_minima([&](double log) { return -resistance(log); },
                                                           std::log(1e-3), std::log(1.0), binary_digits)
                         .first;
-  return {curve.label, at_largest, Mark::star, {std::exp(at)}, {resistance(at)}};
+  return {label, at_largest, Mark::star, {std::exp(at)}, {resistance(at)}};
 }
 
-/// A curve for each table.
-std::vector<Panel> rolling_against_memory(const FigureSubject& subject) {
-  const std::vector<Replay> replays = subject.replays();
-  const std::string& column = subject.text;
-  Panel panel{{"speed times relaxation time F0 tau, in", true}, {axis_label(column)}, {}};
+/// The rows of the tables on a curve, on which the load varies, otherwise the memory.
+std::vector<PlacedCell> cells_on(const NipAt& curve, const std::vector<Replay>& replays, bool by_load,
+                                 const std::string& column) {
+  std::vector<PlacedCell> cells;
   for (const Replay& replay : replays) {
-    NipCurve curve{"", nip_of_table(replay.table, replay.table.parameter("W").value)};
-    curve.label =
-        differ_in_thickness(replays) ? thickness_label(curve.nip.thickness) : load_label(curve.nip.load);
     for (std::size_t row = 0; row < replay.nips.size(); ++row) {
-      const double memory = relaxation_length(replay.table, row);
-      curve.add(replay, row, column, memory, memory);
+      const NipAt nip = nip_of_row(replay.table, row);
+      const bool other_memory = curve.memory > 0 && std::fabs(nip.memory / curve.memory - 1) > 1e-6;
+      if (nip.thickness != curve.thickness || nip.friction != curve.friction ||
+          (by_load ? other_memory : nip.load != curve.load))
+        continue;
+      cells.push_back({&replay, row, column, by_load ? nip.load : nip.memory,
+                       by_load ? replay.nips[row].values.at("W") : nip.memory});
     }
-    append(panel, curve, &NipAt::memory, subject.numbers("memory"), column);
-    if (column == "muR") panel.series.push_back(largest_resistance(curve));
   }
-  return {panel};
+  return cells;
+}
+
+/// A panel for each column, with curves of continuous contacts on which one number varies, and the rows of tables on them: a
+/// curve for each table or, of rolling sheets against the load, for each memory. They are called by what differs.
+std::vector<Panel> nip_panels(const FigureSubject& subject, double NipAt::*varied) {
+  const std::vector<Replay> replays = subject.replays();
+  const bool by_load = varied == &NipAt::load, rolls = nip_of_row(replays.front().table, 0).memory > 0;
+  std::vector<NipAt> curves = mapped(replays, [](const Replay& one) { return nip_of_row(one.table, 0); });
+  if (by_load && rolls) {
+    curves.assign(subject.numbers("memory").size(), curves.front());
+    for (std::size_t i = 0; i < curves.size(); ++i) curves[i].memory = subject.numbers("memory")[i];
+  }
+  for (NipAt& curve : curves) curve.*varied = 0;
+  const auto differ = [&](auto number) { return curves.front().*number != curves.back().*number; };
+  const auto label_of = [&](const NipAt& nip) {
+    if (differ(&NipAt::thickness)) return fmt::format("B = {:g} in", nip.thickness);
+    if (differ(&NipAt::load)) return load_label(nip.load);
+    return differ(&NipAt::memory) ? memory_label(nip.memory) : friction_label(nip.friction);
+  };
+  return mapped(subject.words, [&](const std::string& column) {
+    const bool has_decades = !rolls && (column == "L/B" || column == "d0/B");
+    Panel panel{
+        by_load ? FigureAxis{"load W, lbf/in"} : FigureAxis{"speed times relaxation time F0 tau, in", true},
+        {axis_label(column), has_decades},
+        {}};
+    for (const NipAt& curve : curves) {
+      const std::string label = label_of(curve);
+      const auto cells = cells_on(curve, replays, by_load, column);
+      panel.series.push_back(computed(label, of_continuum, Mark::line,
+                                      subject.numbers(by_load ? "load" : "memory"), [&](double at) {
+                                        NipAt nip = curve;
+                                        nip.*varied = at;
+                                        return value_at(nip, column);
+                                      }));
+      panel.series.push_back(replayed_series(label, by_thesis, cells));
+      panel.series.push_back(printed_series(label, cells));
+      if (column == "muR") panel.series.push_back(largest_resistance(label, curve));
+    }
+    return panel;
+  });
+}
+
+std::vector<Panel> against_load(const FigureSubject& subject) { return nip_panels(subject, &NipAt::load); }
+std::vector<Panel> against_memory(const FigureSubject& subject) {
+  return nip_panels(subject, &NipAt::memory);
 }
 
 const std::string creep_sheet = "B = 0.005 in";
@@ -303,7 +280,7 @@ void append_elastic(Panel& panel, const FigureSubject& subject, ResultId quantit
     for (const double load : loads) {
       std::size_t row = 0;
       while (key_of_row(replay.table, row) != load) ++row;
-      const NipAt nip = nip_of_table(replay.table, load);
+      const NipAt nip = nip_of_row(replay.table, row);
       const SolvedInDouble contact = contact_of(nip, accuracy);
       const double half = contact->number(ResultId::contact_length).value / 2;
       std::vector<double> places = subject.numbers("places");
@@ -331,7 +308,7 @@ std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
   const Replay replay = std::move(subject.replays().front());
   Panel panel{{"distance from the line of the centres Y, in (entry > 0)"}, {axis_label(subject.text)}, {}};
   for (const double memory : subject.numbers("memory")) {
-    NipAt nip = nip_of_table(replay.table, replay.table.parameter("W").value);
+    NipAt nip = nip_of_row(replay.table, 0);
     nip.memory = memory;
     const SolvedInDouble contact = contact_of(nip, accuracy);
     const ContactEnds ends = contact->ends();
@@ -404,13 +381,9 @@ std::vector<Panel> inner_stresses(const FigureSubject& subject) {
 }  // namespace
 
 Drawings nip_drawings() {
-  return {{"creep ranges", creep_range_panels},
-          {"elastic against load", elastic_against_load},
-          {"rolling against load", rolling_against_load},
-          {"rolling against memory", rolling_against_memory},
-          {"along elastic", along_elastic_nips},
-          {"along rolling", along_rolling_nips},
-          {"stresses", inner_stresses}};
+  return {{"creep ranges", creep_range_panels},  {"against load", against_load},
+          {"against memory", against_memory},    {"along elastic", along_elastic_nips},
+          {"along rolling", along_rolling_nips}, {"stresses", inner_stresses}};
 }
 
 }  // namespace nipref::verify

@@ -30,7 +30,7 @@ std::string template_text(const std::string& name);
 ///   decimal: hexadecimal numbers in it with six digits; exact: so with the hexadecimal number in brackets behind;
 ///   mathml: HTML with its formulas in MathML, of text that is not escaped, see formula.hpp;
 ///   shell: as a word of the shell; trimmed: without commas, semicolons and white space at its end; good, bad: in the colour of a verdict
-///   on a terminal; table: in columns, of lines with " | " between cells: the first has the heads as TextTable takes them,
+///   on a terminal; table: in columns, of lines with " | " between cells: the first has the heads, see table_text,
 ///   one that is indented by four stands below the row before it.
 /// Throws std::runtime_error if the text is not a template. A name that the data does not have is left out.
 std::string filled(const std::string& text, const TemplateData& data, const Escape& escape);
