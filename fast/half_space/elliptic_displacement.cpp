@@ -85,6 +85,8 @@ struct Line {
   Direction n;          ///< from the motion
   double width, depth;  ///< depth over width
   std::array<internal::PressurePotential, 3> potentials;
+  std::complex<double>
+      smooth;  ///< C at the mean of the places; the wave's own parts are not smooth where decays meet
 
   Line(PressureWave of, Direction along, double t, double w, double z)
       : wave(std::move(of)), n(along), width(w), depth(z / w) {
@@ -93,24 +95,26 @@ struct Line {
       const std::complex<double> down = std::complex(0.0, depth) * wave.decays[j];
       places[j] = {t + down.real(), down.imag()};
     }
-    potentials = internal::pressure_potentials(places, depth > 0 ? wave.count : 1);
+    const std::size_t count = depth > 0 ? wave.count : 1;
+    potentials = internal::pressure_potentials(places, count);
+    const std::complex<double> mean = (places[0] + places[1] + places[2]) / 3.0;
+    smooth = count == 1 ? potentials[0].parabola : internal::pressure_potentials({mean}, 1)[0].parabola;
     std::complex<double> factor = width / std::numbers::pi;
     for (std::size_t j = 0; j < wave.count; ++j, factor *= std::complex(0.0, depth))
       for (auto& component : wave.shares[j]) component *= factor;
   }
 
-  /// The displacement along the motion, across it and into the half-space, and its size. That is added to the first two, which
-  /// may vanish, so that they are integrated to the rounding of their size.
-  [[nodiscard]] std::array<double, 4> terms() const {
+  /// The displacement along the motion, across it and into the half-space, each with a size, and these sizes, of the first two
+  /// and of the third. With them parts that may vanish are integrated to the rounding of what cancels in them.
+  [[nodiscard]] std::array<double, 5> terms() const {
     std::array<double, 3> sums{};
-    double size = 0;
-    for (std::size_t j = 0; j < wave.count; ++j) {
+    for (std::size_t j = 0; j < wave.count; ++j)
       for (std::size_t i = 0; i < sums.size(); ++i)
         sums[i] += (wave.shares[j][i] * potentials[j].parabola).imag();
-      size += length(wave.shares[j]) * std::abs(potentials[j].parabola);
-    }
-    return {n.cosine * sums[0] - n.sine * sums[1] + size, n.sine * sums[0] + n.cosine * sums[1] + size,
-            sums[2], size};
+    const double in_surface = length(wave.shares[0]) * std::abs(smooth),
+                 into = (wave.shares[0][2] * smooth).imag();
+    return {n.cosine * sums[0] - n.sine * sums[1] + in_surface,
+            n.sine * sums[0] + n.cosine * sums[1] + in_surface, sums[2] + into, in_surface, into};
   }
   /// By a relative change of the force or the response the displacement in the surface and that into it change at most by the
   /// first two times as much; by one of the width w by three times that, as w d/dw of C(s/w)/w is (2 L - 3 C)/w. The third is
@@ -162,7 +166,7 @@ std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
     const Direction n = Direction{ratio * m.first / over_width, m.second / over_width}.turned(major_);
     return {half_space(n), n, t, 1 / over_width, depth / b};
   };
-  std::array<Estimate, 4> sums{};
+  std::array<Estimate, 5> sums{};
   std::array<double, 3> changes{};
   for (const Arc& arc : arcs_to({x * place.cosine / a, x * place.sine / b}, ratio, depth / b)) {
     const auto terms = [&](double v) {
@@ -170,7 +174,7 @@ std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
       for (double& term : found) term *= arc.slope_of_angle(v);
       return found;
     };
-    const auto [panels, integral] = internal::adapt_panels<4>(terms, 0, arc.last);
+    const auto [panels, integral] = internal::adapt_panels<5>(terms, 0, arc.last);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       sums[i].value += integral[i].value;
       sums[i].error += integral[i].error;
@@ -187,13 +191,11 @@ std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
   const double of_width = std::max(relative(load.semi_major), relative(load.semi_minor)) + twist_error_;
   const double change = relative(load.force) + internal::response_rounding + 3 * of_width;
   const double unit = load.peak_pressure.value * b / 4;
-  const auto in_surface = [&](const Estimate& sum) {
-    return Estimate{unit * (sum.value - sums[3].value),
-                    unit * (sum.error + sums[3].error + change * changes[0])};
+  const auto without = [&](const Estimate& sum, const Estimate& size, double of_change) {
+    return Estimate{unit * (sum.value - size.value), unit * (sum.error + size.error + of_change)};
   };
-  return {in_surface(sums[0]), in_surface(sums[1]),
-          Estimate{unit * sums[2].value,
-                   unit * (sums[2].error + change * changes[1] + internal::response_rounding * changes[2])}};
+  return {without(sums[0], sums[3], change * changes[0]), without(sums[1], sums[3], change * changes[0]),
+          without(sums[2], sums[4], change * changes[1] + internal::response_rounding * changes[2])};
 }
 
 }  // namespace nipref::fast
