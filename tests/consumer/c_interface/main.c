@@ -13,7 +13,7 @@ int main(void) {
   const char* written[] = {"t=1", "T=2", "material=standard-linear-solid(bulk=1, relaxation_time=2)", NULL};
   const char* overrides[] = {"load.per_length=200", "wanted=[\"contact_length\", \"pressure\"]", "profile.points=3", NULL};
   const double *numbers, *errors;
-  double point[64];
+  double point[256];
   char texts[1000];
   nipref_solution* contact;
   int proven;
@@ -24,6 +24,7 @@ int main(void) {
   if (nipref_fast_batch(un, 3, columns, 1e-6, values) == 0) printf("un(2) = %.5g\n", values[2]);
   if (nipref_fast(un, columns[0], 0, &value) == nipref_bad_input) puts(nipref_last_error());
   if (nipref_find("wn") == NULL) puts(nipref_last_error());
+  if (nipref_arity(nipref_find("Un")) > sizeof point / sizeof *point) return 1;
   if (nipref_parse(nipref_find("Un"), written, point, texts, sizeof texts) == 0 &&
       nipref_fast(nipref_find("Un"), point, 0, &value) == 0)
     printf("Un = %.9g of %.3s\n", value, texts);
