@@ -10,6 +10,7 @@
 
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
+#include "support/table_rows.hpp"
 #include "support/test.hpp"
 #include "support/unfolded.hpp"
 
@@ -27,30 +28,15 @@ struct TabledCall {
 
 /// The calls of a file beside this one.
 std::vector<TabledCall> tabled_calls(const std::string& name) {
-  std::ifstream file(source_directory() + "/tests/verify/cli/" + name);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    for (const auto& [word, place] :
-         {std::pair<std::string, std::string>{"{kernels}", plugin_file("kernels")},
-          {"{program}", program()},
-          {"{data}", source_directory() + "/data"}}) {
-      for (std::size_t at; (at = line.find(word)) != std::string::npos;) line.replace(at, word.size(), place);
-    }
-    if (line.starts_with(' ')) {
-      lines.back() += " " + line.substr(line.find_first_not_of(' '));
-    } else if (!line.empty() && !line.starts_with('#')) {
-      lines.push_back(line);
-    }
-  }
-  constexpr std::string_view bar = " | ";
+  const std::map<std::string, std::string> places{{"{kernels}", plugin_file("kernels")},
+                                                  {"{program}", program()},
+                                                  {"{data}", source_directory() + "/data"}};
   std::vector<TabledCall> calls;
-  for (std::string line : lines) {
-    TabledCall& one = calls.emplace_back();
-    one.call = line.substr(0, line.find(bar));
-    for (std::size_t at = 0; (at = line.find(bar)) != std::string::npos;) {
-      line.erase(0, at + bar.size());
-      one.claims.push_back(line.substr(0, line.find(bar)));
+  for (std::vector<std::string> row : table_rows("verify/cli/" + name)) {
+    for (std::string& part : row) {
+      for (const auto& [word, place] : places) part = replaced_in(part, word, place);
     }
+    calls.push_back({row.front(), {row.begin() + 1, row.end()}});
   }
   return calls;
 }

@@ -138,13 +138,13 @@ TEST_CASE("a folder takes no other run, and a shard no second process") {
 TEST_CASE(
     "audits in shards, merged, are answered as one process answers, and what does not fit is refused in a line") {
   const ScratchFolder folder;
-  const std::string audit = "audit I3 root.re --points 9000 --quiet ",
+  const std::string audit = "audit I3 I4 --points 9000 --quiet ",
                     run_folder = "'" + (folder.path() / "run").string() + "'";
   const Outcome alone = run(audit + "--json --no-times");
   REQUIRE(alone.status == 0);
   CHECK(run(audit + "--shard 2/2 --out " + run_folder).status == 0);
   check_call_refused("merge " + run_folder,
-                     "must have all its blocks: without I3 block 0, I3 block 2, root.re block 0");
+                     "must have all its blocks: without I3 block 0, I3 block 2, I4 block 0");
   const std::string elsewhere = "'" + (folder.path() / "elsewhere").string() + "'";
   CHECK(run(audit + "--shard 1/2 --out " + elsewhere).status == 0);
   CHECK(run("merge --json --no-times " + run_folder + " " + elsewhere).out == alone.out);

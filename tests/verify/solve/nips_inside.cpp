@@ -136,24 +136,24 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
 
 TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
   for (const char* const friction : {"none", "full"}) {
-    for (const char* const thickness : {"0.04", "0.25", "5"}) {
+    for (const char* const thickness : {"0.04", "5"}) {
       CAPTURE(friction);
       CAPTURE(thickness);
       data::Scene scene =
           inside_example("inside-displacements", {{"friction.model", friction},
                                                   {"sheet.thickness", thickness},
                                                   {"accuracy", "1e-6"},
-                                                  {"field.positions", "[0, 0.067, -0.2]"},
-                                                  {"field.depths", "[0, 0.5, -0.99999, 1, -1]"}});
+                                                  {"field.positions", "[0.067, -0.2]"},
+                                                  {"field.depths", "[0, -0.99999, 1, -1]"}});
       scene.wanted = {data::ResultId::displacement_across, data::ResultId::displacement_along,
                       data::ResultId::normal_displacement, data::ResultId::tangential_displacement};
-      problem_of(scene).profile = data::Positions{{0, 0.067, -0.2}};
+      problem_of(scene).profile = data::Positions{{0.067, -0.2}};
       const auto [fast, by_ref] = by_both_paths(scene);
       for (const auto& [inside, surface] :
            {std::pair{data::ResultId::displacement_across, data::ResultId::normal_displacement},
             std::pair{data::ResultId::displacement_along, data::ResultId::tangential_displacement}}) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          for (const std::size_t face : {9u, 12u}) {
+        for (std::size_t i = 0; i < 2; ++i) {
+          for (const std::size_t face : {4u, 6u}) {
             CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
             // The reference integrates the field to the face, and by other kernels the surface.
             const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];

@@ -3,7 +3,7 @@
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
-#include "support/paths.hpp"
+#include "support/table_rows.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -53,17 +53,10 @@ void check_same(const BothPaths& solved, double accuracy) {
 
 TEST_CASE(
     "both paths agree about every number of the scenes of both_paths.txt, and the reference has its digits") {
-  std::ifstream file(source_directory() + "/tests/verify/solve/both_paths.txt");
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with(' ')) {
-      lines.back() += line;
-    } else if (!line.empty() && !line.starts_with('#')) {
-      lines.push_back(line);
-    }
-  }
-  CHECK(lines.size() > 35);
-  for (const std::string& line : lines) {
+  const auto rows = table_rows("verify/solve/both_paths.txt");
+  CHECK(rows.size() > 35);
+  for (const auto& row : rows) {
+    const std::string& line = row.front();
     CAPTURE(line);
     const data::Scene scene = scene_of(line);
     const BothPaths solved = by_both_paths(scene);

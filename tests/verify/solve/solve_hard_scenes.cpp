@@ -36,12 +36,12 @@ bool is_best(const verify::SceneSolution<fast::Estimate>& found,
 }  // namespace
 
 TEST_CASE(
-    "hard scenes are within their errors of their solutions to 1e-13, at every accuracy, and meet 1e-8") {
+    "hard scenes are within their errors of their solutions to 1e-13, at accuracies of all orders, and meet 1e-8") {
   for (const auto& file : hard_scenes()) {
     CAPTURE(file.stem().string());
     data::Scene scene = data::load_scene(file);
-    std::vector<double> accuracies{scene.accuracy, 1e-2, 1e-3, 1e-4,  1e-5, 1e-6,
-                                   1e-7,           1e-8, 1e-9, 1e-10, 1e-11};
+    std::vector<double> accuracies{scene.accuracy, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10};
+    if (is_thorough()) accuracies.insert(accuracies.end(), {1e-3, 1e-5, 1e-7, 1e-9, 1e-11});
     std::ranges::sort(accuracies, std::greater());
     scene.accuracy = 1e-13;
     const auto truth = verify::solve(scene);
