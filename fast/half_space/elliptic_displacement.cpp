@@ -85,8 +85,7 @@ struct Line {
   Direction n;          ///< from the motion
   double width, depth;  ///< depth over width
   std::array<internal::PressurePotential, 3> potentials;
-  std::complex<double>
-      smooth;  ///< C at the mean of the places; the wave's own parts are not smooth where decays meet
+  std::complex<double> smooth;  ///< C at the mean place: where decays meet, the wave's parts are not
 
   Line(PressureWave of, Direction along, double t, double w, double z)
       : wave(std::move(of)), n(along), width(w), depth(z / w) {
