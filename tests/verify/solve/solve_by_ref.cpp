@@ -85,7 +85,7 @@ TEST_CASE("what takes the reference more than ten seconds is known before it sta
   CHECK(seconds("thick-frictionless-line-loads", 30, 0) == 0);
   CHECK(seconds("half-space-line", 30, 0) == 0);
   CHECK(verify::likely_seconds_by_ref(data::load_scene(data::example_scene("half-space-surface")), 20) ==
-        7 * 2);
+        3 * 2);
   CHECK(verify::warning_of_time(9).empty());
   CHECK(verify::warning_of_time(41.7) == "nipref: the reference needs about 42 s for this scene\n");
 }
