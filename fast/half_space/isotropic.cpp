@@ -106,7 +106,7 @@ PressureWave isotropic_pressure_wave(const data::IsotropicSolid& solid, double s
   const double share =
       2 * y.compliance * (one - internal::inverse_squared_pressure_speed(solid.poisson)).high / (wS + wD);
   PressureWave wave(y);
-  wave.decays = {wD, wS};
+  wave.decays = {wD, wS, wS};
   wave.count = 2;
   wave.shares[1] = {std::complex(0.0, wS * share), 0, -share};
   return wave;

@@ -37,7 +37,7 @@ using SurfaceResponse = std::function<LineResponse(Direction)>;
 struct PressureWave {
   using Vector = std::array<std::complex<double>, 3>;
 
-  Vector decays;                 ///< g, Re g > 0
+  Vector decays;                 ///< g, Re g > 0; of two the second twice
   std::array<Vector, 3> shares;  ///< v, 1/stress
   std::size_t count = 1;         ///< of shares that are not 0
 

@@ -80,7 +80,7 @@ PressurePotential on_three(const std::array<Complex, 3>& z) {
 
 std::array<PressurePotential, 3> pressure_potentials(const std::array<Complex, 3>& z, std::size_t count) {
   if (count == 1) return {at(z[0]), {}, {}};
-  if (is_far(z[0]) && is_far(z[1]) && (count == 2 || is_far(z[2]))) return far_potentials(z);
+  if (std::ranges::all_of(z, is_far)) return far_potentials(z);
   return {at(z[0]), on_pair(z[0], z[1]), count == 2 ? PressurePotential{} : on_three(z)};
 }
 

@@ -73,9 +73,12 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
                   : inner_behind(distance, -end, length, rate, accuracy);
 }
 
-/// For a complex rate: within `tiny` of the load the weight and the smooth part of I1 are constant to rounding, and the
-/// logarithm is integrated in closed form. The other kernels are 0 there.
-double nearest_panel(double rate_size) { return 1e-9 / (1 + rate_size); }
+/// For a complex rate: within this distance x of the load the weight counts as constant, and the logarithm is integrated in
+/// closed form; the other kernels count as 0. Of the integral over `length` that leaves out a part of rate x^2/length, where
+/// the weight fades sooner one of (rate x)^2: 1e-18 at most.
+double nearest_panel(double rate_size, double length) {
+  return 1e-9 * std::sqrt(std::min(length, 1 / (1 + rate_size)) / (1 + rate_size));
+}
 
 /// One panel within [-1, 1], on one side of the load.
 Complex panel(Kernel kernel, double w, double length, Complex rate, double tiny, Accuracy accuracy) {
@@ -97,7 +100,7 @@ double panel_length(double w, double rate_size, double tiny) {
 
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   length = std::min(length, faded_nats / std::max(rate.real(), 1e-300));
-  const double tiny = std::max(nearest_panel(std::abs(rate)), 1e-13 * length);
+  const double tiny = std::max(nearest_panel(std::abs(rate), length), 1e-13 * length);
   Complex sum = 0;
   double done = 0;
   while (done < length) {
@@ -167,7 +170,7 @@ Complex memory_of_inverse(double w, Complex rate) {
 
 OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
     : kernel_(kernel), rate_(rate), accuracy_(accuracy) {
-  const double size = std::abs(rate), tiny = nearest_panel(size), most = 12 / size;
+  const double size = std::abs(rate), tiny = nearest_panel(size, 1), most = 12 / size;
   if (size >= polynomial_from && (kernel == Kernel::I1 || kernel == Kernel::I3)) {
     smooth_.emplace(smooth_part(kernel), rate);
     return;
@@ -195,7 +198,7 @@ Complex OscillatingCore::from(double w) const {
   if (after == stops_.begin()) return 0;
   const auto stop = static_cast<std::size_t>(after - stops_.begin()) - 1;
   const double length = stops_[stop] - w;
-  return panel(kernel_, w, length, rate_, nearest_panel(std::abs(rate_)), accuracy_) +
+  return panel(kernel_, w, length, rate_, nearest_panel(std::abs(rate_), 1), accuracy_) +
          std::exp(-rate_ * length) * from_stops_[stop];
 }
 

@@ -25,6 +25,22 @@ TEST_CASE("memories of complex rates from tables, or by parts, are those panel b
   }
 }
 
+TEST_CASE("a short way under the load is remembered at a complex rate as at a real one") {
+  constexpr double rate = 5;
+  const Fade kept = fade(Two{rate, 0}, {Kernel::I1}, Accuracy());
+  for (const double length : {1e-3, 1e-6, 1e-9, 1e-12, 1e-20}) {
+    for (const double behind : {0.0, 0.001, 0.4, 1.0}) {
+      CAPTURE(length);
+      CAPTURE(behind);
+      const SurfacePoint start = surface_point({-behind * length, 0}, Accuracy()),
+                         end = surface_point({(1 - behind) * length, 0}, Accuracy());
+      const double real = memory(Kernel::I1, start, end, {length, 0}, kept, Accuracy());
+      const Complex found = memory(Kernel::I1, start, end, {length, 0}, Complex(rate, 0), Accuracy());
+      CHECK(std::abs(found - real) < 2e-15 * real);
+    }
+  }
+}
+
 TEST_CASE("the memory of a slope is the kernel's memory times the rate less the kernel") {
   const auto check = [](Kernel kernel, double w, const auto& kept, Complex rate) {
     CAPTURE(w);
