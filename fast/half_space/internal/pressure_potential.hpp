@@ -11,9 +11,9 @@ struct PressurePotential {
   std::complex<double> parabola, logarithm;
 };
 
-/// The first `count` of those at z[0], on z[0] and z[1], and on all three, of which z[0] and z[2] are farthest apart, or z[2]
-/// is z[1] where two are wanted; more than one only where Im z > 0. Their errors are some roundings of themselves; of the third, where it is divided by
-/// z[0] - z[2], some roundings of the second over that.
+/// The first `count` of those at z[0], on z[0] and z[1], and on all three, of which z[0] and z[2] are farthest apart; where
+/// two are wanted, z[2] is z[1]. More than one only where Im z > 0. Their errors are some roundings of themselves; of the
+/// third, where it is divided by z[0] - z[2], some roundings of the second over that.
 std::array<PressurePotential, 3> pressure_potentials(const std::array<std::complex<double>, 3>& z,
                                                      std::size_t count);
 
