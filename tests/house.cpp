@@ -41,14 +41,6 @@ bool may_include(const std::string& from, const std::string& to) {
   return subject_arrows().at(here.room).at(here.subject).contains(there.subject);
 }
 
-std::string read(const fs::path& file) {
-  std::ifstream stream(file);
-  REQUIRE(stream);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// Paths from the top of the sources in a folder.
 std::vector<std::string> sources_in(const fs::path& folder) {
   std::vector<std::string> sources;
@@ -65,7 +57,7 @@ std::vector<std::string> sources_in(const fs::path& folder) {
 Names headers_of(const std::string& source) {
   static const std::regex include(
       R"re(#\s*include\s*["<](?:\.\./)*(?:nipref/)?((?:data|ref|fast|verify)/[^">]+)[">])re");
-  const std::string text = read(top / source);
+  const std::string text = text_of_file(top / source);
   Names headers;
   for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
     headers.insert((*it)[1]);
@@ -88,7 +80,7 @@ Names types_of(const std::string& source) {
   static const std::regex line(
       R"(^(?:namespace ([\w:]*) ?\{|(\})  // namespace)"
       R"(|(?:struct|class|union|enum(?: class)?) (\w+)\b(?!::)[^;]*\{|using (\w+) =))");
-  std::istringstream text(read(top / source));
+  std::istringstream text(text_of_file(top / source));
   std::vector<std::string> spaces;
   Names types;
   for (std::string written; std::getline(text, written);) {
@@ -157,7 +149,7 @@ TEST_CASE("the README's tables of rooms and subjects are the arrows of the house
       names.insert((*it)[1]);
     return names;
   };
-  const std::string readme = read(top / "README.md");
+  const std::string readme = text_of_file(top / "README.md");
   const std::size_t begin = readme.find("\n| room | what"), end = readme.find("How the numbers come about");
   REQUIRE(begin < end);
   const std::string tables = readme.substr(begin, end - begin);
@@ -197,7 +189,7 @@ TEST_CASE("no source includes by a path that a user's own folders could answer")
     for (const std::string& source : sources_in(room)) {
       if (source == "tests/house.cpp") continue;
       CAPTURE(source);
-      CHECK_FALSE(std::regex_search(read(top / source), bare));
+      CHECK_FALSE(std::regex_search(text_of_file(top / source), bare));
     }
   }
 }
@@ -209,7 +201,7 @@ TEST_CASE("file names in comments are those of files") {
     for (const std::string& source : sources_in(room)) files.push_back("/" + source);
   }
   for (const std::string& source : files) {
-    const std::string text = read(top / source.substr(1));
+    const std::string text = text_of_file(top / source.substr(1));
     for (std::sregex_iterator it(text.begin(), text.end(), in_comment), end; it != end; ++it) {
       const std::string written = (*it)[1], prefix = "nipref/";
       const std::string name = "/" + (written.starts_with(prefix) ? written.substr(prefix.size()) : written);
@@ -236,21 +228,21 @@ TEST_CASE("what the pages of ref point to exists: files, sections, lemmas, and t
     }
     return anchors;
   };
-  const std::string general = read(top / "ref/README.md");
+  const std::string general = text_of_file(top / "ref/README.md");
   int tests = 0;
   for (const auto& entry : fs::recursive_directory_iterator(top / "ref")) {
     const fs::path file = entry.path();
     if (file.filename() != "README.md") continue;
     CAPTURE(file);
-    const std::string page = read(file);
+    const std::string page = text_of_file(file);
     for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it) {
       const std::string text = (*it)[1], path = (*it)[2], section = (*it)[3];
       CAPTURE(text);
       const fs::path target = path.empty() ? file : (file.parent_path() / path).lexically_normal();
       REQUIRE(fs::exists(target));
-      if (!section.empty()) CHECK(anchors_of(read(target)).contains(section));
+      if (!section.empty()) CHECK(anchors_of(text_of_file(target)).contains(section));
       if (!contains(path, "../tests/")) continue;
-      CHECK(read(target).find('"' + text + "\")") != std::string::npos);
+      CHECK(text_of_file(target).find('"' + text + "\")") != std::string::npos);
       ++tests;
     }
     for (std::sregex_iterator it(page.begin(), page.end(), lemma), end; it != end; ++it)
@@ -324,10 +316,10 @@ TEST_CASE("the top level holds what the design names and nothing else, and rooms
 }
 
 TEST_CASE("the example of the README is the one that is built as a test") {
-  const std::string example = read(top / "tests/consumer/main.cpp");
-  CHECK(contains(read(top / "README.md"), "```cpp\n" + example + "```"));
+  const std::string example = text_of_file(top / "tests/consumer/main.cpp");
+  CHECK(contains(text_of_file(top / "README.md"), "```cpp\n" + example + "```"));
 }
 
 TEST_CASE("the README says what may be done with this: nothing is said by a licence yet") {
-  CHECK(contains(read(top / "README.md"), "No licence has been chosen by the owner yet."));
+  CHECK(contains(text_of_file(top / "README.md"), "No licence has been chosen by the owner yet."));
 }

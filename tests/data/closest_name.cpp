@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include <nipref/data/closest_name.hpp>
+
+#include "support/test.hpp"
 
 using nipref::data::did_you_mean;
 

@@ -2,8 +2,7 @@
 
 #include <nipref/data/input_file.hpp>
 
-#include "support/refusal.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;

@@ -4,8 +4,6 @@
 
 using namespace nipref;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const GivenFile file(data, size);
+void read_given(const std::string&, const GivenFile& file) {
   take_or_refuse([&] { static_cast<void>(verify::Baseline::read(file.path()).text()); });
-  return 0;
 }

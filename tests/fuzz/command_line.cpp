@@ -54,14 +54,13 @@ void read_arguments(const CommandLine& line) {
 }  // namespace
 
 /// All that verbs read of a command line before they compute.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void read_given(const std::string& text, const GivenFile&) {
   take_or_refuse([&] {
-    const CommandLine line = command_line_of(std::string(reinterpret_cast<const char*>(data), size));
+    const CommandLine line = command_line_of(text);
     read_options(line);
     take_or_refuse([&] { read_scene(line); });
     take_or_refuse([&] { read_arguments(line); });
     for (const std::string& word : line.words)
       take_or_refuse([&] { static_cast<void>(data::find_table_id(word)); });
   });
-  return 0;
 }

@@ -9,8 +9,7 @@
 using namespace nipref;
 
 /// What stands behind a name and '=' on a command line.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(reinterpret_cast<const char*>(data), size);
+void read_given(const std::string& text, const GivenFile&) {
   constexpr double a_third = 1.0 / 3;
   take_or_refuse([&] { static_cast<void>(verify::parse_range("alpha", text).at(a_third)); });
   take_or_refuse([&] { static_cast<void>(verify::axis_of("alpha", text, 5)); });
@@ -25,5 +24,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static_cast<void>(arguments.exact.front().log2_magnitude());
     static_cast<void>(arguments.nearest(quantity));
   });
-  return 0;
 }

@@ -8,7 +8,6 @@
 #include "reading.hpp"
 
 using namespace nipref;
-using verify::protocol::Exchange;
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -18,7 +17,7 @@ constexpr std::size_t points = 2, passes = 3;
 
 /// What a host with one sound kernel of I1 answers, up to the end of its list of kernels.
 std::string sound_answer() {
-  const auto exchange = std::make_unique<Exchange>();
+  const auto exchange = std::make_unique<verify::protocol::Exchange>();
   exchange->kernels = 1;
   auto& kernel = exchange->kernel_list[0];
   kernel.name = {"k"};
@@ -40,11 +39,10 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 /// Plugins whose host says what is given, whatever it is asked: it is a stand-in.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void read_given(const std::string&, const GivenFile& file) {
   setenv("NIPREF_KERNEL_HOST", NIPREF_STAND_IN, 1);
-  const GivenFile answer(data, size);
   take_or_refuse([&] {
-    const verify::Plugin plugin{answer.path(), {}, 5};
+    const verify::Plugin plugin{file.path(), {}, 5};
     const verify::KernelInfo info = verify::kernels_of(plugin).front();
     verify::PluginKernel kernel(plugin, info.name);
     const std::vector<verify::Point> at(points, verify::Point(info.arity));
@@ -53,5 +51,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static_cast<void>(kernel.seconds(at, passes));
     static_cast<void>(kernel.faults());
   });
-  return 0;
 }

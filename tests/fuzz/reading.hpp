@@ -10,7 +10,7 @@
 
 #include <nipref/data/bad_input.hpp>
 
-// What the targets share. Each is libFuzzer's LLVMFuzzerTestOneInput around a reader.
+// What the targets share: libFuzzer's LLVMFuzzerTestOneInput around the reader that each defines.
 
 /// A file in memory with what libFuzzer gives.
 class GivenFile {
@@ -38,4 +38,12 @@ void take_or_refuse(const auto& read) {
   } catch (const nipref::data::BadInput& refusal) {
     if (std::string_view(refusal.what()).find('\n') != std::string_view::npos) std::abort();
   }
+}
+
+/// Reads what is given, as a text or as a file.
+void read_given(const std::string& text, const GivenFile& file);
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  read_given(std::string(reinterpret_cast<const char*>(data), size), GivenFile(data, size));
+  return 0;
 }

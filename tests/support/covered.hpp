@@ -14,8 +14,7 @@ inline bool is_covered(const nipref::fast::Estimate& found, const nipref::ref::E
 }
 
 inline void check_covered(const nipref::fast::Estimate& found, const nipref::fast::Estimate& truth) {
-  CAPTURE(found.value);
-  CAPTURE(found.error);
+  CAPTURE(found.value, found.error);
   CHECK(is_covered(found, truth));
 }
 
@@ -29,9 +28,7 @@ void check_covered(const nipref::verify::SceneSolution<nipref::fast::Estimate>& 
     CAPTURE(found.results[r].what->name);
     REQUIRE(numbers.size() == truths.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      CAPTURE(i);
-      CAPTURE(numbers[i].value);
-      CAPTURE(numbers[i].error);
+      CAPTURE(i, numbers[i].value, numbers[i].error);
       CHECK(is_covered(numbers[i], truths[i]));
     }
   }

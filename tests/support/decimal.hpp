@@ -2,6 +2,7 @@
 #include <boost/multiprecision/mpc.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <string>
+#include <vector>
 
 #include <nipref/ref/number/exact.hpp>
 
@@ -16,6 +17,12 @@ using ComplexDecimal = boost::multiprecision::number<boost::multiprecision::mpc_
                                                      boost::multiprecision::et_off>;
 
 inline ref::Exact exact(const std::string& text) { return ref::Exact::parse(text); }
+
+inline std::vector<ref::Exact> exacts(const std::vector<std::string>& texts) {
+  std::vector<ref::Exact> numbers;
+  for (const std::string& text : texts) numbers.push_back(exact(text));
+  return numbers;
+}
 
 template <unsigned digits>
 ref::Exact exact(const Decimal<digits>& x) {

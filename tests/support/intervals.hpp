@@ -1,5 +1,8 @@
 #pragma once
+#include <functional>
+
 #include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 /// What tests ask of intervals.
 inline double highest(const nipref::ref::Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
@@ -22,4 +25,22 @@ inline nipref::ref::Interval cell(double left, double right) {
   nipref::ref::Interval result(64);
   mpfi_interv_d(result.get(), left, right);
   return result;
+}
+
+/// Visits the cells of a mesh from 0, each as wide as is said of its left end.
+inline void over_cells(double end, const std::function<double(double left)>& width,
+                       const std::function<void(double left, double right)>& visit) {
+  for (double left = 0, right = 0; left < end; left = right) {
+    right = left + width(left);
+    visit(left, right);
+  }
+}
+
+/// The kernel, but for the value that is asked for after `count` others.
+inline nipref::ref::NormalKernel once_wrong(const nipref::ref::NormalKernel& kernel, int count,
+                                            const nipref::ref::Interval& error) {
+  return [=, left = count](const nipref::ref::Exact& alpha, double nats) mutable {
+    const nipref::ref::Interval value = kernel(alpha, nats);
+    return left-- == 0 ? value + error : value;
+  };
 }

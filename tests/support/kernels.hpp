@@ -34,11 +34,6 @@ inline const std::vector<Kernel>& kernels() {
   return all;
 }
 
-inline double I6_scale(double alpha, double eta, double value) {
-  static const nipref::verify::Quantity& I6 = nipref::verify::find_quantity("I6");
-  return std::max(std::fabs(value), I6.envelope(std::array{alpha, eta}));
-}
-
 /// Unit in the last place of a number >= 0.
 inline double ulp(double scale) { return std::ldexp(1.0, std::ilogb(std::max(scale, 0x1p-1022)) - 52); }
 

@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "support/paths.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 /// Bare chroots have no pseudo-terminals; a test that needs one is skipped then, and says so.

@@ -12,6 +12,14 @@ inline double difference(const nipref::ref::Estimate& a, const nipref::ref::Esti
   return std::fabs(mpfr_get_d(nipref::ref::raw(result), MPFR_RNDN));
 }
 
+/// Whether they differ by no more than the sum of their errors, however small they are.
+inline bool meet(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b) {
+  nipref::ref::Float apart = nipref::ref::zero_of_bits(64), allowed = nipref::ref::zero_of_bits(64);
+  mpfr_sub(nipref::ref::raw(apart), nipref::ref::raw(a.value), nipref::ref::raw(b.value), MPFR_RNDA);
+  mpfr_add(nipref::ref::raw(allowed), nipref::ref::raw(a.error), nipref::ref::raw(b.error), MPFR_RNDU);
+  return mpfr_cmpabs(nipref::ref::raw(apart), nipref::ref::raw(allowed)) <= 0;
+}
+
 /// The error it comes with, proven or not.
 inline double error(const nipref::ref::Estimate& x) {
   return mpfr_get_d(nipref::ref::raw(x.error), MPFR_RNDU);

@@ -1,11 +1,12 @@
 #pragma once
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "support/paths.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 struct Outcome {
@@ -32,8 +33,7 @@ inline Outcome run(const std::string& arguments) {
 /// What the program answers in JSON, with this status.
 inline nlohmann::json answer_to(const std::string& arguments, int status = 0) {
   const Outcome outcome = run(arguments + " --json");
-  CAPTURE(arguments);
-  CAPTURE(outcome.err);
+  CAPTURE(arguments, outcome.err);
   REQUIRE(outcome.status == status);
   return nlohmann::json::parse(outcome.out);
 }
@@ -41,8 +41,7 @@ inline nlohmann::json answer_to(const std::string& arguments, int status = 0) {
 /// What standard error says of a call that is refused: with status 2, nothing on standard output, in one line.
 inline std::string refusal_of_call(const std::string& arguments) {
   const Outcome outcome = run(arguments);
-  CAPTURE(arguments);
-  CAPTURE(outcome.err);
+  CAPTURE(arguments, outcome.err);
   CHECK(outcome.status == 2);
   CHECK(outcome.out.empty());
   CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
@@ -51,4 +50,14 @@ inline std::string refusal_of_call(const std::string& arguments) {
 
 inline void check_call_refused(const std::string& arguments, const std::string& says) {
   CHECK(contains(refusal_of_call(arguments), says));
+}
+
+/// What the program does with the file when it comes through a pipe, which can be read once only; one that would wait for
+/// a second writer is ended.
+inline Outcome run_with_pipe(const std::string& verb, const std::string& file, const std::string& more) {
+  const ScratchFolder folder;
+  const std::string pipe = folder.file("pipe");
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  return run(verb + " '" + pipe + "' " + more + " & started=$!; cat '" + file + "' >'" + pipe +
+             "'; (sleep 30; kill $started) >/dev/null 2>&1 & wait $started");
 }

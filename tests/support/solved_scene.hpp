@@ -3,13 +3,37 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
-#include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
 /// The scene of this text, solved.
 inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::string& text) {
-  const ScratchFile file(text);
-  return nipref::verify::solve(nipref::data::load_scene(file.path()));
+  return nipref::verify::solve(nipref::data::parse_scene(text, "a text"));
+}
+
+/// Checks each result of a nip by its name beside the member of the contact that it is.
+template <class Contact>
+void check_names(const nipref::verify::SceneSolution<nipref::fast::Estimate>& solution,
+                 const Contact& contact, const auto& check) {
+  using enum nipref::data::ResultId;
+  const auto is = [&](nipref::data::ResultId id, auto member) {
+    check(solution[id], std::invoke(member, contact));
+  };
+  is(contact_length, &Contact::contact_length);
+  is(load, &Contact::load);
+  is(indentation, &Contact::indentation);
+  is(edge_displacement, &Contact::leading_displacement);
+  is(creep_ratio, &Contact::creep_ratio);
+  is(peak_pressure, &Contact::peak_pressure);
+  is(peak_shear, &Contact::peak_shear);
+  for (std::size_t i = 0; i < solution.positions.size(); ++i) {
+    const auto is_at = [&](nipref::data::ResultId id, auto member) {
+      check(solution.profile(id)[i], std::invoke(member, contact, solution.positions[i]));
+    };
+    is_at(pressure, &Contact::pressure);
+    is_at(shear, &Contact::shear);
+    is_at(normal_displacement, &Contact::normal_displacement);
+    is_at(tangential_displacement, &Contact::tangential_displacement);
+  }
 }
 
 /// All that every scene of a nip can want: the stresses inside the sheet not every method has, nor what comes of shear.

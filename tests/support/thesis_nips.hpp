@@ -1,12 +1,21 @@
 #pragma once
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 
-/// The thesis's nips by their sheets.
+/// The thesis's nips by their sheets, and its grip.
 namespace nipref::test {
 
 inline constexpr data::ElasticNip thick_nip = data::seed::nip(1.0);
 inline constexpr data::ElasticNip quarter_inch_nip = data::seed::nip(0.25);
 inline constexpr data::ElasticNip middling_nip = data::seed::nip(0.0625);
 inline constexpr data::ElasticNip thin_nip = data::seed::nip(0.005);
+
+inline constexpr data::Grip thesis_grip{data::Grip::Creep::thesis};
+constexpr data::Grip grip_with(double creep) { return {data::Grip::Creep::given, creep}; }
+
+/// With another Poisson's ratio and another radius.
+inline data::ElasticNip nip_of(double poisson, double sheet_thickness = 1, double roller_radius = 1e3) {
+  return {roller_radius, sheet_thickness, {data::seed::sheet.young, poisson}};
+}
 
 }  // namespace nipref::test

@@ -1,8 +1,13 @@
 #pragma once
-#include <regex>
-#include <string>
+#include <cctype>
+
+#include "support/test.hpp"
 
 /// A text with one space for each gap, as it would read without its line breaks.
-inline std::string unfolded(const std::string& text) {
-  return std::regex_replace(text, std::regex("\\s+"), " ");
+inline std::string unfolded(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char letter) { return std::isspace(letter) != 0; }, ' ');
+  const auto rest = std::ranges::unique(text, [](char a, char b) { return a == ' ' && b == ' '; });
+  text.erase(rest.begin(), rest.end());
+  return text;
 }

@@ -8,15 +8,9 @@ using namespace nipref;
 
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /// The keys of an example: its tables stand in lines of their own and its keys start lines.
 void add_keys_of(const std::filesystem::path& file, std::set<std::string>& keys) {
-  std::istringstream lines(text_of(file));
+  std::istringstream lines(text_of_file(file));
   std::string line, table;
   while (std::getline(lines, line)) {
     if (line.starts_with('[')) {
@@ -80,6 +74,6 @@ TEST_CASE("README.md of the scenes lists the keys of the table of keys") {
         rows[key.table().empty() ? "(above all tables)" : "`[" + std::string(key.table()) + "]`"];
     row += (row.empty() ? "`" : ", `") + std::string(key.last()) + "`";
   }
-  const std::string readme = text_of(data::scenes_directory() / "README.md");
+  const std::string readme = text_of_file(data::scenes_directory() / "README.md");
   for (const auto& [table, names] : rows) CHECK(contains(readme, "\n| " + table + " | " + names + " |\n"));
 }

@@ -2,7 +2,7 @@
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
 
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/table_rows.hpp"
 #include "support/test.hpp"
 
@@ -16,21 +16,16 @@ const std::string header =
     "# title: T\n# source: S\n# after: A\n# before: B\n# parameter: B = 2 in; thickness\n"
     "# key: W; lbf/in; load\n# column: L; 1e3; in; length\n";
 
-/// The message with which load_table refuses the file, the folder's name cut off; empty if it does not.
-std::string refusal(const std::filesystem::path& file) {
-  try {
-    (void)load_table(file);
-  } catch (const BadInput& error) {
-    const std::string message = error.what();
-    return message.substr(message.rfind('/') + 1);
-  }
-  return "";
+/// The message with which the file is refused, the folder's name cut off.
+std::string refusal(const auto& load, const std::filesystem::path& file) {
+  const std::string message = refusal_of([&] { return load(file); });
+  return message.substr(message.rfind('/') + 1);
 }
 
-std::string refusal_of(const std::string& table, const std::string& errata = "") {
+std::string refusal_of_table(const std::string& table, const std::string& errata = "") {
   const ScratchFolder folder;
   if (!errata.empty()) folder.write("errata.csv", "table,row,column,printed,read_as,kind,reason\n" + errata);
-  return refusal(folder.write("t.csv", table));
+  return refusal(load_table, folder.write("t.csv", table));
 }
 
 }  // namespace
@@ -46,8 +41,7 @@ TEST_CASE("a printed number stands for all values that round to it") {
 TEST_CASE("trailing zeros narrow the rounding interval, signs mirror it") {
   for (const char* const digits : {"0", "7", "100", "0.0", "999.95", "10.000", "1907", "0.3527"}) {
     for (const int scale : {-2, 0, 3, 6}) {
-      CAPTURE(digits);
-      CAPTURE(scale);
+      CAPTURE(digits, scale);
       const std::string text = digits;
       const bool has_point = text.find('.') != text.npos;
       const auto number = read_printed_number(text, scale);
@@ -123,28 +117,23 @@ TEST_CASE("a coordinate in a column's name is read") {
 
 TEST_CASE("a malformed table, header or erratum is refused with file, line and column") {
   const std::string good = header + "W,L\n1,2.5\n";
-  CHECK(refusal_of(good, "t,1,L,2.5,2.6,identity,why\n").empty());
+  CHECK(refusal_of_table(good, "t,1,L,2.5,2.6,identity,why\n") == "accepted");
   const auto rows = table_rows("data/table/refusals.txt");
   CHECK(rows.size() > 25);
   for (const auto& row : rows) {
     CAPTURE(row[0]);
     const std::string table = replaced_in(replaced_in(row.at(1), "{header}", header), "{table}", good);
-    CHECK(refusal_of(table, row.size() > 2 ? row[2] : "") == row[0]);
+    CHECK(refusal_of_table(table, row.size() > 2 ? row[2] : "") == row[0]);
   }
 }
 
 TEST_CASE("known misses that are malformed are refused with file, line and column") {
-  const auto refusal_of_misses = [](const std::string& text) {
-    const ScratchFolder folder;
-    try {
-      (void)load_known_misses(folder.write("known_misses.csv", text));
-    } catch (const BadInput& error) {
-      return error.value().substr(error.value().rfind('/') + 1) + ": " + error.allowed();
-    }
-    return std::string();
+  const ScratchFolder folder;
+  const auto refusal_of_misses = [&](const std::string& text) {
+    return refusal(load_known_misses, folder.write("known_misses.csv", text));
   };
   const std::string columns = "table,row,column,note\n";
-  CHECK(refusal_of_misses(columns + "t,1,L,\nt,1,M,\"a, b\"\nt,2,L,\n").empty());
+  CHECK(refusal_of_misses(columns + "t,1,L,\nt,1,M,\"a, b\"\nt,2,L,\n") == "accepted");
   CHECK(refusal_of_misses("table,row,column\nt,1,L\n") ==
         "known_misses.csv:1:1: must be table,row,column,note");
   CHECK(refusal_of_misses(columns + "t,0,L,\n") == "known_misses.csv:2:3: must be a row number from 1");
@@ -158,7 +147,7 @@ TEST_CASE("a line may be as long as is stated and no longer, with an end or with
   const std::string longest(longest_csv_line, 'x');
   for (const std::string end : {"", "\n"})
     CHECK(read_csv(folder.write("t.csv", "a\n" + longest + end)).records[1][0].text == longest);
-  CHECK(refusal(folder.write("t.csv", "a\n" + longest + "x\n")) ==
+  CHECK(refusal(load_table, folder.write("t.csv", "a\n" + longest + "x\n")) ==
         "t.csv:2:65537: must have lines of at most 65536 bytes");
 }
 
@@ -166,18 +155,14 @@ TEST_CASE("a byte order mark is left out, semicolons between fields are refused 
   const ScratchFolder folder;
   const CsvFile marked = read_csv(folder.write("t.csv", "\xef\xbb\xbf# of a spreadsheet\na,b\n1,2\n"));
   CHECK(marked.comments.at(0).text == "of a spreadsheet");
-  CHECK(read_csv(folder.write("t.csv",
-                              "\xef\xbb\xbf"
-                              "a,b\n1,2\n"))
-            .records.at(0)
-            .at(0)
-            .text == "a");
-  CHECK(refusal(folder.write("t.csv", "a;b\n1;2\n")) ==
+  const CsvFile bare = read_csv(folder.write("t.csv", "\xef\xbb\xbf\141,b\n1,2\n"));
+  CHECK(bare.records.at(0).at(0).text == "a");
+  CHECK(refusal(load_table, folder.write("t.csv", "a;b\n1;2\n")) ==
         "t.csv:1:2: must have no semicolon: fields are separated by commas, numbers have decimal points");
 }
 
 TEST_CASE("a file that is not there is refused") {
   const ScratchFolder folder;
-  CHECK(refusal(folder.write("t.csv", "").parent_path() / "absent.csv") ==
+  CHECK(refusal(load_table, folder.write("t.csv", "").parent_path() / "absent.csv") ==
         "absent.csv: must be a file that exists: there is none of that name");
 }

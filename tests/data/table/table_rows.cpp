@@ -111,21 +111,31 @@ Texts trusted_texts(const Table& table, std::size_t row) {
   return texts;
 }
 
-/// Calls visit(table, row, column, cell) for each cell of the thesis that enters an identity and has an
-/// erratum of `kind`.
+/// Calls visit(table, row) for each row of the thesis.
 template <class Visit>
-void for_each_erratum(ErratumKind kind, Visit visit) {
+void for_each_row(Visit visit) {
   for (const auto& id : table_ids()) {
     if (!id.starts_with("thesis-")) continue;
     const Table table = load_table_by_id(id);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      for (const auto& column : table.columns) {
-        const TableCell& cell = table.cell(row, column.name);
-        if (enters_identities(column) && cell.erratum && cell.erratum->kind == kind)
-          visit(table, row, column, cell);
-      }
+      CAPTURE(id, row + 1);
+      visit(table, row);
     }
   }
+}
+
+/// Calls visit(table, row, column, cell) for each cell of the thesis that enters an identity and has an
+/// erratum of `kind`.
+template <class Visit>
+void for_each_erratum(ErratumKind kind, Visit visit) {
+  for_each_row([&](const Table& table, std::size_t row) {
+    for (const auto& column : table.columns) {
+      const TableCell& cell = table.cell(row, column.name);
+      CAPTURE(column.name);
+      if (enters_identities(column) && cell.erratum && cell.erratum->kind == kind)
+        visit(table, row, column.name, cell);
+    }
+  });
 }
 
 /// The printed text with its glyphs mended: comma for point, c and C for 0, no blanks; nothing if that is no
@@ -154,95 +164,61 @@ std::string neighbour(const std::string& text, int units) {
 }  // namespace
 
 TEST_CASE("the cells of each row of the thesis agree as a whole") {
-  for (const auto& id : table_ids()) {
-    if (!id.starts_with("thesis-")) continue;
-    const Table table = load_table_by_id(id);
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      CAPTURE(id);
-      CAPTURE(row + 1);
-      CHECK(is_consistent(table, trusted_texts(table, row)));
+  for_each_row(
+      [](const Table& table, std::size_t row) { CHECK(is_consistent(table, trusted_texts(table, row))); });
+}
+
+TEST_CASE("a repair by identity is needed, and the only one: other readings contradict the row") {
+  std::size_t repairs = 0, tried = 0;
+  for_each_erratum(ErratumKind::identity, [&](const Table& table, std::size_t row, const std::string& column,
+                                              const TableCell& cell) {
+    const auto check_refused = [&](const std::string& text) {
+      Texts texts = trusted_texts(table, row);
+      texts[column] = text;
+      CAPTURE(text);
+      CHECK_FALSE(is_consistent(table, texts));
+      ++tried;
+    };
+    const auto printed = mended(cell.printed);
+    if (printed) {
+      check_refused(*printed);
+      ++repairs;
     }
-  }
-}
-
-TEST_CASE("a repair by identity is needed: as printed, the cell contradicts its row") {
-  std::size_t repairs = 0;
-  for_each_erratum(ErratumKind::identity,
-                   [&](const Table& table, std::size_t row, const auto& column, const auto& cell) {
-                     const auto printed = mended(cell.printed);
-                     if (!printed) return;
-                     Texts texts = trusted_texts(table, row);
-                     texts[column.name] = *printed;
-                     CAPTURE(table.id);
-                     CAPTURE(row + 1);
-                     CAPTURE(column.name);
-                     CHECK_FALSE(is_consistent(table, texts));
-                     ++repairs;
-                   });
+    if (!printed || printed->size() != cell.read_as.size()) {
+      for (const int units : {-1, 1}) check_refused(neighbour(cell.read_as, units));
+      return;
+    }
+    for (std::size_t place = 0; place < printed->size(); ++place) {
+      for (char digit = '0'; digit <= '9' && (*printed)[place] != '.'; ++digit) {
+        std::string changed = *printed;
+        changed[place] = digit;
+        if (changed != *printed && changed != cell.read_as) check_refused(changed);
+      }
+    }
+  });
   CHECK(repairs > 0);
-  MESSAGE("repairs by identity of cells that are printed as numbers: ", repairs);
-}
-
-TEST_CASE(
-    "a repair by identity is the only one: its neighbours, and other changes of one digit, contradict the "
-    "row") {
-  std::size_t tried = 0;
-  const auto check_refused = [&](const Table& table, std::size_t row, const std::string& column,
-                                 const std::string& text) {
-    Texts texts = trusted_texts(table, row);
-    texts[column] = text;
-    CAPTURE(table.id);
-    CAPTURE(row + 1);
-    CAPTURE(column);
-    CAPTURE(text);
-    CHECK_FALSE(is_consistent(table, texts));
-    ++tried;
-  };
-  for_each_erratum(ErratumKind::identity,
-                   [&](const Table& table, std::size_t row, const auto& column, const auto& cell) {
-                     const auto printed = mended(cell.printed);
-                     if (!printed || printed->size() != cell.read_as.size()) {
-                       for (const int units : {-1, 1})
-                         check_refused(table, row, column.name, neighbour(cell.read_as, units));
-                       return;
-                     }
-                     for (std::size_t place = 0; place < printed->size(); ++place) {
-                       for (char digit = '0'; digit <= '9' && (*printed)[place] != '.'; ++digit) {
-                         std::string changed = *printed;
-                         changed[place] = digit;
-                         if (changed != *printed && changed != cell.read_as)
-                           check_refused(table, row, column.name, changed);
-                       }
-                     }
-                   });
-  MESSAGE("other readings tried and refused: ", tried);
+  MESSAGE("cells repaired by identity that are printed as numbers: ", repairs, ", readings refused: ", tried);
 }
 
 TEST_CASE("doubtful cells contradict their row, and leaving one out removes the contradiction") {
   std::size_t rows = 0;
-  for (const auto& id : table_ids()) {
-    if (!id.starts_with("thesis-")) continue;
-    const Table table = load_table_by_id(id);
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
-      Texts doubtful;
-      for (const auto& column : table.columns) {
-        const TableCell& cell = table.cell(row, column.name);
-        if (enters_identities(column) && cell.is_doubtful()) doubtful[column.name] = cell.read_as;
-      }
-      if (doubtful.empty()) continue;
-      Texts all = trusted_texts(table, row);
-      all.insert(doubtful.begin(), doubtful.end());
-      CAPTURE(id);
-      CAPTURE(row + 1);
-      CHECK_FALSE(is_consistent(table, all));
-      for (const auto& [column, text] : doubtful) {
-        Texts without = all;
-        without.erase(column);
-        CAPTURE(column);
-        CHECK(is_consistent(table, without));
-      }
-      ++rows;
+  for_each_row([&](const Table& table, std::size_t row) {
+    Texts doubtful;
+    for (const auto& column : table.columns) {
+      const TableCell& cell = table.cell(row, column.name);
+      if (enters_identities(column) && cell.is_doubtful()) doubtful[column.name] = cell.read_as;
     }
-  }
+    if (doubtful.empty()) return;
+    Texts all = trusted_texts(table, row);
+    all.insert(doubtful.begin(), doubtful.end());
+    CHECK_FALSE(is_consistent(table, all));
+    for (const auto& [column, text] : doubtful) {
+      Texts without = all;
+      without.erase(column);
+      CAPTURE(column);
+      CHECK(is_consistent(table, without));
+    }
+    ++rows;
+  });
   MESSAGE("rows with doubtful cells: ", rows);
 }

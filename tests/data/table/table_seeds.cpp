@@ -4,6 +4,7 @@
 
 #include "support/paths.hpp"
 #include "support/test.hpp"
+#include "support/unfolded.hpp"
 
 // The cells are the seed's own text: each is looked for between the words that stand before and after its
 // table.
@@ -11,27 +12,6 @@
 using namespace nipref::data;
 
 namespace {
-
-/// The text with every run of white space, column borders and line ends included, as one blank.
-std::string with_single_blanks(std::string_view text) {
-  std::string result;
-  for (const char character : text) {
-    const bool blank = std::isspace(static_cast<unsigned char>(character)) != 0;
-    if (!blank) {
-      result += character;
-    } else if (!result.ends_with(' ')) {
-      result += ' ';
-    }
-  }
-  return result;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  const std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 bool continues_a_word(std::string_view text, std::size_t position) {
   return position < text.size() && std::isalnum(static_cast<unsigned char>(text[position])) != 0;
@@ -49,8 +29,8 @@ std::size_t occurrences(std::string_view text, std::string_view cell) {
 
 /// The seed's text between the marks of a table; both have to be there once, in order.
 std::string_view between_marks(std::string_view seed, const Table& table) {
-  const std::string after = with_single_blanks(table.after);
-  const std::string before = with_single_blanks(table.before);
+  const std::string after = unfolded(table.after);
+  const std::string before = unfolded(table.before);
   for (const auto& mark : {after, before}) {
     CAPTURE(mark);
     REQUIRE(seed.find(mark) != seed.npos);
@@ -73,7 +53,7 @@ TEST_CASE("every cell stands in its seed, at least as often as in its table") {
   std::size_t cells = 0;
   for (const auto& id : table_ids()) {
     const Table table = load_table_by_id(id);
-    const std::string seed = with_single_blanks(read_text(seeds / table.source));
+    const std::string seed = unfolded(text_of_file(seeds / table.source));
     const std::string_view text = between_marks(seed, table);
     std::map<std::string, std::size_t> wanted;
     for (const auto& row : table.rows) {
@@ -84,8 +64,7 @@ TEST_CASE("every cell stands in its seed, at least as often as in its table") {
       }
     }
     for (const auto& [cell, count] : wanted) {
-      CAPTURE(id);
-      CAPTURE(cell);
+      CAPTURE(id, cell);
       CHECK(occurrences(text, cell) >= count);
     }
   }

@@ -32,8 +32,7 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
   for (const double half_length : {0.01, 1.0, 6.0, 40.0}) {
     for (const double poisson : {-0.5, 1.0 / 3, 0.5}) {
       for (const Friction friction : {Friction::none, Friction::full}) {
-        CAPTURE(half_length);
-        CAPTURE(poisson);
+        CAPTURE(half_length, poisson);
         const auto equations = std::make_shared<const fast::ElasticEquations>(friction, poisson);
         const fast::SolvedNip nip(equations, half_length, {}, 1e-12);
         const fast::Solution& solution = nip.last();

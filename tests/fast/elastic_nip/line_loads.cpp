@@ -1,14 +1,18 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 
-#include "support/line_load_sums.hpp"
 #include "support/test.hpp"
+#include "support/thesis_nips.hpp"
 
 using namespace nipref;
 using fast::LineLoadNip;
-using namespace line_load_tests;
+using fast::LoadSearch;
+using fast::Work;
+using namespace nipref::test;
 
 namespace {
+
+using Counts = std::array<std::uint64_t, 7>;
 
 const data::ElasticNip nip = data::seed::nip(1.0);
 
@@ -20,8 +24,7 @@ TEST_CASE("a load is carried by the shortest length that carries it, however wid
   const data::ElasticNip film{6, 0.01, {1.45e5, 1.0 / 3}};
   for (const int m : {1, 3, 9}) {
     for (const double half_element : {0.3, 1.0, 1.1, 1.2, 1.23}) {
-      CAPTURE(m);
-      CAPTURE(half_element);
+      CAPTURE(m, half_element);
       const LineLoadNip wanted =
           fast::line_loads_for_length(film, m, 4 * m * half_element * film.half_thickness());
       REQUIRE(wanted.load() > 0);
@@ -55,6 +58,64 @@ TEST_CASE("length for a load and load for a length are inverse, over twelve deca
   }
 }
 
+TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a solve") {
+  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1);
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
+  CHECK(solution.work().systems == 1);
+  CHECK(solution.work().unknowns == 8);
+  // The creep asks for I3 at the loads; displacements at one place likewise.
+  (void)solution.creep_ratio();
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 0, 0});
+  (void)solution.normal_displacement(0.2);
+  CHECK(solution.work().kernel_evaluations == Counts{28, 0, 14, 0, 0, 0, 0});
+  CHECK(solution.work().systems == 1);
+}
+
+TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only") {
+  const Work fast_work = fast::line_loads_for_load(quarter_inch_nip, 7, 100.0).work();
+  CHECK(fast_work.kernel_evaluations == Counts{14 * fast_work.systems, 0, 0, 0, 0, 0, 0});
+  const auto by_thesis =
+      fast::line_loads_for_load(quarter_inch_nip, 7, 100.0, {}, {LoadSearch::Iteration::thesis, 1e-12});
+  CHECK(by_thesis.load() == approx(100.0, 1e-12));
+  CHECK(fast_work.systems < by_thesis.work().systems);
+  // The thesis stopped within 0.2 %.
+  const auto coarse =
+      fast::line_loads_for_load(quarter_inch_nip, 7, 100.0, {}, {LoadSearch::Iteration::thesis, 2e-3});
+  CHECK(std::abs(coarse.load() / 100.0 - 1) <= 2e-3);
+  CHECK(std::abs(coarse.load() / 100.0 - 1) > 1e-9);
+  CHECK(coarse.work().systems < by_thesis.work().systems / 2);
+}
+
+TEST_CASE("with full friction three kernels at the same distances, one system") {
+  const auto solution = fast::line_loads_for_length(quarter_inch_nip, 7, 0.1, grip_with(1e-4));
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+  CHECK(solution.work().systems == 1);
+  CHECK(solution.work().unknowns == 15);
+  // The creep is part of the solution.
+  CHECK(solution.creep_ratio() == 1e-4);
+  CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+}
+
+TEST_CASE("work adds up") {
+  Work sum{{1, 0, 2, 0, 0, 3, 0}, 10, 1, 5};
+  sum += Work{{4, 0, 0, 0, 0, 1, 7}, 20, 2, 3};
+  CHECK(sum.kernel_evaluations == Counts{5, 0, 2, 0, 0, 4, 7});
+  CHECK(sum.terms == 30);
+  CHECK(sum.systems == 3);
+  CHECK(sum.unknowns == 5);
+}
+
+TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
+  const auto by_residues = fast::line_loads_for_length(quarter_inch_nip, {5, 500}, 0.1, grip_with(1e-4));
+  CHECK(by_residues.work().terms == 3 * 10 * 500);
+  const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, grip_with(1e-4));
+  CHECK(by_residues.indentation == approx(by_library.indentation, 1e-11));
+  CHECK(by_residues.peak_shear() == approx(by_library.peak_shear(), 1e-10));
+  // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
+  const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, grip_with(1e-4));
+  CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
+}
+
 TEST_CASE("coarser kernels change the result by no more than their tolerance times the condition") {
   const double full = fast::line_loads_for_length(nip, 5, 0.1).indentation;
   const double coarse = fast::line_loads_for_length(nip, {5, 0, fast::Accuracy(1e-9)}, 0.1).indentation;
@@ -63,35 +124,23 @@ TEST_CASE("coarser kernels change the result by no more than their tolerance tim
 }
 
 TEST_CASE("bad input to line loads is refused by name") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  struct Row {
-    const char* says;
-    std::function<void()> solve;
-  };
   const auto of_length = [](const fast::LineLoadMethod& method, double length, const data::Grip& grip = {}) {
-    return [=] { (void)fast::line_loads_for_length(nip, method, length, grip); };
+    return fast::line_loads_for_length(nip, method, length, grip);
   };
-  const auto of_nip = [](const data::ElasticNip& other) {
-    return [=] { (void)fast::line_loads_for_load(other, 2, 1.0); };
-  };
-  for (const auto& [says, solve] : {
-           Row{"elements_per_side = 0: must be from 1 to 10000", of_length(0, 0.1)},
-           Row{"elements_per_side = -3: must be from 1 to 10000", of_length(-3, 0.1, grip_with(0))},
-           Row{"residue_terms = -1", of_length({2, -1}, 0.1)},
-           Row{"residue_terms = 501", of_length({2, 501}, 0.1)},
-           Row{"contact_length = 0", of_length(2, 0)},
-           Row{"contact_length = nan", of_length(2, nan)},
-           Row{"creep = nan: must be finite", of_length(2, 0.1, grip_with(nan))},
-           Row{"load = -1", [] { (void)fast::line_loads_for_load(nip, 2, -1.0); }},
-           Row{"tolerance = 0",
-               [] { (void)fast::line_loads_for_load(nip, 2, 1, grip_with(0), {.tolerance = 0}); }},
-           Row{"roller_radius = 0", of_nip({0.0, 1.0, nip.material})},
-           Row{"sheet_thickness = nan", of_nip({6.0, nan, nip.material})},
-           Row{"poisson = 0.6", of_nip({6.0, 1.0, {1.0, 0.6}})},
-           Row{"young = -1", of_nip({6.0, 1.0, {-1.0, 0.3}})},
-           // Elements so wide that their loads no longer reach the next matching point.
-           Row{"contact_length = ",
-               [] { (void)fast::line_loads_for_length(data::seed::nip(0.005), 1, 301 * 2 * 0.005); }},
-       })
-    CHECK_THROWS_WITH_AS(solve(), doctest::Contains(says), data::BadInput);
+  const auto of_nip = [](const data::ElasticNip& other) { return fast::line_loads_for_load(other, 2, 1.0); };
+  CHECK_REFUSED(of_length(0, 0.1), "elements_per_side = 0: must be from 1 to 10000");
+  CHECK_REFUSED(of_length(-3, 0.1, grip_with(0)), "elements_per_side = -3: must be from 1 to 10000");
+  CHECK_REFUSED(of_length({2, -1}, 0.1), "residue_terms = -1");
+  CHECK_REFUSED(of_length({2, 501}, 0.1), "residue_terms = 501");
+  CHECK_REFUSED(of_length(2, 0), "contact_length = 0");
+  CHECK_REFUSED(of_length(2, not_a_number), "contact_length = nan");
+  CHECK_REFUSED(of_length(2, 0.1, grip_with(not_a_number)), "creep = nan: must be finite");
+  CHECK_REFUSED(fast::line_loads_for_load(nip, 2, -1.0), "load = -1");
+  CHECK_REFUSED(fast::line_loads_for_load(nip, 2, 1, grip_with(0), {.tolerance = 0}), "tolerance = 0");
+  CHECK_REFUSED(of_nip({0.0, 1.0, nip.material}), "roller_radius = 0");
+  CHECK_REFUSED(of_nip({6.0, not_a_number, nip.material}), "sheet_thickness = nan");
+  CHECK_REFUSED(of_nip({6.0, 1.0, {1.0, 0.6}}), "poisson = 0.6");
+  CHECK_REFUSED(of_nip({6.0, 1.0, {-1.0, 0.3}}), "young = -1");
+  // Elements so wide that their loads no longer reach the next matching point.
+  CHECK_REFUSED(fast::line_loads_for_length(data::seed::nip(0.005), 1, 301 * 2 * 0.005), "contact_length = ");
 }

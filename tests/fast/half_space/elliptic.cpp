@@ -53,8 +53,7 @@ TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
   }
 }
 
-TEST_CASE(
-    "elliptic: a body that is slender across a sharply peaked compliance, which makes it long along that") {
+TEST_CASE("elliptic: a body slender across a sharply peaked compliance, which makes it long along that") {
   const double poisson = 0.43968265359691439;
   const double speed = (1 - 3.64e-8) * fast::isotropic_rayleigh_speed(poisson);
   const SurfaceResponse response = [&](Direction psi) {
@@ -121,15 +120,14 @@ TEST_CASE("elliptic: a kinked compliance has an honest error") {
 }
 
 TEST_CASE("elliptic: bad input is one line that names it") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(EllipticContact(isotropic(any_poisson, 0.95), {1, 1}), data::BadInput);
-  CHECK_THROWS_AS(EllipticContact(skew_line, {1, nan}), data::BadInput);
+  CHECK_THROWS_AS(EllipticContact(skew_line, {1, not_a_number}), data::BadInput);
   CHECK_THROWS_AS(EllipticContact(skew_line, {1, -1}), data::BadInput);
   CHECK_THROWS_AS(EllipticContact(skew_line, {1, 1e11}), data::BadInput);
   const EllipticContact contact(skew_line, {1, 1});
   CHECK_THROWS_AS(static_cast<void>(contact.for_force(0)), data::BadInput);
-  CHECK_THROWS_AS(static_cast<void>(contact.for_approach(nan)), data::BadInput);
-  CHECK_THROWS_AS(static_cast<void>(contact.radius_ratio({nan, 1})), data::BadInput);
+  CHECK_THROWS_AS(static_cast<void>(contact.for_approach(not_a_number)), data::BadInput);
+  CHECK_THROWS_AS(static_cast<void>(contact.radius_ratio({not_a_number, 1})), data::BadInput);
 }
 
 TEST_CASE("elliptic: under a sphere at rest the surface is displaced as Hertz and Johnson have it") {
@@ -153,8 +151,7 @@ TEST_CASE("elliptic: under a sphere at rest the surface is displaced as Hertz an
     CHECK(normal.error < 2e-13 * normal.value);
     CHECK(along.error < 2e-12 * normal.value);
   }
-  CHECK_THROWS_WITH_AS((void)contact.displacement(load, response, {1, 0}, INFINITY),
-                       doctest::Contains("x = inf"), data::BadInput);
+  CHECK_REFUSED(contact.displacement(load, response, {1, 0}, INFINITY), "x = inf");
 }
 
 TEST_CASE("elliptic: a slender body's surface has its shape in the contact, next to the critical speed too") {
@@ -214,8 +211,7 @@ TEST_CASE("elliptic: both paths displace a surface without any symmetry alike") 
   }
 }
 
-TEST_CASE(
-    "elliptic: below a sphere at rest a solid is displaced as Boussinesq has it, whatever it is called") {
+TEST_CASE("elliptic: below a sphere at rest a solid of any name is displaced as Boussinesq has it") {
   // The sum over the pressure of what point loads do, r = sin(angle) from the centre, with mu = 1.
   const data::IsotropicSolid solid{1, any_poisson, 1};
   const SurfaceResponse response = isotropic(any_poisson, 0);
@@ -245,6 +241,7 @@ TEST_CASE(
     const fast::PressureWaves isotropic_waves = [&](Direction psi) {
       return fast::isotropic_pressure_wave(solid, 0, psi);
     };
+    const auto first = contact.displacement(load, isotropic_waves, {1, 0}, x * a, z * a);
     for (const auto& waves :
          {isotropic_waves, fast::PressureWaves([&](Direction psi) { return anisotropic.inside(psi); }),
           fast::PressureWaves([&](Direction psi) { return transverse.inside(psi); })}) {
@@ -253,11 +250,9 @@ TEST_CASE(
       CHECK(std::fabs(found[0].value - unit * outward) <= 2e-5 * unit * into);
       CHECK(found[2].value == approx(unit * into, 2e-5));
       CHECK(found[2].error < 1e-12 * found[2].value);
-      const auto first = contact.displacement(load, isotropic_waves, {1, 0}, x * a, z * a);
       for (std::size_t i = 0; i < 3; ++i)
         CHECK(std::fabs(found[i].value - first[i].value) <= found[i].error + first[i].error);
     }
   }
-  CHECK_THROWS_WITH_AS((void)contact.displacement(load, response, {1, 0}, 0, -1),
-                       doctest::Contains("depth = -1"), data::BadInput);
+  CHECK_REFUSED(contact.displacement(load, response, {1, 0}, 0, -1), "depth = -1");
 }

@@ -8,7 +8,6 @@
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 
-#include "support/refusal.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -23,7 +22,6 @@ namespace {
 using Real = boost::multiprecision::mpfr_float_100;
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double degree = std::numbers::pi / 180;
 
 // Pa, where the seed has GPa
@@ -158,19 +156,17 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
 }
 
 TEST_CASE("critical speed: refused where moduli are too far apart for the lines, or for the search of them") {
-  const auto refusal = [](const TransverselyIsotropicSolid& solid) {
-    return refusal_of(
-        [&] { return fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50)); });
+  const auto critical = [](const TransverselyIsotropicSolid& solid) {
+    return fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50));
   };
-  CHECK(contains(refusal({1, 1, 0, 1e7, 1e-3, 1}), "to search its lines"));
-  CHECK(contains(refusal({1, 1, 0, 1e13, 0.5, 1}), "no eigenvalue of its matrix more than 1e+12"));
-  CHECK(refusal({1, 1, 0, 1e3, 1e-1, 1}) == "accepted");
+  CHECK_REFUSED(critical({1, 1, 0, 1e7, 1e-3, 1}), "to search its lines");
+  CHECK_REFUSED(critical({1, 1, 0, 1e13, 0.5, 1}), "no eigenvalue of its matrix more than 1e+12");
+  CHECK_NOTHROW((void)critical({1, 1, 0, 1e3, 1e-1, 1}));
   CHECK_THROWS_AS((void)fast::rayleigh_speed({1, 1, 0, 1e13, 0.5, 1}, SymmetryAxis::normal, {1, 0}, {1, 0}),
                   data::BadInput);
 }
 
-TEST_CASE(
-    "transversely isotropic half-space: at the last speed below the critical one a large number, or a refusal") {
+TEST_CASE("transversely isotropic half-space: just below the critical speed a large number, or a refusal") {
   std::mt19937_64 generator(12);
   for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
     const TransverselyIsotropicSolid solid = random_solid(generator);
@@ -185,39 +181,19 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
-  const auto isotropic_at = [](double poisson, double speed, double cosine) {
-    const Direction psi{cosine, std::sqrt(1 - cosine * cosine)};
-    return refusal_of([=] { return fast::isotropic_response({1, poisson, 1}, speed, psi); });
-  };
-  CHECK(isotropic_at(0.5, 0.1, 1).starts_with("poisson = "));
-  CHECK(isotropic_at(0.3, not_a_number, 1).starts_with("speed = nan"));
-  CHECK(isotropic_at(0.3, -0.1, 1).starts_with("speed = "));
-  CHECK(isotropic_at(0.3, 0.95, 1).starts_with("speed = "));
-  CHECK(isotropic_at(0.3, 1.5, 1).starts_with("speed = "));
-  CHECK(isotropic_at(0.3, 0.95, 0.5) == "accepted");
-  CHECK(isotropic_at(0.3, 0.1, not_a_number).starts_with("psi = nan"));
+TEST_CASE("half-spaces refuse what they cannot answer") {
+  CHECK_REFUSED(fast::isotropic_response({1, 0.3, 1}, not_a_number, {1, 0}), "speed = nan");
+  CHECK_REFUSED(fast::isotropic_response({1, 0.3, 1}, 0.1, {not_a_number, 0}), "psi = nan");
   CHECK_THROWS_AS(fast::isotropic_rayleigh_speed(not_a_number), data::BadInput);
 
   const Direction motion = Direction::of_angle(45 * degree);
-  const auto surface = [&](const TransverselyIsotropicSolid& solid, Direction along, double speed) {
-    return refusal_of([&] {
-      return TransverselyIsotropicHalfSpace(solid, SymmetryAxis::in_plane, along, speed * unit_speed);
-    });
+  const auto surface = [&](Direction along, double speed) {
+    return TransverselyIsotropicHalfSpace(graphite_epoxy, SymmetryAxis::in_plane, along, speed * unit_speed);
   };
-  CHECK(surface(graphite_epoxy, motion, 0.498) == "accepted");
-  const std::string critical = surface(graphite_epoxy, motion, 0.5);
-  CHECK(critical.starts_with("speed = "));
-  CHECK(contains(critical, "1563.8478"));
-  CHECK(contains(critical, "psi = 24.5589 degrees"));
-  CHECK(critical.find('\n') == std::string::npos);
-  CHECK(surface(graphite_epoxy, motion, not_a_number).starts_with("speed = nan"));
-  CHECK(surface(graphite_epoxy, motion, -1).starts_with("speed = "));
-  CHECK(surface(graphite_epoxy, {1, 1}, 0.1).starts_with("motion = (1, 1)"));
-  CHECK(surface(graphite_epoxy, {not_a_number, 1}, 0.1).starts_with("motion = "));
-  TransverselyIsotropicSolid soft = graphite_epoxy;
-  soft.c13 = 1e12;
-  CHECK(surface(soft, motion, 0.1).starts_with("c13 = "));
+  CHECK_NOTHROW((void)surface(motion, 0.498));
+  CHECK_REFUSED(surface(motion, not_a_number), "speed = nan");
+  CHECK_REFUSED(surface({1, 1}, 0.1), "motion = (1, 1)");
+  CHECK_REFUSED(surface({not_a_number, 1}, 0.1), "motion = ");
   const TransverselyIsotropicHalfSpace good(graphite_epoxy, SymmetryAxis::normal, motion, 0.1 * unit_speed);
-  CHECK(refusal_of([&] { return good.along({not_a_number, 0}); }).starts_with("psi = "));
+  CHECK_REFUSED(good.along({not_a_number, 0}), "psi = ");
 }

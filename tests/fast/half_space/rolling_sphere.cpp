@@ -10,7 +10,6 @@ using fast::Direction;
 using fast::rolling_sphere_for_force;
 using fast::rolling_sphere_for_span;
 using fast::RollingLine;
-using std::numbers::pi;
 
 namespace {
 
@@ -58,8 +57,9 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
                std::cos(phase - turn);
       };
       const double normal_transform = hilbert(-half, half, x, [&](IntervalPoint at) { return -wave(at, 0); });
-      const double shear_transform =
-          hilbert(-half, half, x, [&](IntervalPoint at) { return line.shear_share * wave(at, pi / 2); });
+      const double shear_transform = hilbert(-half, half, x, [&](IntervalPoint at) {
+        return line.shear_share * wave(at, std::numbers::pi / 2);
+      });
       const double slope = -normal_compliance * normal_transform - coupling * line.shear_traction(x).value;
       const double stretch = -shear_compliance * shear_transform + coupling * line.normal_traction(x).value;
       const double scale = half / radius * steel.shear;
@@ -81,15 +81,14 @@ TEST_CASE("rolling: compressive up to the compressed radius, and its force has a
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.94, 0.1), data::BadInput);
-  CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, nan, 0.1), data::BadInput);
+  CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, not_a_number, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, 0, 0.5, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.5, -0.1), data::BadInput);
-  CHECK_THROWS_AS(rolling_sphere_for_force(steel, radius, 0.5, nan), data::BadInput);
+  CHECK_THROWS_AS(rolling_sphere_for_force(steel, radius, 0.5, not_a_number), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_force({1, 0.5, 1}, radius, 0.5, 1), data::BadInput);
   const RollingLine line = rolling_sphere_for_span(steel, radius, 0.5, 0.1).along({1, 0});
-  CHECK_THROWS_AS(static_cast<void>(line.shear_traction(nan).value), data::BadInput);
+  CHECK_THROWS_AS(static_cast<void>(line.shear_traction(not_a_number).value), data::BadInput);
   const double rayleigh = fast::isotropic_rayleigh_speed(0.3);
   CHECK_THROWS_AS(fast::separation_angle(0.3, rayleigh), data::BadInput);
   CHECK(fast::separation_angle(0.3, std::nextafter(rayleigh, 1)) < 2e-8);

@@ -39,8 +39,7 @@ TEST_CASE("sliding: every line has the same peak, where the paper says") {
   }
 }
 
-TEST_CASE(
-    "sliding: without friction the centre is the point of first touch, to its error, next to a critical line too") {
+TEST_CASE("sliding: without friction the centre is the point of first touch, next to a critical line too") {
   for (const double off : {1e-1, 1e-3, 1e-5}) {
     CAPTURE(off);
     const fast::SurfaceResponse response = [off](Direction psi) {
@@ -88,16 +87,15 @@ TEST_CASE("integrals over half a turn: a jump, and noise that no rule can see th
 
 TEST_CASE("sliding: bad input is one line that names it") {
   const auto response = isotropic(any_poisson, 0.5);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, 0), data::BadInput);
-  CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, nan), data::BadInput);
+  CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, not_a_number), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, die, 0.1, along_x1, -1), data::BadInput);
-  CHECK_THROWS_AS(sliding_for_force(response, die, nan, along_x1, 1), data::BadInput);
-  CHECK_THROWS_WITH_AS(sliding_for_force(response, die, 1e300, along_x1, 1),
-                       "friction = 1e+300: must be from 0 to 1000", data::BadInput);
+  CHECK_THROWS_AS(sliding_for_force(response, die, not_a_number, along_x1, 1), data::BadInput);
+  CHECK_REFUSED(sliding_for_force(response, die, 1e300, along_x1, 1),
+                "friction = 1e+300: must be from 0 to 1000");
   CHECK_THROWS_AS(sliding_for_force(response, {1, 0}, 0.1, along_x1, 1), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, die, 0.1, {1, 1}, 1), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(isotropic(any_poisson, 0.95), die, 0.1, along_x1, 1), data::BadInput);
   const auto line = sliding_for_span(response, die, 0.1, along_x1, 1).along(along_x1);
-  CHECK_THROWS_AS(static_cast<void>(line.pressure(nan).value), data::BadInput);
+  CHECK_THROWS_AS(static_cast<void>(line.pressure(not_a_number).value), data::BadInput);
 }

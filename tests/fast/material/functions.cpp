@@ -5,20 +5,18 @@
 #include "support/test.hpp"
 
 using namespace nipref;
-using fast::material_functions;
 using Complex = std::complex<double>;
 
 namespace {
 
 data::MaterialFunctions factored(const data::DifferentialOperators& operators) {
-  return material_functions(data::operator_solid(operators));
+  return fast::material_functions(data::operator_solid(operators));
 }
 
 const Complex places[]{{0, 0}, {0, 0.3}, {0, 1}, {0, 40}, {2, 5}, {1e6, 0}, {0.01, -0.2}};
 
 void check_equal(Complex a, Complex b, double tolerance) {
-  CAPTURE(a.real());
-  CAPTURE(b.real());
+  CAPTURE(a.real(), b.real());
   CHECK(std::abs(a - b) <= tolerance * std::abs(b));
 }
 
@@ -53,8 +51,7 @@ TEST_CASE("operators: rates and amplitudes of roots 1e-5 apart are good to a dou
   }
 }
 
-TEST_CASE(
-    "operators of a fluid have a rate that is 0, no -0, and with a dashpot beside a spring nothing at once") {
+TEST_CASE("operators: a fluid has a rate that is 0, no -0, and a dashpot beside a spring nothing at once") {
   // P/Q = 1 + 0.8/p + 0.5/(p + 1) + 0.3/(p + 2) + 0.2/(p + 3): rates that an iteration finds, and 0.
   const auto fluid = factored({{4.8, 19.1, 20.1, 7.8, 1}, {0, 6, 11, 6, 1}, {1}, {7}});
   CHECK(fluid.theta1.is_fluid());

@@ -24,5 +24,5 @@ TEST_CASE("moduli: what is out of the domain is named") {
   CHECK_THROWS_WITH_AS(fast::relaxation(good, -1), "t = -1: must be finite and >= 0", data::BadInput);
   CHECK_THROWS_WITH_AS(fast::loss(good, INFINITY), "omega = inf: must be finite and >= 0", data::BadInput);
   const Modulus wrong{SpringModel::standard_linear, 1, -1, 1};
-  CHECK_THROWS_WITH_AS(wrong.check("shear"), doctest::Contains("shear_2 = -1"), data::BadInput);
+  CHECK_REFUSED(wrong.check("shear"), "shear_2 = -1");
 }

@@ -5,7 +5,6 @@
 using namespace nipref;
 using data::DifferentialOperators;
 using data::PronySeries;
-using fast::RationalSolid;
 using fast::Strain;
 
 TEST_CASE("rational solids: roots that are one, or nearly, cost no digit") {
@@ -37,25 +36,19 @@ TEST_CASE("rational solids: an elastic one in disguise neither fades nor loses a
 
 TEST_CASE("rational solids: what is out of the domain is named") {
   const PronySeries good{{1, {0.4, 2}, {0.5, 3}}, {0.3, {0.1, 0.2}, {1.5, 3}}};
-  const auto creep_of = [](const RationalSolid& solid) { return fast::creep(solid, Strain::dilatation, 1); };
-  CHECK_THROWS_WITH_AS(creep_of(PronySeries{{1, {1}, {-1}}, {1, {1}, {1}}}), "theta1_rate = -1: must be >= 0",
-                       data::BadInput);
-  CHECK_THROWS_WITH_AS(creep_of(PronySeries{{1, {1}, {1}}, {0, {0, 0}, {1, 1}}}),
-                       doctest::Contains("theta2 = 0 at all times"), data::BadInput);
-  CHECK_THROWS_WITH_AS(creep_of(PronySeries{{1, {1}, {1}}, {3, {3}, {1}}}),
-                       doctest::Contains("theta2 = 3 theta1 at all times"), data::BadInput);
-  CHECK_THROWS_WITH_AS(creep_of(DifferentialOperators{{1, 1}, {1}, {1}, {1}}),
-                       doctest::Contains("Q = of degree 0: must be of the degree of P, 1, or of one more"),
-                       data::BadInput);
-  CHECK_THROWS_WITH_AS(creep_of(DifferentialOperators{{1}, {1}, {1}, {1, -2}}),
-                       "Q_dilatation_1 = -2: must be >= 0", data::BadInput);
-  CHECK_THROWS_WITH_AS(creep_of(DifferentialOperators{{0, 0}, {1}, {1}, {1}}), doctest::Contains("P = 0"),
-                       data::BadInput);
-  CHECK_THROWS_WITH_AS(fast::theta1(good, -1), doctest::Contains("t = -1"), data::BadInput);
-  CHECK_THROWS_WITH_AS(fast::storage(good, Strain::shear, INFINITY), doctest::Contains("omega = inf"),
-                       data::BadInput);
-  CHECK_THROWS_WITH_AS(fast::storage(DifferentialOperators{{0, 1}, {1, 1}, {1}, {1}}, Strain::shear, 0),
-                       "omega = 0: must not be where the modulus is infinite", data::BadInput);
-  CHECK_THROWS_WITH_AS(fast::theta1(data::SingleRelaxationTimeSolid{1, 1, 0, 2}, 1),
-                       doctest::Contains("tau = 0"), data::BadInput);
+  const auto creep_of = [](const fast::RationalSolid& solid) {
+    return fast::creep(solid, Strain::dilatation, 1);
+  };
+  CHECK_REFUSED(creep_of(PronySeries{{1, {1}, {-1}}, {1, {1}, {1}}}), "theta1_rate = -1: must be >= 0");
+  CHECK_REFUSED(creep_of(PronySeries{{1, {1}, {1}}, {0, {0, 0}, {1, 1}}}), "theta2 = 0 at all times");
+  CHECK_REFUSED(creep_of(PronySeries{{1, {1}, {1}}, {3, {3}, {1}}}), "theta2 = 3 theta1 at all times");
+  CHECK_REFUSED(creep_of(DifferentialOperators{{1, 1}, {1}, {1}, {1}}),
+                "Q = of degree 0: must be of the degree of P, 1, or of one more");
+  CHECK_REFUSED(creep_of(DifferentialOperators{{1}, {1}, {1}, {1, -2}}), "Q_dilatation_1 = -2: must be >= 0");
+  CHECK_REFUSED(creep_of(DifferentialOperators{{0, 0}, {1}, {1}, {1}}), "P = 0");
+  CHECK_REFUSED(fast::theta1(good, -1), "t = -1");
+  CHECK_REFUSED(fast::storage(good, Strain::shear, INFINITY), "omega = inf");
+  CHECK_REFUSED(fast::storage(DifferentialOperators{{0, 1}, {1, 1}, {1}, {1}}, Strain::shear, 0),
+                "omega = 0: must not be where the modulus is infinite");
+  CHECK_REFUSED(fast::theta1(data::SingleRelaxationTimeSolid{1, 1, 0, 2}, 1), "tau = 0");
 }

@@ -4,8 +4,6 @@
 
 using namespace nipref::fast;
 
-TEST_SUITE_BEGIN("fast memory");
-
 TEST_CASE("J5 under the load: no sign there, and nothing remembered before the start") {
   CHECK(J5(7, 0, 1, 2, 2) == 0);
   CHECK(J5(7, 5, 1, 0, 3) == 7);
@@ -16,15 +14,10 @@ TEST_CASE("J5 under the load: no sign there, and nothing remembered before the s
 }
 
 TEST_CASE("bad input to J names its argument") {
-  using nipref::data::BadInput;
-  const double nan = std::nan(""), infinity = HUGE_VAL;
-  CHECK_THROWS_WITH_AS(J1(-1, 1, 1, 1, 1), "lambda = -1: must be from 0 to 1e150", BadInput);
-  CHECK_THROWS_AS(J2(1, -1, 1, 1, 1), BadInput);
-  CHECK_THROWS_AS(J3(1, 1, nan, 1, 1), BadInput);
-  CHECK_THROWS_AS(J4(1, 1, 1, -1e-300, 1), BadInput);
-  CHECK_THROWS_AS(J4(1, 1, 1, 1, -infinity), BadInput);
-  CHECK_THROWS_AS(J5(nan, 1, 1, 1, 1), BadInput);
-  CHECK_THROWS_AS(J6(1, infinity, 1, 1, 1), BadInput);
+  CHECK_REFUSED(J1(-1, 1, 1, 1, 1), "lambda = -1: must be from 0 to 1e150");
+  CHECK_REFUSED(J3(1, 1, not_a_number, 1, 1), "b = nan");
+  CHECK_REFUSED(J4(1, 1, 1, -1e-300, 1), "t = -1e-300");
+  CHECK_REFUSED(J4(1, 1, 1, 1, -infinite), "T = -inf");
+  CHECK_REFUSED(J5(not_a_number, 1, 1, 1, 1), "gamma0 = nan");
+  CHECK_REFUSED(J6(1, infinite, 1, 1, 1), "a = inf");
 }
-
-TEST_SUITE_END();

@@ -12,8 +12,7 @@ TEST_CASE("memories of complex rates from tables, or by parts, are those panel b
   for (const Complex rate : rates) {
     const OscillatingFade kept = fade(rate, {Kernel::I1, Kernel::I3}, Accuracy());
     for (const double w : places) {
-      CAPTURE(rate.imag());
-      CAPTURE(w);
+      CAPTURE(rate.imag(), w);
       const SurfacePoint at = surface_point({w, 0}, Accuracy());
       for (const Kernel kernel : {Kernel::I1, Kernel::I3}) {
         const Complex panels = steady_memory(kernel, at, rate, Accuracy());
@@ -30,8 +29,7 @@ TEST_CASE("a short way under the load is remembered at a complex rate as at a re
   const Fade kept = fade(Two{rate, 0}, {Kernel::I1}, Accuracy());
   for (const double length : {1e-3, 1e-6, 1e-9, 1e-12, 1e-20}) {
     for (const double behind : {0.0, 0.001, 0.4, 1.0}) {
-      CAPTURE(length);
-      CAPTURE(behind);
+      CAPTURE(length, behind);
       const SurfacePoint start = surface_point({-behind * length, 0}, Accuracy()),
                          end = surface_point({(1 - behind) * length, 0}, Accuracy());
       const double real = memory(Kernel::I1, start, end, {length, 0}, kept, Accuracy());

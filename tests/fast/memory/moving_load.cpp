@@ -5,17 +5,15 @@
 #include "support/test.hpp"
 
 using namespace nipref::fast;
-using nipref::data::MaterialFunction;
-using nipref::data::ViscoelasticMaterial;
-
-TEST_SUITE_BEGIN("fast moving load");
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
 /// Compliances that double with time, with one rate; Poisson's ratio is 1/3 throughout.
-ViscoelasticMaterial solid(double rate) { return {{1, {{rate, rate}}}, {0.5, {{rate / 2, rate}}}}; }
+nipref::data::ViscoelasticMaterial solid(double rate) {
+  return {{1, {{rate, rate}}}, {0.5, {{rate / 2, rate}}}};
+}
 
 /// int_alpha^inf e^(-rate (w - alpha)) I1(w) dw: what a point at alpha remembers of the load while it was
 /// farther ahead.
@@ -60,25 +58,14 @@ TEST_CASE("a way too short to be seen beside the distance still counts") {
 }
 
 TEST_CASE("bad input to the moving load") {
-  using nipref::data::BadInput;
-  CHECK_THROWS_AS(MovingLoad(solid(1), 0, 1), BadInput);
-  CHECK_THROWS_AS(MovingLoad(solid(1), -1, 1), BadInput);
-  CHECK_THROWS_AS(MovingLoad(solid(1), 1, 0), BadInput);
-  CHECK_THROWS_AS(MovingLoad(solid(1), 1, HUGE_VAL), BadInput);
-  CHECK_THROWS_AS(MovingLoad(solid(-1), 1, 1), BadInput);
-  const MovingLoad load(solid(1), 1, 1);
-  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(2, 2)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(-1, 2)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(1, std::nan(""))), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.steady_normal_displacement(0)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.tangential_displacement(1, 2, HUGE_VAL)), BadInput);
+  CHECK_REFUSED(MovingLoad(solid(1), 1, HUGE_VAL), "half_thickness = inf");
+  CHECK_REFUSED(MovingLoad(solid(-1), 1, 1), "theta1 rate = -1");
+  const MovingLoad load(solid(1), 1, 1), far(solid(1), 90, 1e-12);
+  CHECK_REFUSED(load.normal_displacement(1, not_a_number), "T = nan");
+  CHECK_REFUSED(load.tangential_displacement(1, 2, HUGE_VAL), "t0 = inf");
   CHECK_NOTHROW(static_cast<void>(load.tangential_displacement(2, 2, 2)));
-  const MovingLoad far(solid(1), 90, 1e-12);
-  CHECK_THROWS_WITH_AS(static_cast<void>(far.normal_displacement(1000, -1e308)),
-                       "T = -1e+308: must be within 1e100 half_thickness/speed of both 0 and t", BadInput);
-  CHECK_THROWS_WITH_AS(static_cast<void>(far.tangential_displacement(1, 2, -1e308)),
-                       doctest::Contains("t0 = -1e+308: must be within 1e100"), BadInput);
+  CHECK_REFUSED(far.normal_displacement(1000, -1e308),
+                "T = -1e+308: must be within 1e100 half_thickness/speed of both 0 and t");
+  CHECK_REFUSED(far.tangential_displacement(1, 2, -1e308), "t0 = -1e+308: must be within 1e100");
   CHECK(load.normal_displacement(1e100, 1) == 0);
 }
-
-TEST_SUITE_END();

@@ -18,8 +18,7 @@ TEST_CASE("Dawson's integral: values of tables, and its equation D' = 1 - 2 z D 
   CHECK(dawson(10) == approx(0.05025384718759852803, 1e-15));
   for (const double size : {0.3, 2.0, 6.3, 6.4, 30.0}) {
     for (const double angle : {-0.78, -0.4, 0.0, 0.3, 0.7}) {
-      CAPTURE(size);
-      CAPTURE(angle);
+      CAPTURE(size, angle);
       const auto at = complex_dawson;
       const Complex z = std::polar(size, angle);
       const double step = 1e-3 / size;

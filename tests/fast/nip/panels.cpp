@@ -4,13 +4,11 @@
 
 using namespace nipref::fast;
 
-TEST_CASE(
-    "panels cover a contact without a gap, each at least a quarter as wide as the one before, one if it is short") {
+TEST_CASE("panels leave no gap, each at least a quarter as wide as the one before, one if all is short") {
   for (const double half_length : {1e-8, 0.3, 1.4, 1.6, 20.0, 1e4}) {
     for (const std::complex<double> rate : {0.0, 1e-3, 2.0, 1e5}) {
       for (const double decay : {0.0, 0.8, std::numbers::pi}) {
-        CAPTURE(half_length);
-        CAPTURE(rate.real());
+        CAPTURE(half_length, rate.real());
         const auto cut = panels(half_length, {23, decay, 2, {rate}});
         CHECK(cut.front().left == 0);
         CHECK(cut.front().at_end);

@@ -1,7 +1,7 @@
-#include <doctest/doctest.h>
-
 #include <nipref/fast/number/caches.hpp>
 #include <nipref/fast/number/internal/cache.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::fast;
 

@@ -5,16 +5,11 @@
 
 using namespace nipref::fast;
 
-TEST_SUITE_BEGIN("fast sheet roots");
-
 TEST_CASE("bad input") {
   using nipref::data::BadInput;
-  CHECK_THROWS_AS(sheet_root(0), BadInput);
   CHECK_THROWS_AS(sheet_root(1000001), BadInput);
   CHECK_THROWS_AS(plain_series_I1(0.0, 10), BadInput);
   CHECK_THROWS_AS(plain_series_I1(std::nan(""), 10), BadInput);
   CHECK_THROWS_AS(plain_series_I1(1.0, 0), BadInput);
   CHECK_THROWS_AS(plain_series_I1(1.0, 501), BadInput);
 }
-
-TEST_SUITE_END();

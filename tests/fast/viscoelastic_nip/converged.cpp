@@ -1,8 +1,10 @@
-// The converged viscoelastic nip: fluids, two discretisations, memories that are hard.
+// The converged viscoelastic nip: fluids, two discretisations, memories that are hard, errors of what is small.
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 
+#include "support/covered.hpp"
 #include "support/softening_sheet.hpp"
 #include "support/test.hpp"
 
@@ -10,12 +12,10 @@ using namespace nipref;
 using namespace nipref::test;
 using data::ViscoelasticNip;
 using fast::converged_for_length;
-using fast::converged_for_load;
 using fast::Estimate;
 using fast::Panel;
 using fast::RollingEquations;
 using fast::Solution;
-using fast::Work;
 
 namespace {
 
@@ -25,7 +25,7 @@ RollingEquations equations(double rate) {
 }
 
 Solution solve(double half_length, const RollingEquations& equations, const std::vector<Panel>& panels) {
-  Work work;
+  fast::Work work;
   fast::CountedKernels kernels(fast::Accuracy{}, work);
   return equations.solve(half_length, panels, 1e-16, kernels);
 }
@@ -44,8 +44,7 @@ double carried_load(const Solution& solution) { return solution.value(solution.l
 
 }  // namespace
 
-TEST_CASE(
-    "behind a fluid's contact the sheet keeps its displacement and its strain, as nearly as a slow one") {
+TEST_CASE("behind a fluid's contact the sheet keeps its displacement and strain, as nearly a slow one") {
   const auto rolled = [](double rate) {
     const ViscoelasticNip nip{radius, thickness, {{1e-5, {{8e-5, rate}}}, {4e-6, {{1e-5, rate}}}}, 1};
     return converged_for_length(nip, 0.1, 1e-12);
@@ -63,8 +62,7 @@ TEST_CASE(
 TEST_CASE("two discretisations agree") {
   for (const double half_length : {1e-4, 0.4, 2.0, 15.0}) {
     for (const double rate_length : {0.01, 1.0, 30.0}) {  // A over the relaxation length
-      CAPTURE(half_length);
-      CAPTURE(rate_length);
+      CAPTURE(half_length, rate_length);
       const RollingEquations equations = ::equations(rate_length / half_length);
       std::vector<Panel> panels{{0, half_length / 16, true, false, 26}};
       for (double left = half_length / 16; left < half_length / 2; left *= 2)
@@ -87,8 +85,6 @@ TEST_CASE("two discretisations agree") {
     }
   }
 }
-
-namespace {}  // namespace
 
 TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
   const auto with = [](std::complex<double> split) {
@@ -116,9 +112,7 @@ TEST_CASE("the peak is the pressure where it is largest, also where both layers 
   for (const double length : {3e-4, 1e-3, 1e-2}) {
     CAPTURE(length);
     const auto contact = converged_for_length(rolled, length, 1e-12);
-    const Estimate peak = contact.peak_pressure(),
-                   there = contact.pressure(contact.peak_pressure_position().value);
-    CHECK(std::fabs(peak.value - there.value) <= peak.error + there.error);
+    check_covered(contact.peak_pressure(), contact.pressure(contact.peak_pressure_position().value));
   }
 }
 
@@ -130,13 +124,12 @@ TEST_CASE("a short memory that softens by thousands loses no digits") {
   CHECK(carried_load(solve(0.8, soft)) == approx(expected, 1e-14));
 }
 
-TEST_CASE(
-    "viscoelastic nip: what a memory without end does to all points alike is no rounding of the creep") {
+TEST_CASE("viscoelastic nip: what an endless memory does to all points alike is no rounding of the creep") {
   // It creeps by 1e-5 of itself while the nip passes, so that of rates below that one is as good as another.
   const auto creep = [](double rate) {
     const ViscoelasticNip nip{6, 0.25,
                               data::prony_solid({9.2e-6, {9.2e-7}, {rate}}, {3.1e-6, {1.5e-7}, {rate}}), 1};
-    return converged_for_load(nip, 100, 1e-10).creep_ratio();
+    return fast::converged_for_load(nip, 100, 1e-10).creep_ratio();
   };
   const Estimate slow = creep(1e-14);
   for (const double rate : {1e-9, 1e-20, 1e-40}) {
@@ -161,14 +154,58 @@ TEST_CASE("the terms that resolve a memory that swings are integrated as well as
       CAPTURE(nats);
       const Solution solution =
           solve(half_length, equations, fast::panels(half_length, equations.resolution(nats)));
-      const auto agrees = [](const fast::Estimate& found, const fast::Estimate& other) {
-        CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
-      };
-      const fast::Estimate load = solution.estimate(solution.load());
-      agrees(load, truth.estimate(truth.load()));
-      agrees(solution.estimate(equations.eccentricity(solution)),
-             truth.estimate(equations.eccentricity(truth)));
+      const Estimate load = solution.estimate(solution.load());
+      check_covered(load, truth.estimate(truth.load()));
+      check_covered(solution.estimate(equations.eccentricity(solution)),
+                    truth.estimate(equations.eccentricity(truth)));
       CHECK(load.error < 1e-10 * load.value);
     }
   }
+}
+
+TEST_CASE("thin sheet without slip: the shear in the middle is exactly 0, and beside it rounds little") {
+  const data::ElasticNip nip{
+      257.67271760106087, 0.04019963248356362, {0.06679909559898078, 0.09020804732626768}};
+  for (const double accuracy : {1e-8, 1e-10, 1e-13}) {
+    const auto contact = converged_for_length(nip, data::Friction::full, 1.3241265709511936, accuracy);
+    CHECK(contact.shear(0).value == 0);
+    CHECK(contact.shear(0).error == 0);
+    check_covered(contact.shear(1e-300), {});
+    CHECK(contact.shear(1e-300).error <= 1e-8 * contact.peak_shear().value);
+  }
+}
+
+TEST_CASE("outside a contact displacements are as sure as they are small, behind a rolling one too") {
+  const auto check = [](const auto& solved, const std::vector<double>& places) {
+    const auto asked = solved(1e-8), truth = solved(1e-13);
+    for (const double y : places) {
+      const Estimate found = asked.normal_displacement(y);
+      check_covered(found, truth.normal_displacement(y));
+      CHECK(found.error <= 1e-4 * std::fabs(found.value) + 1e-14 * asked.indentation().value);
+    }
+  };
+  for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
+    const auto solved = [&](double accuracy) {
+      return fast::converged_for_length(data::ElasticNip{100, 1, {1, 0.3}}, friction, 2, accuracy);
+    };
+    check(solved, {3.0, 4.5, 6.0, 9.0, 20.0});
+    CHECK(solved(1e-8).normal_displacement(200).error > 0);
+  }
+  const data::ViscoelasticNip rolling{100, 1, data::single_relaxation_time_solid(2, 1, 0.25), 1};
+  check([&](double accuracy) { return converged_for_length(rolling, 2, accuracy); },
+        {-20.0, -9.0, -6.0, -3.0, 3.0, 4.5, 6.0, 9.0, 20.0});
+}
+
+TEST_CASE("next to the leading end the strain rounds as the pressure does that makes it at once") {
+  const data::ViscoelasticNip nip{15660.851572036743, 1.854786531534046,
+                                  data::operator_solid({{34480.27462387085, 1.0},
+                                                        {243385.40824890137, 329.2721646130085},
+                                                        {0.00040817430831907586, 1.0},
+                                                        {0.00536199903308443, 612.7908380031586}}),
+                                  0.012102478431188501};
+  const auto contact = converged_for_length(nip, 0.008795065559752402, 2.7259528381578472e-11);
+  const double y = 0.004396866668230359;
+  const Estimate strain = contact.surface_strain(y), pressure = contact.pressure(y);
+  // Nearly all of the strain is theta2 times the pressure there.
+  CHECK(strain.error / std::fabs(strain.value) > 0.3 * pressure.error / pressure.value);
 }

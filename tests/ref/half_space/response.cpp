@@ -5,7 +5,6 @@
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 #include "support/intervals.hpp"
-#include "support/refusal.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -92,37 +91,31 @@ TEST_CASE("isotropic: the limiting speed is that of shear, the surface wave is R
   }
 }
 
-TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by one clear line") {
-  const auto starts = [](const std::string& text, const std::string& with) {
-    CAPTURE(text);
-    CHECK(text.rfind(with, 0) == 0);
-    CHECK(text.find('\n') == std::string::npos);
-  };
+TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by name") {
   const auto good = data::Stiffness::of(composite, data::SymmetryAxis::normal);
   auto bad = good;
   bad.voigt[0][1] += 1e-9;
-  starts(refusal_of([&] { bad.check(); }), "stiffness = ");
-  bad = good;
+  CHECK_REFUSED(bad.check(), "stiffness = ");
   bad.voigt[0][1] = bad.voigt[1][0] = 2 * good.voigt[0][0];
-  starts(refusal_of([&] { bad.check(); }), "stiffness = ");
+  CHECK_REFUSED(bad.check(), "stiffness = ");
   bad = good;
   bad.voigt[3][3] = NAN;
-  starts(refusal_of([&] { ref::exact_stiffness(bad); }), "stiffness = nan");
+  CHECK_REFUSED(ref::exact_stiffness(bad), "stiffness = nan");
   bad = good;
   bad.density = 0;
-  starts(refusal_of([&] { bad.check(); }), "density = 0");
-  starts(refusal_of([&] { pair(0, 0); }), "direction = ");
+  CHECK_REFUSED(bad.check(), "density = 0");
+  CHECK_REFUSED(pair(0, 0), "direction = ");
   const auto solid = ref::exact_stiffness(good);
   const auto respond = [&](double speed, int digits) {
-    return refusal_of([&] { ref::line_response(solid, Exact(speed), degrees(0), degrees(0), digits); });
+    return ref::line_response(solid, Exact(speed), degrees(0), degrees(0), digits);
   };
-  CHECK(respond(0.1, 20) == "accepted");
-  starts(respond(5, 20), "speed = 5");
-  starts(respond(0.1, 15), "digits = 15");
-  starts(refusal_of([&] { Exact(NAN, "speed"); }), "speed = nan");
-  starts(refusal_of([&] { ref::limiting_speed(solid, pair(1, 0), pair(0, 1), 20); }), "psi = ");
-  starts(refusal_of([&] { ref::surface_wave_speed(solid, degrees(0), degrees(90), 20); }), "psi = ");
-  starts(refusal_of([&] { ref::critical_speed(solid, degrees(0), 509); }), "digits = 509");
+  CHECK_NOTHROW((void)respond(0.1, 20));
+  CHECK_REFUSED(respond(5, 20), "speed = 5");
+  CHECK_REFUSED(respond(0.1, 15), "digits = 15");
+  CHECK_REFUSED(Exact(NAN, "speed"), "speed = nan");
+  CHECK_REFUSED(ref::limiting_speed(solid, pair(1, 0), pair(0, 1), 20), "psi = ");
+  CHECK_REFUSED(ref::surface_wave_speed(solid, degrees(0), degrees(90), 20), "psi = ");
+  CHECK_REFUSED(ref::critical_speed(solid, degrees(0), 509), "digits = 509");
 }
 
 TEST_CASE("speeds are refused from the critical one on, on one line and on all") {
@@ -132,11 +125,10 @@ TEST_CASE("speeds are refused from the critical one on, on one line and on all")
     ref::check_subcritical(isotropic, Exact(speed), degrees(0), degrees(psi));
   };
   CHECK_NOTHROW(check_line(std::nextafter(rayleigh, 0), 0));
-  CHECK_THROWS_WITH_AS(check_line(std::nextafter(rayleigh, 1), 0),
-                       doctest::Contains("must be below 0.919402"), data::BadInput);
-  CHECK_THROWS_WITH_AS(check_line(0.95, 0), doctest::Contains("speed = 0.95: "), data::BadInput);
+  CHECK_REFUSED(check_line(std::nextafter(rayleigh, 1), 0), "must be below 0.919402");
+  CHECK_REFUSED(check_line(0.95, 0), "speed = 0.95: ");
   CHECK_NOTHROW(check_line(0.95, 60));
-  CHECK_THROWS_WITH_AS(check_line(1.9, 60), doctest::Contains("lines 60 degrees"), data::BadInput);
+  CHECK_REFUSED(check_line(1.9, 60), "lines 60 degrees");
   CHECK_NOTHROW(check_line(1e6, 90));
 
   const auto lying = ref::exact_stiffness(composite, data::SymmetryAxis::in_plane);
@@ -144,7 +136,7 @@ TEST_CASE("speeds are refused from the critical one on, on one line and on all")
     ref::check_subcritical(lying, Exact(share * 0.4989960517311832865), degrees(45));
   };
   CHECK_NOTHROW(check_all(1 - 1e-11));
-  CHECK_THROWS_WITH_AS(check_all(1 + 1e-11), doctest::Contains("psi = 24.55"), data::BadInput);
+  CHECK_REFUSED(check_all(1 + 1e-11), "psi = 24.55");
   CHECK_THROWS_AS(check_all(3), data::BadInput);
 }
 
@@ -172,17 +164,15 @@ TEST_CASE("where no proof is found, that is said of the solid") {
   // Moduli so far apart that a double sees nothing of the smaller ones.
   const auto solid = ref::exact_stiffness(data::TransverselyIsotropicSolid{2e-60, 1e60, 0, 1e-60, 1e-60, 1},
                                           data::SymmetryAxis::in_plane);
-  CHECK_THROWS_WITH_AS(ref::critical_speed(solid, degrees(30), 20),
-                       doctest::Contains("solid = (as given): must be"), data::BadInput);
+  CHECK_REFUSED(ref::critical_speed(solid, degrees(30), 20), "solid = (as given): must be");
   // Here rounding of the largest makes valleys everywhere, of which there is no end.
   const auto stiff = ref::exact_stiffness(
       data::TransverselyIsotropicSolid{1e16, 160.7, 6.44, 7.07, 3.5, 1688}, data::SymmetryAxis::in_plane);
-  CHECK_THROWS_WITH_AS(ref::check_subcritical(stiff, Exact(0.01), degrees(0)),
-                       doctest::Contains("solid = (as given): must have moduli nearer"), data::BadInput);
+  CHECK_REFUSED(ref::check_subcritical(stiff, Exact(0.01), degrees(0)),
+                "solid = (as given): must have moduli nearer");
 }
 
-TEST_CASE(
-    "next to a direction whose limiting wave leaves the surface free the surface wave is found, however near") {
+TEST_CASE("however near a direction whose limiting wave leaves the surface free a surface wave is found") {
   // In the isotropic plane of this solid its slowest wave is polarised across it. Off that plane by psi the surface wave
   // is slower by a part of the order of psi^4.
   const data::TransverselyIsotropicSolid solid{452.1195822851164, 106.19561867964458, 16.527558334339567,

@@ -28,6 +28,5 @@ TEST_CASE("the reference's sliding contact where friction outweighs the complian
   CHECK(ref::sliding_exponent(surface, Exact(1000.0), Exact(90.0), 20).to_double() == -0.5);
   CHECK_NOTHROW((void)ref::sliding_force(surface, Exact(700.0), 16));
   CHECK_THROWS_AS((void)ref::sliding_force(surface, Exact(0.5), 15), data::BadInput);
-  CHECK_THROWS_WITH_AS((void)ref::sliding_force(surface, Exact(1001.0), 16),
-                       doctest::Contains("must be from 0 to 1000"), data::BadInput);
+  CHECK_REFUSED(ref::sliding_force(surface, Exact(1001.0), 16), "must be from 0 to 1000");
 }

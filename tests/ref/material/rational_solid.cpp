@@ -4,8 +4,8 @@
 #include "support/test.hpp"
 
 using namespace nipref::ref;
-using nipref::data::BadInput;
 using nipref::test::exact;
+using nipref::test::exacts;
 
 namespace {
 
@@ -14,16 +14,8 @@ using Float60 = nipref::test::Decimal<60>;
 
 Float60 number(const Enclosure& x) { return Float60(x.value_text()); }
 
-std::vector<Exact> exacts(const std::vector<std::string>& texts) {
-  std::vector<Exact> result;
-  for (const std::string& text : texts) result.push_back(exact(text));
-  return result;
-}
-
 void check_holds(const Enclosure& found, const Float60& truth) {
-  Float60 off = number(found) - truth;
-  if (off < 0) off = -off;
-  CHECK(off <= Float60(found.error_text()));
+  CHECK(abs(number(found) - truth) <= Float60(found.error_text()));
 }
 
 }  // namespace
@@ -56,9 +48,8 @@ TEST_CASE("rational solids: creep that grows is a number up to 1000 digits, then
   check_holds(creep(unstable.dilatation, exact("3"), digits), 12 * (exp(Float60(3)) - 1));
   CHECK(mpfr_get_exp(raw(creep(unstable.dilatation, exact("2299"), digits).value)) ==
         3321);  // 2299/ln 2 + log2 12
-  CHECK_THROWS_WITH_AS(creep(unstable.dilatation, exact("2301"), digits),
-                       doctest::Contains("t = 2301: must be at most 2.3e+03: the material is unstable"),
-                       BadInput);
+  CHECK_REFUSED(creep(unstable.dilatation, exact("2301"), digits),
+                "t = 2301: must be at most 2.3e+03: the material is unstable");
 }
 
 TEST_CASE("rational solids: bad constants are refused by name") {
@@ -66,15 +57,11 @@ TEST_CASE("rational solids: bad constants are refused by name") {
   const auto prony_with = [&](const std::string& instantaneous, const std::string& rate) {
     return exact_prony({exact(instantaneous), exacts({"1"}), exacts({rate})}, good);
   };
-  CHECK_THROWS_WITH_AS(prony_with("-1", "1"), doctest::Contains("theta1_instantaneous = -1"), BadInput);
-  CHECK_THROWS_WITH_AS(prony_with("1", "-2"), doctest::Contains("theta1_rate = -2"), BadInput);
-  CHECK_THROWS_WITH_AS(exact_operators(exacts({"1", "1"}), exacts({"1"}), exacts({"1"}), exacts({"1"})),
-                       doctest::Contains("Q = of degree 0: must be of the degree of P, 1, or of one more"),
-                       BadInput);
-  CHECK_THROWS_WITH_AS(exact_single_time(exact("1"), exact("1"), exact("0"), 2), doctest::Contains("tau = 0"),
-                       BadInput);
-  CHECK_THROWS_WITH_AS(creep(prony_with("1", "1").shear, exact("-1"), digits), doctest::Contains("t = -1"),
-                       BadInput);
-  CHECK_THROWS_WITH_AS(fading_part(prony_with("1", "1").theta1, exact("1e9"), digits),
-                       doctest::Contains("t = 1000000000"), BadInput);
+  CHECK_REFUSED(prony_with("-1", "1"), "theta1_instantaneous = -1");
+  CHECK_REFUSED(prony_with("1", "-2"), "theta1_rate = -2");
+  CHECK_REFUSED(exact_operators(exacts({"1", "1"}), exacts({"1"}), exacts({"1"}), exacts({"1"})),
+                "Q = of degree 0: must be of the degree of P, 1, or of one more");
+  CHECK_REFUSED(exact_single_time(exact("1"), exact("1"), exact("0"), 2), "tau = 0");
+  CHECK_REFUSED(creep(prony_with("1", "1").shear, exact("-1"), digits), "t = -1");
+  CHECK_REFUSED(fading_part(prony_with("1", "1").theta1, exact("1e9"), digits), "t = 1000000000");
 }

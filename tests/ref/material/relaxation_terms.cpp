@@ -18,8 +18,7 @@ double lambda_of(const ExactRatio& theta, int number, ComplexPart part = Complex
 
 }  // namespace
 
-TEST_CASE(
-    "terms of a material: of a pair that with the negative imaginary part is first, real rates have none") {
+TEST_CASE("terms of a material: of a pair the one with negative imaginary part is first") {
   // (p + 1)(p^2 + 4 p + 8): rates 1 and 2 -+ 2i; 1 over it has 1/5 and -1/10 +- i/20 there.
   const ExactRatio theta{{1}, {8, 12, 5, 1}};
   CHECK(lambda_of(theta, 1) == 1);
@@ -33,8 +32,8 @@ TEST_CASE(
   }
   CHECK(gamma_of(theta, 0) == 0);
   CHECK(gamma_of(theta, 1) == 0.2);
-  CHECK_THROWS_WITH_AS((void)lambda_of(theta, 4), doctest::Contains("from 1 to 3"), data::BadInput);
+  CHECK_REFUSED(lambda_of(theta, 4), "from 1 to 3");
   CHECK_THROWS_AS((void)lambda_of({{1}, {1, 2, 1}}, 1), data::BadInput);
   // (p + 1)((p + 1)^2 + 1): the order of 1 and 1 -+ i could be any.
-  CHECK_THROWS_WITH_AS((void)lambda_of({{1}, {2, 4, 3, 1}}, 1), doctest::Contains("1e-12"), data::BadInput);
+  CHECK_REFUSED(lambda_of({{1}, {2, 4, 3, 1}}, 1), "1e-12");
 }

@@ -31,14 +31,8 @@ TEST_CASE("memory integrals without decay are elementary") {
   CHECK(J5(exact("1"), exact("2"), exact("0"), exact("2"), exact("1.5"), 20).to_double() == 1);
 }
 
-TEST_CASE("memory integrals refuse what is outside their domain") {
-  const Exact one = exact("1"), negative = exact("-1"), large = exact("1e16");
-  CHECK_THROWS_AS(J1(negative, one, one, one, one, 20), BadInput);
-  CHECK_THROWS_AS(J2(one, negative, one, one, one, 20), BadInput);
-  CHECK_THROWS_AS(J3(one, one, negative, one, one, 20), BadInput);
-  CHECK_THROWS_AS(J4(one, one, one, negative, one, 20), BadInput);
-  CHECK_THROWS_AS(J1(large, one, one, one, one, 20), BadInput);
-  CHECK_THROWS_AS(J5(one, one, negative, one, one, 20), BadInput);
-  CHECK_THROWS_AS(J6(one, one, one, negative, one, 20), BadInput);
-  CHECK_THROWS_AS(J6(one, one, one, one, one, 15), BadInput);
+TEST_CASE("memory integrals refuse rates that are too large, and too few digits") {
+  const Exact one = exact("1");
+  CHECK_REFUSED(J1(exact("1e16"), one, one, one, one, 20), "lambda = 1");
+  CHECK_REFUSED(J6(one, one, one, one, one, 15), "digits = 15");
 }

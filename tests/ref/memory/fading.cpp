@@ -1,14 +1,11 @@
 // The memory of a load from infinity: what its paths are proven with, on a mesh of cells in interval arithmetic, and its values
 // against the residue series, which shares nothing with the paths but the symbols, and against themselves by other nodes.
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <random>
 
 #include <nipref/ref/memory/internal/fading.hpp>
 
 #include "support/decimal.hpp"
 #include "support/intervals.hpp"
+#include "support/symbol_sizes.hpp"
 #include "support/test.hpp"
 
 using namespace nipref::ref;
@@ -16,12 +13,9 @@ using nipref::test::exact;
 
 namespace {
 
-constexpr mpfr_prec_t mesh_precision = 64;
+constexpr mpfr_prec_t mesh_precision = SymbolSizes::bits;
 constexpr Symbol fading_kernels[] = {Symbol::normal, Symbol::I3, Symbol::I4, Symbol::I5};
 
-Interval size_of(const ComplexInterval& z) { return abs(z); }
-ComplexInterval multiple(long factor, const ComplexInterval& z) { return {factor * z.real, factor * z.imag}; }
-ComplexInterval plus_one(const ComplexInterval& z) { return {z.real + 1, z.imag}; }
 Interval number(double x) { return Interval(x, mesh_precision); }
 
 /// z = sinh(t + i angle)
@@ -31,46 +25,26 @@ struct Hyperbola {
   ComplexInterval z, slope;
 };
 
-struct Exponentials {
-  explicit Exponentials(const ComplexInterval& z)
-      : square(exp(multiple(-2, z))), d{plus_one(multiple(4, z * square) - square * square)} {}
-  ComplexInterval square;  ///< e^{-2z}
-  ComplexInterval d;       ///< 2 e^{-2z} S
-};
-
 double decay_of(Symbol kernel) { return kernel == Symbol::normal ? 0 : bounds(kernel).decay; }
 
-/// |G| e^{r Re z}, I1's whole symbol and r = 0 for `normal`: with E = e^{-z}, D = 2 E^2 S it is (1 - E^2)^2/(z D),
-/// and otherwise 4/D, 2 (1 - E^2)/(z D), 2 (1 + E^2)/D.
+/// |G| e^{r Re z}; for `normal` of I1's whole symbol, (1 - e2)^2/(z Q), and r = 0.
 Interval symbol_size(Symbol kernel, const ComplexInterval& z) {
-  const Exponentials of(z);
-  const Interval over = 1 / size_of(of.d);
-  const Interval difference = size_of(plus_one(multiple(-1, of.square)));
-  switch (kernel) {
-    case Symbol::I3:
-      return 4 * over;
-    case Symbol::I4:
-      return 2 * difference * over / size_of(z);
-    case Symbol::I5:
-      return 2 * size_of(plus_one(of.square)) * over;
-    default:
-      return square(difference) * over / size_of(z);
-  }
+  const SymbolSizes at(z);
+  return kernel == Symbol::normal ? square(abs(at.one - at.e2)) / abs(z * at.q) : at.of(kernel);
 }
 
 /// |G z'/z| e^{r Re z}
 Interval integrand_size(Symbol kernel, const Hyperbola& at) {
-  return symbol_size(kernel, at.z) * size_of(at.slope) / size_of(at.z);
+  return symbol_size(kernel, at.z) * abs(at.slope) / abs(at.z);
 }
 
-/// [0, 6] in cells that are narrow near 0, and wide beyond 3, where D and the brackets of G are nearly 1.
-template <class Visit>
-void over_mesh(Visit visit) {
-  for (double left = 0; left < 6;) {
-    const double width = left < 0.5 ? 1.0 / 256 : left < 3 ? 1.0 / 64 : 1.0 / 32;
-    visit(cell(left, left + width), width);
-    left += width;
-  }
+/// [0, 6] in cells that are narrow near 0, and wide beyond 3, where Q and the brackets of G are nearly 1.
+void over_mesh(const std::function<void(const Interval& t, double width)>& visit) {
+  over_cells(
+      6, [](double left) { return left < 0.5 ? 1.0 / 256
+                                  : left < 3 ? 1.0 / 64
+                                             : 1.0 / 32; },
+      [&](double left, double right) { visit(cell(left, right), right - left); });
 }
 
 /// A bound of the integral of |G z'/z| over both halves of a hyperbola, |t| <= 6.
@@ -85,9 +59,27 @@ double edge_integral(Symbol kernel, double angle) {
 
 Interval half_pi() { return Interval::pi(mesh_precision) / 2; }
 
+/// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
+void check_same(const Interval& x, const Interval& y, double nats) {
+  CHECK(width_of(x - y) <= 5 * std::exp(-nats));
+  CHECK(has_zero(x - y));
+}
+
+constexpr mpfr_prec_t bits = 200;
+
+ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
+  return {Interval(exact(real), bits), Interval(exact(imaginary), bits)};
+}
+
+/// A real rate that is not known to be real, for which the paths are taken at all places.
+ComplexInterval nearly_real(const std::string& rate) {
+  const ComplexInterval real = rate_interval(exact(rate), 100);
+  return {real.real, real.imag.widened(exp(Interval(-1000L, 64)))};
+}
+
 }  // namespace
 
-// Beyond t = 6, where Re z > 110, D and the factors of G in brackets are 1 to 90 digits: there |G z'/z| is, but for
+// Beyond t = 6, where Re z > 110, Q and the factors of G in brackets are 1 to 90 digits: there |G z'/z| is, but for
 // that, 4, 2 or 2/|z| times e^{-r Re z} |z'/z|, or |z'|/|z|^2, and |z'/z| <= 1/cos(15/16) < 1.7. The integrals gain
 // less than 2 * 1.7 int |z|^{-1} dt < 0.02.
 TEST_CASE("memory by contour: the constants of its error hold on an interval mesh, and are not loose") {
@@ -109,7 +101,7 @@ TEST_CASE("memory by contour: the constants of its error hold on an interval mes
     constexpr double width = 1.0 / 256;
     for (double left = std::asinh(2 / std::cos(angle)) - 1e-12; left < 6; left += width) {
       const Hyperbola at(number(angle), cell(left, left + width));
-      CHECK(lowest(size_of(Exponentials(at.z).d)) > 0.78);
+      CHECK(lowest(abs(SymbolSizes(at.z).q)) > 0.78);
       for (const Symbol kernel : fading_kernels) {
         const Interval size = integrand_size(kernel, at);
         CHECK(highest(kernel == Symbol::normal ? size * exp(cell(left, left + width)) : size) <= 6);
@@ -121,7 +113,7 @@ TEST_CASE("memory by contour: the constants of its error hold on an interval mes
 }
 
 // For |Im z| <= pi/2 S has no root but 0: with 2z = u + iv, |v| <= pi, sinh 2z = -2z means cosh u sin v = -v, whose
-// sides have opposite signs unless v = 0, and then sinh u = -u. Beyond t = 6 |1 - D| < (4 |z| + 1) e^{-2 Re z} is
+// sides have opposite signs unless v = 0, and then sinh u = -u. Beyond t = 6 |1 - Q| < (4 |z| + 1) e^{-2 Re z} is
 // small.
 TEST_CASE("memory by contour: what its strip sweeps meets no root of S") {
   constexpr double turn = 1.0 / 64;
@@ -130,8 +122,8 @@ TEST_CASE("memory by contour: what its strip sweeps meets no root of S") {
     over_mesh([&](const Interval& t, double) {
       const Hyperbola at(cell(angle, angle + turn), t);
       if (highest(at.z.imag) < lowest(half_pi())) return;
-      const Exponentials of(at.z);
-      REQUIRE_FALSE((has_zero(of.d.real) && has_zero(of.d.imag)));
+      const SymbolSizes of(at.z);
+      REQUIRE_FALSE((has_zero(of.q.real) && has_zero(of.q.imag)));
       ++cells;
     });
   }
@@ -157,36 +149,12 @@ TEST_CASE("memory by contour: no pole is nearer to a path's strip than its error
   CHECK(largest >= 10);
 }
 
-namespace {
-
-/// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
-void check_same(const Interval& x, const Interval& y, double nats) {
-  CHECK(width_of(x - y) <= 5 * std::exp(-nats));
-  CHECK(has_zero(x - y));
-}
-
-constexpr mpfr_prec_t bits = 200;
-
-ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
-  return {Interval(exact(real), bits), Interval(exact(imaginary), bits)};
-}
-
-/// A real rate that is not known to be real, for which the paths are taken at all places.
-ComplexInterval nearly_real(const std::string& rate) {
-  const ComplexInterval real = rate_interval(exact(rate), 100);
-  return {real.real, real.imag.widened(exp(Interval(-1000L, 64)))};
-}
-
-}  // namespace
-
 TEST_CASE("memory by contour is what the residue series gives where both can") {
   for (const Symbol kernel : fading_kernels) {
     for (const std::string alpha : {"-200", "-1", "-0.3", "-1e-7", "0.6", "1", "30"}) {
       for (const std::string rate :
            {"1e-9", "0.04", "0.478", "0.481", "0.8", "1.25", "2.0943951", "17", "1e7"}) {
-        CAPTURE(bounds(kernel).name);
-        CAPTURE(alpha);
-        CAPTURE(rate);
+        CAPTURE(bounds(kernel).name, alpha, rate);
         for (const double nats : {50.0, 90.0}) {
           const ComplexInterval found = steady_memory(kernel, exact(alpha), nearly_real(rate), nats);
           check_same(found.real, steady_memory(kernel, exact(alpha), exact(rate), nats), nats);
@@ -210,10 +178,7 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
                                             {"40", "-90"},
                                             {"1e6", "1e7"},
                                             {"3", "1e300"}}) {
-        CAPTURE(bounds(kernel).name);
-        CAPTURE(alpha);
-        CAPTURE(real);
-        CAPTURE(imaginary);
+        CAPTURE(bounds(kernel).name, alpha, real, imaginary);
         if (kernel == Symbol::normal && alpha == std::string("0")) continue;
         const ComplexInterval best = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
         for (const double nats : {1.0, 5.0, 20.0}) {
@@ -232,15 +197,14 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
 TEST_CASE("memory by contour: at rate 0 it is the limit, of odd kernels beside pi/(4 rate)") {
   for (const Symbol kernel : fading_kernels) {
     for (const std::string alpha : {"-7", "-1", "-0.4", "1e-3", "0.8", "3"}) {
-      CAPTURE(bounds(kernel).name);
-      CAPTURE(alpha);
+      CAPTURE(bounds(kernel).name, alpha);
       const Exact rate = exact("1e-40");
       const Interval large = steady_memory(kernel, exact(alpha), rate, 60);
-      const Interval infinite = Interval::pi(400) / (4 * Interval(rate, 400));
+      const Interval pole = Interval::pi(400) / (4 * Interval(rate, 400));
       const Interval quarter = Interval::pi(400) / 4;
       const bool is_odd = bounds(kernel).parity == Parity::odd;
       check_same(steady_memory(kernel, exact(alpha), exact("0"), 60),
-                 is_odd ? large - infinite - quarter * Interval(exact(alpha), 400) : large, 60);
+                 is_odd ? large - pole - quarter * Interval(exact(alpha), 400) : large, 60);
     }
   }
 }

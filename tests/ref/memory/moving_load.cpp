@@ -4,11 +4,13 @@
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/decimal.hpp"
+#include "support/reference_values.hpp"
 #include "support/test.hpp"
 
 using namespace nipref::ref;
 using nipref::data::BadInput;
 using nipref::test::exact;
+using nipref::test::exacts;
 
 namespace {
 
@@ -27,31 +29,27 @@ const Exact one(1.0);
 }  // namespace
 
 TEST_CASE("moving load: operators are the solids that their roots make") {
-  const auto list = [](const std::vector<std::string>& texts) {
-    std::vector<Exact> numbers;
-    for (const std::string& text : texts) numbers.push_back(exact(text));
-    return numbers;
-  };
   // G = 3/8 (1 + p)/(2 + p), K = (1 + p)/(2 + p): the thesis's solid; and with a factor 3 + p on both sides of G.
   const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, one, one);
   for (const ExactMaterial& other :
-       {exact_material(
-            exact_operators(list({"2", "1"}), list({"0.375", "0.375"}), list({"2", "1"}), list({"1", "1"}))),
-        exact_material(exact_operators(list({"6", "5", "1"}), list({"1.125", "1.5", "0.375"}),
-                                       list({"2", "1"}), list({"1", "1"})))}) {
+       {exact_material(exact_operators(exacts({"2", "1"}), exacts({"0.375", "0.375"}), exacts({"2", "1"}),
+                                       exacts({"1", "1"}))),
+        exact_material(exact_operators(exacts({"6", "5", "1"}), exacts({"1.125", "1.5", "0.375"}),
+                                       exacts({"2", "1"}), exacts({"1", "1"})))}) {
     CHECK(other.theta1.fractions.empty());
     CHECK(other.theta1.terms[0].rate == solid.theta1.terms[0].rate);
     CHECK(other.theta1.terms[0].amplitude == solid.theta1.terms[0].amplitude);
     CHECK(other.theta2.instantaneous == solid.theta2.instantaneous);
   }
   // Kelvin and Voigt's G = 1 + p, Maxwell's K = p/(1 + p).
-  const ExactMaterial mixed =
-      exact_material(exact_operators(list({"1"}), list({"1", "1"}), list({"1", "1"}), list({"0", "1"})));
+  const ExactMaterial mixed = exact_material(
+      exact_operators(exacts({"1"}), exacts({"1", "1"}), exacts({"1", "1"}), exacts({"0", "1"})));
   CHECK(mixed.theta1.instantaneous == 0);
   CHECK(mixed.theta2.instantaneous == 0);
   const auto refused = [&](const std::vector<std::string>& q) {
-    CHECK_THROWS_AS(exact_material(exact_operators(list({"2", "1"}), list(q), list({"1"}), list({"1"}))),
-                    BadInput);
+    CHECK_THROWS_AS(
+        exact_material(exact_operators(exacts({"2", "1"}), exacts(q), exacts({"1"}), exacts({"1"}))),
+        BadInput);
   };
   refused({"1", "2", "1"});
   refused({"0", "0", "1"});
@@ -112,25 +110,19 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
   for (const std::string tau : {"1e-6", "0.3", "1e6"}) {
     const ExactMaterial solid = exact_solid(Solid::thesis, exact("1"), exact(tau));
     for (const std::string alpha : {"-900", "-30", "-0.01", "1e-9", "2.5", "30", "900"}) {
-      CAPTURE(tau);
-      CAPTURE(alpha);
+      CAPTURE(tau, alpha);
       const Exact passing(mpq_class(exact(alpha).value() + 4));
-      const auto difference = [&](auto value) {
+      const auto check = [&](auto value) {
         const Enclosure few = value(16), many = value(24);
-        Float error = zero_of_bits(64), allowed = zero_of_bits(64);
-        mpfr_sub(raw(error), raw(few.value), raw(many.value), MPFR_RNDA);
         // Far from the load a value may have far more digits than were asked for, and fewer when more were.
-        mpfr_add(raw(allowed), raw(few.error), raw(many.error), MPFR_RNDU);
-        CHECK(mpfr_cmpabs(raw(error), raw(allowed)) <= 0);
+        CHECK(meet(few, many));
       };
-      difference(
-          [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });
-      difference([&](int n) {
+      check([&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });
+      check([&](int n) {
         return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), one, one, solid, n);
       });
-      difference(
-          [&](int n) { return moving_load_normal_displacement(exact("4"), passing, one, one, solid, n); });
-      difference([&](int n) {
+      check([&](int n) { return moving_load_normal_displacement(exact("4"), passing, one, one, solid, n); });
+      check([&](int n) {
         return moving_load_tangential_displacement(exact("4"), passing, exact("-3"), one, one, solid, n);
       });
     }
@@ -144,27 +136,18 @@ TEST_CASE("moving load: a start that has faded is worked out to the digits that 
     return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), one, solid, 40);
   };
   const Enclosure here = value("5e-324"), at_start = value("0");
-  Float difference = zero_of_bits(64), allowed = zero_of_bits(64);
-  mpfr_sub(raw(difference), raw(here.value), raw(at_start.value), MPFR_RNDA);
-  mpfr_add(raw(allowed), raw(here.error), raw(at_start.error), MPFR_RNDU);
-  CHECK(mpfr_cmpabs(raw(difference), raw(allowed)) <= 0);
-  mpfr_div(raw(allowed), raw(allowed), raw(here.value), MPFR_RNDA);
-  CHECK(std::fabs(mpfr_get_d(raw(allowed), MPFR_RNDA)) < 2e-40);
+  CHECK(meet(here, at_start));
+  CHECK(static_cast<double>(abs((here.error + at_start.error) / here.value)) < 2e-40);
 }
 
 TEST_CASE("moving load: bad arguments are refused") {
   const ExactMaterial solid = exact_solid(Solid::thesis, one, one);
-  CHECK_THROWS_AS(moving_load_normal_displacement(exact("-1"), one, one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(one, one, one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2000"), one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), exact("0"), one, solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), one, exact("-1"), solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), one, one, solid, 10), BadInput);
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("0"), one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(moving_load_steady_tangential_displacement(exact("2000"), one, one, one, solid, 20),
-                  BadInput);
-  CHECK_THROWS_AS(exact_solid(Solid::thesis, exact("0"), one), BadInput);
-  CHECK_THROWS_AS(exact_solid(Solid::thesis, one, exact("-1")), BadInput);
+  CHECK_REFUSED(moving_load_normal_displacement(one, exact("2000"), one, one, solid, 20), "T = 2000");
+  CHECK_REFUSED(moving_load_normal_displacement(one, exact("2"), one, one, solid, 10), "digits = 10");
+  CHECK_REFUSED(moving_load_steady_tangential_displacement(exact("2000"), one, one, one, solid, 20),
+                "alpha = 2000");
+  CHECK_REFUSED(exact_solid(Solid::thesis, exact("0"), one), "bulk = 0");
+  CHECK_REFUSED(exact_solid(Solid::thesis, one, exact("-1")), "tau = -1");
   ExactMaterial growing = solid;
   growing.theta1.terms[0].rate = -1;
   CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, one, one, growing, 20), BadInput);
@@ -176,7 +159,6 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
     return Exact(std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random))).value();
   };
   const auto sign = [&] { return std::uniform_int_distribution(0, 1)(random) == 0 ? -1 : 1; };
-  const Exact one(1.0);
   const mpq_class small("1/1000000000");
   double loosest[2][3] = {};
   for (int i = 0; i < 132; ++i) {
@@ -202,9 +184,7 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
     const Exact t0(mpq_class(time.value() + eta)), new_t0(mpq_class(new_time.value() + eta + moved.alpha));
     const auto check = [&](const Enclosure& old_value, const Enclosure& new_value, const Interval& bound,
                            double& loose) {
-      Float change = zero_of_bits(200);
-      mpfr_sub(raw(change), raw(new_value.value), raw(old_value.value), MPFR_RNDN);
-      const double size = std::fabs(mpfr_get_d(raw(change), MPFR_RNDN)), most = mpfi_get_d(bound.get());
+      const double size = difference(new_value, old_value), most = mpfi_get_d(bound.get());
       CAPTURE(i);
       CHECK(size <= most);
       loose = std::max(loose, size / most);

@@ -11,8 +11,6 @@ using ref::Float;
 using ref::FloatStresses;
 using ref::InnerField;
 
-TEST_SUITE_BEGIN("ref's field of a contact");
-
 namespace {
 
 using Tractions = InnerField::Tractions;
@@ -74,8 +72,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
   for (const double half_length : {0.25, 1.0}) {
     const InnerField field(0, half_length, symmetric, {18, 1, 1});
     for (const double alpha : {0.3, -3.5}) {
-      CAPTURE(half_length);
-      CAPTURE(alpha);
+      CAPTURE(half_length, alpha);
       const double middle = half_length < 1 ? 0.25 : 0.0;  // far enough from the faces for forty loads
       const ref::FloatDisplacements here = field.displacements({alpha, middle}, exact),
                                     sum = Summed(half_length, symmetric, alpha, middle).moved;
@@ -108,8 +105,7 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
     for (const double alpha : {0.3, -3.5}) {
       // Far enough from the faces for forty loads.
       const double depth = half_length < 1 ? 0.25 : 0.0;
-      CAPTURE(half_length);
-      CAPTURE(alpha);
+      CAPTURE(half_length, alpha);
       CHECK(largest_difference(field.at({alpha, depth}),
                                Summed(half_length, lopsided, alpha, depth).stresses) < 1e-16);
       FloatStresses mirrored = field.at({alpha, -depth});
@@ -129,8 +125,7 @@ TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from t
   // sigma_x + sigma_y = -2 Im F, F = i (Z - sqrt(Z^2 - 1)) and so on: Muskhelishvili's function of an ellipse of pressure.
   for (const double y : {0.0, 0.5, 0.9999999, 1.25, -0.75}) {
     for (const double d : {0.0, 0x1p-10, 0.75, 4.0}) {
-      CAPTURE(y);
-      CAPTURE(d);
+      CAPTURE(y, d);
       using Complex = std::complex<long double>;
       const Complex Z(y, static_cast<long double>(d));
       const Complex root = std::sqrt(Z - 1.0L) * std::sqrt(Z + 1.0L);
@@ -151,8 +146,7 @@ TEST_CASE("fields of different fineness and of more digits agree, beside the end
   const InnerField field(0.125, 0.5, lopsided, {18, 1, 1}), finer(0.125, 0.5, lopsided, {24, 1.3, 1});
   for (const double alpha : {0.625, 0.62499999999, 0.125, 40.0}) {
     for (const double depth : {1.0, 1 - 1e-13, -0.9999, 0.5, 0.0}) {
-      CAPTURE(alpha);
-      CAPTURE(depth);
+      CAPTURE(alpha, depth);
       CHECK(largest_difference(field.at({alpha, depth}), finer.at({alpha, depth})) < 1e-17);
     }
   }
@@ -180,5 +174,3 @@ TEST_CASE("on a face it has the tractions, and far away it is nothing but what t
     CHECK(static_cast<double>(abs(far.across)) < 1e-15);
   }
 }
-
-TEST_SUITE_END();

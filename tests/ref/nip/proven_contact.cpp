@@ -1,10 +1,4 @@
 // What the proofs of the reference's contacts rest on, and that they notice what is wrong.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
@@ -12,6 +6,7 @@
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
 #include "support/intervals.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 
@@ -36,12 +31,28 @@ std::vector<BoundedColumn> columns_of(const Float& system, int size, SmoothKerne
   return solved(ChebyshevSystem::of_half_length(system, size, kernel, true), both_sides(size), half_length);
 }
 
-/// I1, but for the value that is asked for after `count` others.
-NormalKernel wrong_once(int count, const Interval& error) {
-  return [=, left = count](const Exact& alpha, double nats) mutable {
-    const Interval value = I1_interval(alpha, nats);
-    return left-- == 0 ? value + error : value;
-  };
+/// sqrt(m k) g_mk/2, m and k from `first` in steps of two, by the quadrature of the system.
+DenseMatrix<double> symmetric_form(const ChebyshevSystem& system, int first) {
+  const int n = system.size();
+  DenseMatrix<double> transform(n + 1 - first, n), part(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int k = 0; k < transform.rows(); ++k) {
+      const long m = 2L * k + first;
+      transform(k, i) = std::sqrt(m) * mpfr_get_d(system.cosines()(m * (2L * i + 1)).lower(), MPFR_RNDN);
+    }
+    for (int j = 0; j < n; ++j) part(i, j) = static_cast<double>(system.part(i, j)) * 2 / (n * n);
+  }
+  return transform * part * transform.transpose();
+}
+
+/// What the coefficients of `rough` miss: sum m |dc_m|.
+double missed_by(const ProvenExpansion& rough, const ProvenExpansion& truth) {
+  double missed = 0;
+  for (std::size_t m = 0; m < truth.coefficients.size(); ++m) {
+    const Float mine = m < rough.coefficients.size() ? middle_of(rough.coefficients[m]) : Float(0);
+    missed += static_cast<double>(m * abs(middle_of(truth.coefficients[m]) - mine));
+  }
+  return missed;
 }
 
 }  // namespace
@@ -67,38 +78,20 @@ TEST_CASE("a wrong kernel value in the 25th digit makes the proof fail, one know
     CHECK(width_of(truth) <= 1e-30 * highest(truth));
     for (const int count : {0, 7, 16, 23, 29}) {
       CAPTURE(count);
-      CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, error)), std::logic_error);
-      CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, -error)), std::logic_error);
-      const Interval wide = load_of(half_length, 30, wrong_once(count, either_side(error)));
+      CHECK_THROWS_AS(load_of(half_length, 30, once_wrong(I1_interval, count, error)), std::logic_error);
+      CHECK_THROWS_AS(load_of(half_length, 30, once_wrong(I1_interval, count, -error)), std::logic_error);
+      const Interval wide = load_of(half_length, 30, once_wrong(I1_interval, count, either_side(error)));
       CHECK(meet(wide, truth));
       CHECK(width_of(wide) > 1e4 * width_of(truth));
     }
   }
   const auto radius = [&](const Interval& wrong) {
-    SmoothKernel kernel(wrong_once(7, wrong), 40);
+    SmoothKernel kernel(once_wrong(I1_interval, 7, wrong), 40);
     return highest(columns_of(0.5, 30, kernel, Interval(0.5, working_bits())).back().radius);
   };
   CHECK_THROWS_AS(radius(error), std::logic_error);
   CHECK(radius(either_side(error)) > 1e4 * radius(Interval(64)));
 }
-
-namespace {
-
-/// sqrt(m k) g_mk/2, m and k from `first` in steps of two, by the quadrature of the system.
-DenseMatrix<double> symmetric_form(const ChebyshevSystem& system, int first) {
-  const int n = system.size();
-  DenseMatrix<double> transform(n + 1 - first, n), part(n, n);
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < transform.rows(); ++k) {
-      const long m = 2L * k + first;
-      transform(k, i) = std::sqrt(m) * mpfr_get_d(system.cosines()(m * (2L * i + 1)).lower(), MPFR_RNDN);
-    }
-    for (int j = 0; j < n; ++j) part(i, j) = static_cast<double>(system.part(i, j)) * 2 / (n * n);
-  }
-  return transform * part * transform.transpose();
-}
-
-}  // namespace
 
 TEST_CASE("the contact's quadratic form is at least what the proof takes for it, its entries at most") {
   const WorkingDigits working(25);
@@ -204,8 +197,7 @@ TEST_CASE("what entries are folded onto one is at most what the proof takes for 
 TEST_CASE("what tails of sums are taken for is at least what their terms sum to, and not much more") {
   for (const double rate : {0.05, 0.4, 2.0}) {
     for (const long first : {1L, 8L, 61L}) {
-      CAPTURE(rate);
-      CAPTURE(first);
+      CAPTURE(rate, first);
       double by_twos = 0, squares = 0;
       for (long m = first; m < first + 2000; ++m) {
         const auto term = static_cast<double>(m) * std::exp(-rate * static_cast<double>(m));
@@ -235,22 +227,7 @@ TEST_CASE("the inequalities of the contact's symbol that the proof uses hold on 
   }
 }
 
-namespace {
-
-/// What the coefficients of `rough` miss: sum m |dc_m|.
-double missed_by(const ProvenExpansion& rough, const ProvenExpansion& truth) {
-  double missed = 0;
-  for (std::size_t m = 0; m < truth.coefficients.size(); ++m) {
-    const Float mine = m < rough.coefficients.size() ? middle_of(rough.coefficients[m]) : Float(0);
-    missed += static_cast<double>(m * abs(middle_of(truth.coefficients[m]) - mine));
-  }
-  return missed;
-}
-
-}  // namespace
-
-TEST_CASE(
-    "an expansion too short for its contact has a radius that covers what it misses, of either parity") {
+TEST_CASE("an expansion too short for its contact has a radius that covers what it misses") {
   const WorkingDigits working(60);
   SmoothKernel smooth(I1_interval, 50);
   for (const double half_length : {0.01, 0.5, 2.0, 4.0}) {

@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
-
 #include <nipref/ref/number/internal/enclosed_system.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

@@ -83,8 +83,7 @@ TEST_CASE("copies and moves of Floats keep their bits, whatever the working prec
   }
 }
 
-TEST_CASE(
-    "results have all bits of operands that some working digits have made, and at most two less of others") {
+TEST_CASE("results have all bits of operands that working digits made, at most two less of others") {
   const WorkingDigits least(1);
   for (mpfr_prec_t bits = 20; bits <= 2000; ++bits) CHECK(bits_of(zero_of_bits(bits) + 1) >= bits - 2);
   for (int digits = 16; digits <= 1100; ++digits) {

@@ -18,8 +18,7 @@ double difference(const Vector& x, const Vector& y) {
 
 }  // namespace
 
-TEST_CASE(
-    "a refined solution is the eliminated one, of random and of nearly singular matrices, to the working digits") {
+TEST_CASE("a refined solution is the eliminated one, of random and of nearly singular matrices") {
   const WorkingDigits working(60);
   const long n = 30;
   std::mt19937 random(3);

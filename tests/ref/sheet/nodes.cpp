@@ -7,6 +7,7 @@
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/all_symbols.hpp"
+#include "support/intervals.hpp"
 #include "support/test.hpp"
 
 using namespace nipref::ref;
@@ -34,25 +35,6 @@ double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   return worst;
 }
 
-}  // namespace
-
-TEST_CASE("nodes are within a unit of nodes with many more digits") {
-  for (const Symbol symbol : all_symbols) {
-    for (const double step : {0.25, 0.0078125}) {
-      CAPTURE(bounds(symbol).name);
-      CAPTURE(step);
-      const Nodes coarse = make_nodes({symbol, step, 64});
-      const Nodes fine = make_nodes({symbol, step, 192});
-      const double worst = worst_node_error(coarse, fine);
-      CHECK(worst <= 1);
-      CHECK(worst > 0.4);  // rounded, so somewhere near half a unit
-      CHECK(fine.last > coarse.last);
-    }
-  }
-}
-
-namespace {
-
 /// Half the width of an interval of 128 bits or so, in units of 2^-128, over its smallest magnitude if it is relative.
 double units(const Interval& x, bool relative) {
   Float width = zero_of_bits(64), least = zero_of_bits(64);
@@ -63,6 +45,20 @@ double units(const Interval& x, bool relative) {
 }
 
 }  // namespace
+
+TEST_CASE("nodes are within a unit of nodes with many more digits") {
+  for (const Symbol symbol : all_symbols) {
+    for (const double step : {0.25, 0.0078125}) {
+      CAPTURE(bounds(symbol).name, step);
+      const Nodes coarse = make_nodes({symbol, step, 64});
+      const Nodes fine = make_nodes({symbol, step, 192});
+      const double worst = worst_node_error(coarse, fine);
+      CHECK(worst <= 1);
+      CHECK(worst > 0.4);  // rounded, so somewhere near half a unit
+      CHECK(fine.last > coarse.last);
+    }
+  }
+}
 
 TEST_CASE("a node's rounding is as counted: 70, 145 and 1500 units of its exponentials, 2^12/h, 2^13/h^2") {
   // By the same steps in intervals, rounded outwards with a bit more than the 128 of the count.
@@ -81,8 +77,7 @@ TEST_CASE("a node's rounding is as counted: 70, 145 and 1500 units of its expone
         if (j == 0) continue;
         const Interval x(static_cast<double>(j) * h, bits), e2 = square(e1);
         const Interval q = 4 * (x * e2) + (1 - square(e2));
-        CAPTURE(h);
-        CAPTURE(j);
+        CAPTURE(h, j);
         CHECK(units(e1, true) <= 70);
         CHECK(units(e2, true) <= 145);
         CHECK(units(q, false) <= 1500);
@@ -121,14 +116,12 @@ TEST_CASE("the store hands out one set for one key") {
 TEST_CASE("transforms asked for with different accuracy enclose the same number") {
   for (const Symbol symbol : all_symbols) {
     for (const char* text : {"1e-30", "0.4", "6", "90"}) {
-      CAPTURE(bounds(symbol).name);
-      CAPTURE(text);
+      CAPTURE(bounds(symbol).name, text);
       const Exact x = Exact::parse(text);
       const Interval finest = transform(symbol, x, 600 + 2.2 * x.approximate());
       for (const double nats : {40.0, 150.0, 350.0}) {
         const Interval coarse = transform(symbol, x, nats + 2.2 * x.approximate());
-        CHECK(mpfr_cmp(coarse.lower(), finest.lower()) <= 0);
-        CHECK(mpfr_cmp(coarse.upper(), finest.upper()) >= 0);
+        CHECK(is_inside(finest, coarse));
       }
     }
   }

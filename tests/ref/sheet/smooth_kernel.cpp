@@ -1,15 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
-
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 #include "support/intervals.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

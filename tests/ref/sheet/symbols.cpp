@@ -1,15 +1,11 @@
-#include <nipref/ref/number/interval.hpp>
-#include <nipref/ref/sheet/internal/symbols.hpp>
-
 #include "support/all_symbols.hpp"
 #include "support/intervals.hpp"
+#include "support/symbol_sizes.hpp"
 #include "support/test.hpp"
 
 // Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
-// With e1 = e^{-z}, e2 = e^{-2z}, Q = 1 - e2^2 + 4 z e2 = 2 e2 S the symbols times e^{r z} are
-//     I3 4/Q,  I4 2 (1 - e2)/(z Q),  I5 2 (1 + e2)/Q,  I7 2 (1 - e2)/Q,  I6_alpha 4/(z Q),  I6_eta 2 (1 +
-//     e2)/(z Q), normal [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z with u = e^{-3z/2}.
+// symbol_sizes.hpp has the symbols times e^{r z} but for normal, [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z with u = e^{-3z/2}.
 // The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80} and all factors but the leading constants are 1
 // to 30 digits or fall with x, so |G| e^{r x} stays below its supremum on the mesh (which those constants
 // approach) and the integrals gain less than e^{-39}.
@@ -18,34 +14,8 @@ using namespace nipref::ref;
 
 namespace {
 
-constexpr mpfr_prec_t precision = 64;
+constexpr mpfr_prec_t precision = SymbolSizes::bits;
 constexpr double mesh_end = 40;
-
-struct Box {
-  Interval re;
-  Interval im;
-};
-
-Box operator+(const Box& a, const Box& b) { return {a.re + b.re, a.im + b.im}; }
-Box operator-(const Box& a, const Box& b) { return {a.re - b.re, a.im - b.im}; }
-Box operator*(const Box& a, const Box& b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
-Box scaled(double factor, const Box& a) {
-  const Interval f(factor, precision);
-  return {f * a.re, f * a.im};
-}
-Box constant(double value) { return {Interval(value, precision), Interval(0L, precision)}; }
-Interval modulus(const Box& a) { return sqrt(square(a.re) + square(a.im)); }
-
-/// e^{-k z} on a cell.
-Box exponential(double k, const Interval& x, const Interval& y) {
-  const Interval size = exp(-(Interval(k, precision) * x));
-  const Interval angle = Interval(k, precision) * y;
-  Interval cosine(precision);
-  Interval sine(precision);
-  mpfi_cos(cosine.get(), angle.get());
-  mpfi_sin(sine.get(), angle.get());
-  return {size * cosine, -(size * sine)};
-}
 
 /// The lines that aliasing is bounded on.
 const Interval low_line(2L, precision);
@@ -53,36 +23,20 @@ const Interval high_line = 4 * Interval::pi(precision);
 
 /// sup of |G| e^{r x} on the cell x + iy, y > 0; of `normal` on the line y = 4 pi of its bound, symbols.hpp.
 Interval scaled_modulus(Symbol symbol, const Interval& x, const Interval& y) {
-  const Box z{x, y};
-  const Box one = constant(1);
-  const Box e2 = exponential(2, x, y);
-  const Box q = one - e2 * e2 + scaled(4, z) * e2;
-  switch (symbol) {
-    case Symbol::I3:
-      return 4 / modulus(q);
-    case Symbol::I4:
-      return 2 * modulus(one - e2) / modulus(z * q);
-    case Symbol::I5:
-      return 2 * modulus(one + e2) / modulus(q);
-    case Symbol::I7:
-      return 2 * modulus(one - e2) / modulus(q);
-    case Symbol::I6_alpha:
-      return 4 / modulus(z * q);
-    case Symbol::I6_eta:
-      return 2 * modulus(one + e2) / modulus(z * q);
-    case Symbol::normal:
-      break;
-  }
+  const SymbolSizes at({x, y});
+  if (symbol != Symbol::normal) return at.of(symbol);
   if (mpfi_cmp(y.get(), low_line.get()) > 0) {
     // 2 sinh^2 x - t (sinh 2x + 2x) is e^{x/2} [1 - v (1 + u) + v e^{-2x} - 2 x v (1 - u)]/(1 + u), v = e^{-x/2}.
     const Interval u = exp(-(3 * x) / 2), v = exp(-(x / 2)),
                    rest = v * (u + 1 - exp(-(2 * x)) + 2 * x * (1 - u));
-    return 2 * modulus({1 - rest, Interval(precision)}) / ((u + 1) * modulus(z * q)) +
-           4 * v * (1 - u) / ((u + 1) * modulus(q));
+    return 2 * abs(ComplexInterval{1 - rest, Interval(precision)}) / ((u + 1) * abs(at.z * at.q)) +
+           4 * v * (1 - u) / ((u + 1) * abs(at.q));
   }
-  const Box one_plus_u = one + exponential(1.5, x, y);
-  const Box numerator = q - exponential(0.5, x, y) * (one + scaled(2, z) - e2) * one_plus_u;
-  return 2 * modulus(numerator) / modulus(z * q * one_plus_u);
+  const auto falling = [&](double k) { return exp(SymbolSizes::number(-k) * at.z); };
+  const ComplexInterval one_plus_u = at.one + falling(1.5);
+  const ComplexInterval numerator =
+      at.q - falling(0.5) * (at.one + SymbolSizes::number(2) * at.z - at.e2) * one_plus_u;
+  return 2 * abs(numerator) / abs(at.z * at.q * one_plus_u);
 }
 
 /// (1 - e^{-k x})/x on a cell of the real axis: it falls from k at 0.
@@ -122,14 +76,9 @@ Interval scaled_modulus_on_axis(Symbol symbol, double left, double right) {
   return cell(0, std::max(1.0, highest(second)));
 }
 
-template <class Visit>
-void over_mesh(Visit visit) {
-  double left = 0;
-  while (left < mesh_end) {
-    const double width = left < 4 ? 1.0 / 256 : 1.0 / 32;
-    visit(left, left + width);
-    left += width;
-  }
+void over_mesh(const std::function<void(double left, double right)>& visit) {
+  over_cells(
+      mesh_end, [](double left) { return left < 4 ? 1.0 / 256 : 1.0 / 32; }, visit);
 }
 
 /// Upper bound of sup min(1, x)^k |G(x)| e^{r x}.
@@ -148,7 +97,7 @@ double integral_on(Symbol symbol, const Interval& y, int power) {
   over_mesh([&](double left, double right) {
     const Interval x = cell(left, right);
     Interval value = scaled_modulus(symbol, x, y) * exp(-(Interval(bounds(symbol).decay, precision) * x));
-    if (power == 1) value = value * modulus({x, y});
+    if (power == 1) value = value * abs(ComplexInterval{x, y});
     sum += 2 * highest(value) * (right - left) * (1 + 1e-12);
   });
   return sum + std::exp(-35.0);

@@ -1,11 +1,8 @@
 // The sheet's compliances as the rolling contact has them, whatever they are described by.
-#include <doctest/doctest.h>
-
-#include <complex>
-#include <utility>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_material.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::ref;

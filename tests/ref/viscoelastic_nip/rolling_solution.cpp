@@ -1,10 +1,7 @@
 // The rolling contact's solution: what it leaves of its equations.
-#include <doctest/doctest.h>
-
-#include <memory>
-#include <numbers>
-
 #include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 

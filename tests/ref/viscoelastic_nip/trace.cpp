@@ -1,7 +1,7 @@
 // Functions of the way along a sheet, and what memories make of them: against closed forms.
-#include <doctest/doctest.h>
-
 #include <nipref/ref/viscoelastic_nip/internal/trace.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref::ref;
 
@@ -25,8 +25,7 @@ TEST_CASE("ref: what memories make of an exponential, whatever their rates") {
   for (const ComplexFloat& rate :
        {ComplexFloat(2), ComplexFloat(Float(1) / 1000), ComplexFloat(4000), ComplexFloat(3, 20)}) {
     for (const Float& x : {Float(1) / 7, Float(1), Float(5) / 2, Float(4)}) {
-      CAPTURE(rate.re);
-      CAPTURE(x);
+      CAPTURE(rate.re, x);
       const Float left = exp(-x);
       const ComplexFloat faded = (exp(-(rate * x)) - ComplexFloat(left)) / (one - rate);
       CHECK(is_near(trace.faded(rate, x), faded));

@@ -44,8 +44,7 @@ TEST_CASE("the audit passes the sound kernel, the same every time") {
   CHECK(found.worst == again.worst);
 }
 
-TEST_CASE(
-    "the audit finds what is wrong in a window, at one point alone or nowhere a number, and climbs to a peak") {
+TEST_CASE("the audit finds what is wrong in a window, at one point or no number, and climbs to a peak") {
   struct Planted {
     std::size_t points;
     double lower, upper;  ///< where |alpha| of the worst is
@@ -76,8 +75,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a density scales a quantity's own number of points, one is the least, and a number of points is absolute") {
+TEST_CASE("a density scales a quantity's own number of points, at least one; a given number is absolute") {
   Quantity quantity = verify::find_quantity("I3");
   quantity.audit_points = 6;
   const auto points = [&](std::size_t absolute, double density) {
@@ -138,8 +136,7 @@ TEST_CASE("points of the ranges that have no such quantity are left out, unless 
   CHECK_THROWS_AS(static_cast<void>(verify::audit(quantity, options)), data::BadInput);
 }
 
-TEST_CASE(
-    "points of the whole domain for which the reference has no value are counted, not a fault of the audit") {
+TEST_CASE("points for which the reference has no value are counted, and no fault of the audit") {
   Quantity quantity = verify::find_quantity("I1");
   const auto sound = quantity.by_ref;
   quantity.by_ref = [sound](std::span<const ref::Exact> x, int digits) {

@@ -9,8 +9,7 @@
 
 using namespace nipref;
 
-TEST_CASE(
-    "hard cases of the contacts: each error that ref can tell is within what condition or estimate allow") {
+TEST_CASE("hard cases of contacts: errors that ref can tell are within what condition or estimate allow") {
   std::vector<verify::ContactAudit> audits;
   for (std::size_t group = 0; group < verify::hard_case_groups; ++group)
     std::ranges::move(verify::audit_hard_cases(group), std::back_inserter(audits));
@@ -31,9 +30,7 @@ TEST_CASE(
   CHECK(std::ranges::count_if(audits, [](const auto& audit) { return audit.kept().has_value(); }) > 30);
   CHECK(verify::all_kept(audits));
   for (const verify::ContactAudit& audit : audits) {
-    CAPTURE(audit.system);
-    CAPTURE(audit.ratio);
-    CAPTURE(audit.poisson);
+    CAPTURE(audit.system, audit.ratio, audit.poisson);
     CHECK(audit.condition.has_value() == (audit.system.find("line loads") == 0));
     CHECK(audit.oscillation.has_value() == (contains(audit.system, "full friction")));
     if (audit.system == "line loads, no friction" && audit.error) {
@@ -51,8 +48,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a contact without an independent truth gets no verdict, and what is not known is a dash and null") {
+TEST_CASE("a contact without an independent truth gets no verdict; what is not known is a dash and null") {
   const verify::ContactAudit alone{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8};
   verify::ContactAudit kept{"line loads, no friction", 30, 0.5, 11, 1e4, {}, 1e-11};
   kept.error = 1e-14;

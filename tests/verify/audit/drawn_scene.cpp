@@ -1,7 +1,6 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 
-#include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -19,8 +18,7 @@ TEST_CASE("a drawn scene's text is a scene's file: what it says is read back to 
   for (std::uint64_t index = 0; index < verify::drawn_kinds().size(); ++index) {
     const verify::DrawnScene drawn = verify::draw_scene("read back", index);
     CAPTURE(drawn.toml());
-    const ScratchFile file(drawn.toml());
-    const data::Scene scene = data::load_scene(file.path());
+    const data::Scene scene = data::parse_scene(drawn.toml(), "drawn");
     CHECK(scene.accuracy == drawn.number("accuracy"));
     CHECK(scene.wanted == drawn.wanted());
     CHECK(scene.title.find(verify::drawn_kinds()[index]) == 0);
@@ -71,7 +69,6 @@ TEST_CASE("scenes are drawn to the ends of their domains, and few are none") {
     double least, small, large,
         most;  ///< all from `least` to `most`, some below `small` and some above `large`
   };
-  constexpr double infinite = std::numeric_limits<double>::infinity();
   for (const auto& [key, least, small, large, most] : {Domain{"accuracy", 1e-13, 2e-13, 5e-3, 0.1},
                                                        {"ratio", 1e-4, 2e-4, 500, 1e3},
                                                        {"material.poisson", -1, -0.88, 0.499, 0.4999 + 1e-9},

@@ -66,9 +66,7 @@ TEST_CASE("dots for a plot hold the largest error of each part of the axis, spik
   CHECK(spike->at == points[1234][0]);
 }
 
-TEST_CASE(
-    "in a plot arguments beyond the ends of their axis lie there, and errors without a number nowhere") {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
+TEST_CASE("in a plot arguments beyond their axis lie at its ends, and errors without a number nowhere") {
   const std::vector<Point> points{{0, 1}, {-1e-300, 1}, {-2, 1}, {3, 1}, {1e300, 1}};
   const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(3), of_ulps(infinite), of_ulps(4)};
   const auto dots = spread_of(points, findings).dots;

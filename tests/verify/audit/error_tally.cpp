@@ -7,8 +7,6 @@ using namespace nipref::verify;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 ErrorTally tally_of(const std::vector<double>& numbers) {
   ErrorTally tally;
   for (const double number : numbers) tally.add(number);

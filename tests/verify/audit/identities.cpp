@@ -40,45 +40,47 @@ void check_agree(const verify::DrawnScene& drawn, double part) {
   }
 }
 
-verify::DrawnScene nip() {
+using Keys = std::map<std::string, verify::DrawnScene::Value>;
+
+verify::DrawnScene drawn_of(const std::vector<data::ResultId>& wanted, const Keys& keys) {
   verify::DrawnScene drawn;
-  drawn.set("title", std::string("a nip"));
-  drawn.set_wanted({data::ResultId::contact_length, data::ResultId::load, data::ResultId::indentation,
-                    data::ResultId::creep_ratio, data::ResultId::peak_pressure, data::ResultId::pressure,
-                    data::ResultId::shear, data::ResultId::normal_displacement,
-                    data::ResultId::tangential_displacement});
-  drawn.set("accuracy", 1e-11);
-  drawn.set("roller.radius", 6.0);
-  drawn.set("sheet.thickness", 0.25);
-  drawn.set("contact.length", 0.5);
-  drawn.set("friction.model", std::string("none"));
-  drawn.set("method.kind", std::string("converged"));
-  drawn.set("profile.positions", std::vector<double>{0, 0.125, -0.1875, 0.375});
-  drawn.set("material.model", std::string("elastic"));
-  drawn.set("material.young", 3.0);
-  drawn.set("material.poisson", 0.3);
+  drawn.set("title", std::string("a test"));
+  drawn.set_wanted(wanted);
+  for (const auto& [key, value] : keys) drawn.set(key, value);
   return drawn;
 }
 
+verify::DrawnScene nip() {
+  using enum data::ResultId;
+  return drawn_of({contact_length, load, indentation, creep_ratio, peak_pressure, pressure, shear,
+                   normal_displacement, tangential_displacement},
+                  {{"accuracy", 1e-11},
+                   {"roller.radius", 6.0},
+                   {"sheet.thickness", 0.25},
+                   {"contact.length", 0.5},
+                   {"friction.model", "none"},
+                   {"method.kind", "converged"},
+                   {"material.model", "elastic"},
+                   {"material.young", 3.0},
+                   {"material.poisson", 0.3},
+                   {"profile.positions", std::vector<double>{0, 0.125, -0.1875, 0.375}}});
+}
+
 verify::DrawnScene die() {
-  verify::DrawnScene drawn;
-  drawn.set("title", std::string("a die"));
-  drawn.set_wanted({data::ResultId::span_along, data::ResultId::span_across, data::ResultId::span_ratio,
-                    data::ResultId::normal_force, data::ResultId::peak_pressure, data::ResultId::axis_ratio,
-                    data::ResultId::orientation, data::ResultId::approach, data::ResultId::critical_speed,
-                    data::ResultId::span, data::ResultId::compliance, data::ResultId::coupling});
-  drawn.set("half_space.model", std::string("isotropic"));
-  drawn.set("half_space.shear", 3.0);
-  drawn.set("half_space.poisson", 0.25);
-  drawn.set("half_space.density", 2.0);
-  drawn.set("die.radius_along", 1.0);
-  drawn.set("die.radius_across", 2.5);
-  drawn.set("sliding.speed", 0.5);
-  drawn.set("sliding.direction", 30.0);
-  drawn.set("contact.span_along", 0.125);
-  drawn.set("method.kind", std::string("exact"));
-  drawn.set("profile.positions", std::vector<double>{0, 30, -30, 75});
-  return drawn;
+  using enum data::ResultId;
+  return drawn_of({span_along, span_across, span_ratio, normal_force, peak_pressure, axis_ratio, orientation,
+                   approach, critical_speed, span, compliance, coupling},
+                  {{"half_space.model", "isotropic"},
+                   {"half_space.shear", 3.0},
+                   {"half_space.poisson", 0.25},
+                   {"half_space.density", 2.0},
+                   {"die.radius_along", 1.0},
+                   {"die.radius_across", 2.5},
+                   {"sliding.speed", 0.5},
+                   {"sliding.direction", 30.0},
+                   {"contact.span_along", 0.125},
+                   {"method.kind", "exact"},
+                   {"profile.positions", std::vector<double>{0, 30, -30, 75}}});
 }
 
 }  // namespace
@@ -103,7 +105,7 @@ TEST_CASE("every variant of a rolling nip is the same contact, in each material'
   check_agree(drawn, 1e-9);
   drawn.remove("material.young");
   drawn.remove("material.poisson");
-  const auto check_material = [&](const std::map<std::string, verify::DrawnScene::Value>& keys) {
+  const auto check_material = [&](const Keys& keys) {
     verify::DrawnScene with_material = drawn;
     for (const auto& [key, value] : keys) with_material.set("material." + key, value);
     CAPTURE(with_material.text("material.model"));

@@ -91,7 +91,7 @@ TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its a
 }
 
 TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved again") {
-  verify::SceneFindings uncovered = findings(1, std::numeric_limits<double>::infinity(), 0.1);
+  verify::SceneFindings uncovered = findings(1, infinite, 0.1);
   uncovered.uncovered = 1;
   verify::SceneFindings failed = findings(2, 0, 0.1);
   failed.failed = "a fault";

@@ -51,8 +51,7 @@ TEST_CASE("blocks share out all items, and differ by one at most") {
   CHECK(Blocks(million_millions, 4096).first(244'140'625) == million_millions);
 }
 
-TEST_CASE(
-    "the blocks of an audit have its listed points among them once each, and one dense point in each cell") {
+TEST_CASE("the blocks of an audit have each listed point once, and one dense point in each cell") {
   const Quantity& quantity = find_quantity("I3");
   AuditOptions options{20'000, {}, {}};
   options.more_points = {{0.7296875}, {0.8296875}};

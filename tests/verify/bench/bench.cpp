@@ -21,6 +21,12 @@ std::string ref_I1(const std::string& alpha, int digits) {
   return verify::find_quantity("I1").by_ref(arguments, digits).value_text();
 }
 
+std::string bench_text(const verify::BenchReport& report) {
+  verify::Json answer = verify::bench_json(report);
+  answer.set("_machine", nullptr);
+  return verify::text_of("bench.txt", answer);
+}
+
 }  // namespace
 
 TEST_CASE("the peers in double compute I1") {
@@ -48,8 +54,7 @@ TEST_CASE("the distance of two decimal texts keeps what a double would lose") {
   CHECK(verify::decimal_distance("1e-3", "0.001") == 0);
 }
 
-TEST_CASE(
-    "the stopwatch plans by a run that finds what the first has built, and asks for no more than there is") {
+TEST_CASE("the stopwatch plans by a run that finds what the first built, and asks for what there is") {
   int runs = 0;
   const verify::Contender slow_at_first{[&](std::size_t) {
                                           if (++runs == 1)
@@ -154,16 +159,6 @@ TEST_CASE("a way is marked if none beats it, and ways to other values do not mat
   CHECK(marked == "exact coarse other ");
 }
 
-namespace {
-
-std::string bench_text(const verify::BenchReport& report) {
-  verify::Json answer = verify::bench_json(report);
-  answer.set("_machine", nullptr);
-  return verify::text_of("bench.txt", answer);
-}
-
-}  // namespace
-
 TEST_CASE("a missed ratio of times fails a run only where it is strict, one of errors always") {
   const verify::BenchRatio kept{"time", 2, 1}, slow{"time", 1, 2}, coarse{"error", 1, 2, true};
   for (const bool strict : {false, true}) {
@@ -173,4 +168,14 @@ TEST_CASE("a missed ratio of times fails a run only where it is strict, one of e
   }
   CHECK(!contains(bench_text({{}, {kept}}), "--strict"));
   CHECK(contains(bench_text({{}, {kept, slow}}), "with --strict only"));
+}
+
+TEST_CASE("slower is what is so in every round") {
+  const auto row = [](double second_round) {
+    return nipref::verify::AgainstRow{"I1", "all", "fast full", {{11.5, second_round, 13}, {10, 10, 10}, 0},
+                                      {},   {}};
+  };
+  CHECK(row(12).slower_by(0.1));
+  CHECK_FALSE(row(12).slower_by(0.15));
+  CHECK_FALSE(row(9).slower_by(0.1));
 }

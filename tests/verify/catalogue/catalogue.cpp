@@ -78,8 +78,7 @@ TEST_CASE("both paths agree within the promise at random points, and what is pro
     const std::size_t most = (quantity.is_costly ? 12U : 45U) / (is_thorough() ? 1U : 6U);
     const std::size_t points = std::min(most, quantity.audit_points / 3);
     for (const Point& point : verify::random_points(quantity, {}, points, random)) {
-      CAPTURE(quantity.name);
-      CAPTURE(point.front());
+      CAPTURE(quantity.name, point.front());
       const double value = quantity.by_fast(point, {});
       const ref::Estimate truth = verify::ref_value(quantity, point, digits);
       CHECK(verify::deviation(value, truth, quantity.envelope(point)).ulps <= quantity.promise);
@@ -165,8 +164,7 @@ TEST_CASE("random numbers are reproducible and of the range asked for") {
   CHECK(equal < 5);
 }
 
-TEST_CASE(
-    "arguments are matched by name, a point's numbers are found by it, and what fits no double is for ref only") {
+TEST_CASE("arguments are matched and found by name, and what fits no double is for ref only") {
   const Quantity& vs = verify::find_quantity("vs");
   const auto parsed = verify::parse_arguments(vs, {{"poisson", "0.25"}, {"eta", "0x1p-1"}, {"alpha", "0.1"}});
   CHECK(parsed.text == std::vector<std::string>{"0.1", "0x1p-1", "1", "0.25"});

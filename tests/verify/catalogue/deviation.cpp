@@ -28,14 +28,11 @@ bool is_met_of(const std::string& value, const std::string& error, int digits, d
                         ref::Estimate(decimal(value), decimal(error), digits), digits);
 }
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon(),
-                 infinite = std::numeric_limits<double>::infinity(),
-                 not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-TEST_CASE(
-    "a deviation counts ulps of the value, near a zero of the envelope, and adds the reference's bound") {
+TEST_CASE("a deviation counts ulps of the value or the envelope, and adds the reference's bound") {
   const verify::Deviation found = deviation_of(1 + 3 * epsilon, "1", "0", 0);
   CHECK(found.ulps == 3);
   CHECK(found.relative == 3 * epsilon);
@@ -55,8 +52,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "an ulp is the distance to the next larger double, never below the smallest, and of no number none") {
+TEST_CASE("an ulp is the distance to the next larger double, never below the smallest") {
   for (const double scale : {1.0, 1.5, 0x1.fffffffffffffp0, 2.0, 1e-300, 1e300, 0x1p-1022, 0x1p-1074, 0.0}) {
     CAPTURE(scale);
     CHECK(verify::ulp_of(scale) == std::nextafter(scale, infinite) - scale);

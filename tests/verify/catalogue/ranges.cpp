@@ -18,6 +18,7 @@ TEST_CASE("a range is gone through evenly, by its logarithm or by the doubles in
   const Range bits = parse_range("alpha", "1..4:bits");  // as many doubles from 1 to 2 as from 2 to 4
   CHECK(bits.at(0.5) == 2);
   CHECK(bits.at(0.75) == 3);
+  CHECK(parse_range("alpha", "-1e10..1e10:bits").at(0.5) == 0);
   for (const char* const text :
        {"0x1p-1..0.7", "-3..1e300", "1e-300..0.3:log", "-1e308..1e308:bits", "-2..-1:bits"}) {
     CAPTURE(text);
@@ -29,10 +30,6 @@ TEST_CASE("a range is gone through evenly, by its logarithm or by the doubles in
       CHECK(range.at(fraction) <= range.at(fraction + 0x1p-7));
     }
   }
-}
-
-TEST_CASE("zero lies in the middle of the doubles between a number and its opposite") {
-  CHECK(parse_range("alpha", "-1e10..1e10:bits").at(0.5) == 0);
 }
 
 TEST_CASE("a single number is a range of one, and the name of a choice its number") {
@@ -60,16 +57,8 @@ TEST_CASE("a point is in the ranges if each of its numbers is") {
 
 TEST_CASE("what is no range is refused by the argument's name") {
   for (const char* const text : {"", "..", "1..", "..2", "2..1", "a..b", "1..2:", "1..2:cubic", "0..1:log",
-                                 "-1..1:log", "1..1e400", "1e400", "nan", "1..inf", "1,2"}) {
-    CAPTURE(text);
-    try {
-      static_cast<void>(parse_range("alpha", text));
-      FAIL("not refused");
-    } catch (const BadInput& refusal) {
-      CHECK(refusal.argument() == "alpha");
-      CHECK(refusal.value() == text);
-    }
-  }
+                                 "-1..1:log", "1..1e400", "1e400", "nan", "1..inf", "1,2"})
+    CHECK_REFUSED(parse_range("alpha", text), "alpha = " + std::string(text) + ": ");
   const Quantity& quantity = find_quantity("I6");
   CHECK_THROWS_AS(static_cast<void>(parse_ranges(quantity, {{"beta", "1..2"}})), BadInput);
   CHECK_THROWS_AS(static_cast<void>(parse_ranges(quantity, {{"eta", "1"}, {"eta", "2"}})), BadInput);

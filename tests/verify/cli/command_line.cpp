@@ -1,20 +1,23 @@
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/json_schema.hpp"
+#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
+#include "support/scratch.hpp"
 #include "support/table_rows.hpp"
 #include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -114,8 +117,7 @@ void check_schema(const json& answer, const std::string& definition) {
 void check_answer(const TabledCall& tabled) {
   int status = 0;
   for (const std::string& claim : tabled.claims) {
-    CAPTURE(tabled.call);
-    CAPTURE(claim);
+    CAPTURE(tabled.call, claim);
     const auto text = [&] { return answered(tabled.call, status); };
     const auto in_json = [&] { return json::parse(answered(tabled.call + " --json", status)); };
     if (claim.starts_with("status ")) {
@@ -132,6 +134,16 @@ void check_answer(const TabledCall& tabled) {
       CHECK(contains(unfolded(text()), claim.substr(claim.starts_with('!'))) != claim.starts_with('!'));
     }
   }
+}
+
+/// The README's lines that call the program, without what is said of them.
+std::vector<std::string> commands() {
+  std::ifstream readme(fs::path(source_directory()) / "README.md");
+  std::vector<std::string> found;
+  for (std::string line; std::getline(readme, line);) {
+    if (line.starts_with("    nipref ")) found.push_back(line.substr(11, line.find(" #") - 11));
+  }
+  return found;
 }
 
 }  // namespace
@@ -152,8 +164,7 @@ TEST_CASE("calls are answered: the text's words and the members in JSON, with th
   for (const TabledCall& tabled : calls) check_answer(tabled);
 }
 
-TEST_CASE(
-    "list names the whole catalogue, 'help scene' every key and result of scenes with unit and meaning") {
+TEST_CASE("list names the whole catalogue, 'help scene' all keys and results with unit and meaning") {
   const json listed = answer_to("list").at("quantities"), answer = answer_to("list scene");
   const std::string all = run("list").out, of_scenes = run("help scene").out;
   CHECK(listed.size() == verify::catalogue().size());
@@ -188,22 +199,11 @@ TEST_CASE("each verb's help has what its names are, two examples and the exit st
                                             std::to_string(most.audit_points) + ", see list"));
 }
 
-TEST_CASE("an error in two digits is never less than the error") {
-  for (const auto& [error, text] : {std::pair{0.0, "0.0e+00"},
-                                    {1e-3, "1.0e-03"},
-                                    {1.01e-3, "1.1e-03"},
-                                    {1.99e-3, "2.0e-03"},
-                                    {9.949e-3, "1.0e-02"}})
-    CHECK(verify::upward_text(error) == text);
-}
-
-TEST_CASE(
-    "defaults are in the domains of the table of verbs, and what is beyond a domain is refused by every verb") {
+TEST_CASE("defaults are in the domains of the table of verbs, and each verb refuses what is beyond") {
   std::size_t ranges = 0;
   for (const verify::VerbText& verb : verify::verbs()) {
     for (const verify::OptionText& option : verb.options) {
-      CAPTURE(verb.name);
-      CAPTURE(option.name);
+      CAPTURE(verb.name, option.name);
       if (!option.usual.empty()) CHECK_NOTHROW(verify::check_option(option, option.usual));
       if (option.positive) {
         for (const char* const beyond : {"0", "-1", "nan"})
@@ -222,4 +222,18 @@ TEST_CASE(
     }
   }
   CHECK(ranges > 10);
+}
+
+TEST_CASE("every command of the README does what it says, with status 0") {
+  const ScratchFolder folder;
+  for (const char* const name : {"mine.so", "old.so"})
+    fs::copy_file(plugin_file("readme"), folder.file(name));
+  folder.write("results.csv", "# quantity: I2\nalpha,value\n0.5,1.5707963267948966\n");
+  const std::string start = "cd '" + folder.path().string() + "' && '" + program() + "' ";
+  const std::vector<std::string> all = commands();
+  CHECK(all.size() >= 15);
+  for (const std::string& command : all) {
+    CAPTURE(command);
+    CHECK(std::system((start + command + " >log 2>&1").c_str()) == 0);
+  }
 }

@@ -1,18 +1,15 @@
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <nlohmann/json.hpp>
 
 #include <nipref/data/directory.hpp>
-#include <nipref/data/input_file.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch_file.hpp"
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 #include "support/unfolded.hpp"
 
@@ -59,12 +56,7 @@ TEST_CASE("values of the points that nipref gave out are graded, from a file and
   CHECK(row["max_error_ulp"].get<double>() > 0);
   CHECK(run("grade - I1 --json < '" + sound.path() + "'").status == 0);
   // What is read of a pipe to know what it is would be missing, or waited for.
-  const std::string pipe = sound.path() + ".pipe";
-  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK(run("grade '" + pipe + "' I1 --json & graded=$!; cat '" + sound.path() + "' >'" + pipe +
-            "'; (sleep 30; kill $graded) >/dev/null 2>&1 & wait $graded")
-            .status == 0);
-  std::filesystem::remove(pipe);
+  CHECK(run_with_pipe("grade", sound.path(), "I1 --json").status == 0);
   CHECK(run("grade '" + sound.path() + "' --promise 1e-3ulp").status == 1);
 
   const ScratchFile wrong(with_values(
@@ -85,8 +77,7 @@ TEST_CASE("the same call gives the same points, another seed others, and all lie
   }));
 }
 
-TEST_CASE(
-    "a baseline is made where that is asked, kept whatever the folder, and not raised without a reason") {
+TEST_CASE("a baseline is made where asked, kept whatever the folder, and not raised without a reason") {
   const ScratchFolder folder;
   const std::string baseline = folder.file("baseline.toml"), junit = folder.file("junit.xml"),
                     against = " --promise 1000 --baseline '" + baseline + "'";
@@ -109,10 +100,10 @@ TEST_CASE(
   const Outcome found = run(worse + " --junit '" + junit + "'");
   CHECK(found.status == 1);
   CHECK(contains(found.out, "baseline: WORSE"));
-  CHECK(contains(nipref::data::text_of_input_file(junit, "file"), "name=\"mine.csv as I1, its points\""));
+  CHECK(contains(text_of_file(junit), "name=\"mine.csv as I1, its points\""));
   CHECK(run(worse + " --update-baseline").status == 1);
   CHECK(run(worse + " --update-baseline --accept 'shorter'").status == 0);
-  CHECK(contains(nipref::data::text_of_input_file(baseline, "file"), "shorter"));
+  CHECK(contains(text_of_file(baseline), "shorter"));
 }
 
 TEST_CASE("JUnit tells the outcome of a grade, and what cannot be graded is refused") {

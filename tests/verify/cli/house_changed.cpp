@@ -1,7 +1,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/house.hpp>
 
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using nipref::verify::touched_subjects;

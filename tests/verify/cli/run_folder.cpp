@@ -1,25 +1,24 @@
 #include <nlohmann/json.hpp>
 
-#include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/random.hpp>
 
 #include "support/json_schema.hpp"
-#include "support/refusal.hpp"
+#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;
+using verify::Shard;
 
 namespace {
 
 constexpr auto fingerprint = "{\n  \"of\": \"this\",\n  \"works\": 1\n}\n";
-
-std::string text_in(const fs::path& file) { return data::text_of_input_file(file, "file"); }
 
 /// A cheap audit of ten blocks.
 verify::AuditOptions ten_blocks() {
@@ -57,8 +56,7 @@ std::string merged(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE(
-    "a run that is killed again and again finds what one process finds, and does a block twice at most a kill") {
+TEST_CASE("a run killed again and again finds what one process finds, and repeats a block a kill at most") {
   const ScratchFolder alone, killed;
   Process one;
   one.run(alone.path(), {}, 10);
@@ -72,7 +70,7 @@ TEST_CASE(
       done += process.done;
       // A kill amidst writing: part of the last line is there, or nothing.
       const fs::path file = killed.path() / (shard.index == 0 ? "shard-1-of-2.jsonl" : "shard-2-of-2.jsonl");
-      const std::string text = text_in(file);
+      const std::string text = text_of_file(file);
       if (process.done == 0 || round > 8) continue;
       const std::size_t start = text.rfind('\n', text.size() - 2) + 1;  // npos + 1 is the file's start
       fs::resize_file(file, start + random.index(text.size() - start));
@@ -100,7 +98,7 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   CHECK(again.there.count() == 3);
   CHECK(again.there.of() == 10);
 
-  const std::string done = text_in(folder.file("shard-1-of-2.jsonl")),
+  const std::string done = text_of_file(folder.file("shard-1-of-2.jsonl")),
                     line = done.substr(0, done.find('\n') + 1);
   const auto reading = [&](const std::string& text) {
     folder.write("shard-2-of-2.jsonl", text);
@@ -132,11 +130,10 @@ TEST_CASE("a folder takes no other run, and a shard no second process") {
   std::string other = fingerprint;
   other.replace(other.find("this"), 4, "that");
   CHECK(contains(opened(other, {1, 2}), "there is \"of\": \"this\" where \"of\": \"that\" must be"));
-  CHECK(text_in(folder.path() / "run.json") == fingerprint);
+  CHECK(text_of_file(folder.path() / "run.json") == fingerprint);
 }
 
-TEST_CASE(
-    "audits in shards, merged, are answered as one process answers, and what does not fit is refused in a line") {
+TEST_CASE("audits in shards, merged, are answered as one process answers; what does not fit is refused") {
   const ScratchFolder folder;
   const std::string audit = "audit I3 I4 --points 9000 --quiet ",
                     run_folder = "'" + (folder.path() / "run").string() + "'";
@@ -161,4 +158,39 @@ TEST_CASE(
                      "must be of the same program, command and inputs");
   check_call_refused("merge '" + folder.path().string() + "'", "must be a folder with a run.json");
   check_call_refused("audit I3 --shard 3/2 --out " + run_folder, "must be i/N");
+}
+
+TEST_CASE("a shard is i of N, and has every N-th block") {
+  const Shard third = verify::parse_shard("3/8");
+  CHECK(third == Shard{2, 8});
+  CHECK(third.has(2));
+  CHECK(third.has(10));
+  CHECK_FALSE(third.has(3));
+  CHECK(verify::parse_shard("1/1") == Shard{});
+  for (const char* const text :
+       {"0/8", "9/8", "8", "1/", "/8", "1/0", "-1/8", "1/8/2", "1.5/8", "", "1/1000001", "env", "1/2x"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(static_cast<void>(verify::parse_shard(text)), data::BadInput);
+  }
+}
+
+TEST_CASE("the README's words for launchers say which shard a process is") {
+  const char* const variables =
+      "OMPI_COMM_WORLD_RANK=3 OMPI_COMM_WORLD_SIZE=100 PMI_RANK=3 PMI_SIZE=100 SLURM_PROCID=3 SLURM_NTASKS=100 "
+      "SLURM_ARRAY_TASK_ID=3 SLURM_ARRAY_TASK_COUNT=100 JOB_COMPLETION_INDEX=3 JOB_COMPLETIONS=100; printf %s ";
+  std::ifstream readme(source_directory() + "/verify/README.md");
+  int launchers = 0;
+  for (std::string line; std::getline(readme, line);) {
+    const std::size_t words = line.rfind("| `$((");
+    if (words == std::string::npos) continue;
+    CAPTURE(line);
+    const std::string shard = line.substr(words + 3, line.rfind('`') - words - 3);
+    CHECK(verify::parse_shard(verify::output_of({"sh", "-c", variables + shard}).text) == Shard{3, 100});
+    // Outside of the launcher nothing is taken for a shard.
+    CHECK_THROWS_AS(
+        static_cast<void>(verify::parse_shard(verify::output_of({"sh", "-c", "printf %s " + shard}).text)),
+        data::BadInput);
+    ++launchers;
+  }
+  CHECK(launchers == 5);
 }

@@ -1,16 +1,12 @@
-#include <sys/stat.h>
-
 #include <nlohmann/json.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/scratch_file.hpp"
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using nlohmann::json;
 
-TEST_CASE(
-    "solve --full tells the thesis's search for the load: each length by (2.13) from the last, the last load met") {
+TEST_CASE("solve --full tells the thesis's search: each length by (2.13), the last load met") {
   struct Search {
     const char* scene;
     double load, tolerance;
@@ -95,8 +91,7 @@ TEST_CASE("a scene's sweep solves each combination as solve does, and no other v
   CHECK(run("balance " + file.path()).status == 2);
 }
 
-TEST_CASE(
-    "profiles and fields of a sweep are lists in JSON, and a row for each number with its place in CSV, not both") {
+TEST_CASE("profiles and fields of a sweep are lists in JSON, and a row for each number in CSV, not both") {
   const std::string words =
       "solve inside-thick-frictionless load.per_length=50.0,100.0 profile.points=3 "
       "'wanted=[\"contact_length\", \"pressure\", \"stress_across\"]'";
@@ -116,12 +111,5 @@ TEST_CASE(
 
 TEST_CASE("a scene is read from a pipe, which can be read once only") {
   const ScratchFile file(swept_nip);
-  const std::string swept = run("solve " + file.path()).out;
-  const ScratchFolder folder;
-  const std::string pipe = (folder.path() / "pipe").string();
-  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  // What would wait for a second writer is ended.
-  CHECK(run("solve " + pipe + " & solved=$!; cat " + file.path() + " >" + pipe +
-            "; (sleep 30; kill $solved) >/dev/null 2>&1 & wait $solved")
-            .out == swept);
+  CHECK(run_with_pipe("solve", file.path(), "").out == run("solve " + file.path()).out);
 }

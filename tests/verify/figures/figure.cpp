@@ -2,7 +2,7 @@
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -79,13 +79,6 @@ std::size_t plots_of(const Figure& all) {
   return plots;
 }
 
-std::size_t times_in(const std::string& text, const std::string& what) {
-  std::size_t count = 0;
-  for (std::size_t place = text.find(what); place != std::string::npos; place = text.find(what, place + 1))
-    ++count;
-  return count;
-}
-
 }  // namespace
 
 TEST_CASE("all figures of the seeds that hold curves are listed, each once") {
@@ -106,8 +99,7 @@ TEST_CASE("all figures of the seeds that hold curves are listed, each once") {
   CHECK(listed == expected);
 }
 
-TEST_CASE(
-    "figures of elastic nips hold the replayed cells of their tables, and their curves pass the corrected ones") {
+TEST_CASE("figures of elastic nips hold the replayed cells, and their curves pass the corrected ones") {
   check_against_table(figure("thesis-20").panels.front(), {"B = 0.005 in", "thesis-VI", "creep", "W"});
   check_against_table(figure("thesis-22").panels.front(), {"B = 0.25 in", "thesis-VIII", "L/B", "W"});
   const Figure limits = figure("thesis-25");
@@ -115,8 +107,7 @@ TEST_CASE(
   check_against_table(limits.panels[1], {"complete slip", "thesis-X", "d0", "W"});
 }
 
-TEST_CASE(
-    "figures of rolling nips hold the replayed cells of their tables, their curves pass the corrected ones") {
+TEST_CASE("figures of rolling nips hold the replayed cells, and their curves pass the corrected ones") {
   const verify::Panel panel = figure("thesis-51").panels.front();
   check_against_table(panel, {"B = 0.0625 in", "thesis-XX", "muR", "F0_tau"});
   for (const char* label : {"B = 1 in", "B = 0.25 in", "B = 0.0625 in", "B = 0.005 in"}) {
@@ -128,8 +119,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "behind the papers' tables: the table's formula is as replayed, the rule's curve passes the corrected cells") {
+TEST_CASE("behind the papers' tables: the formula is as replayed, the rule's curve passes corrected cells") {
   const verify::Replay replay = verify::replay_table("brock2013-3");
   const verify::Panel panel = figure("brock2013-3").panels[1];
   for (const data::TableColumn& column : replay.table.columns) {
@@ -233,10 +223,8 @@ TEST_CASE("figures are drawn as SVG with all their series, where gnuplot is ther
 }
 
 TEST_CASE("without gnuplot a drawing is refused in one line that names it, and no file is written") {
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nowhere", 1);
   const ScratchFile svg("before");
+  const Environment without("PATH", "/nowhere");
   check_call_refused("figures thesis-9 --svg '" + svg.path() + "'", "gnuplot");
-  setenv("PATH", path.c_str(), 1);
   CHECK(svg.text() == "before");
 }

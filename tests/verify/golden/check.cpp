@@ -30,8 +30,7 @@ verify::GoldenFile last_of(verify::GoldenFile file, std::ptrdiff_t rows) {
 
 }  // namespace
 
-TEST_CASE(
-    "golden values are what they were, every file to the last character, every 5th value, of costly ones every 40th") {
+TEST_CASE("golden values are what they were: every file to the last character, every 5th or 40th value") {
   CHECK(verify::check_folder(data::golden_directory()).empty());
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
@@ -130,8 +129,7 @@ TEST_CASE("any character that is changed in a golden file or its checksum is fou
   CHECK(faults_of(verify::check_golden(folder.file("I2.csv"), {})) == std::vector{GoldenFault::text_changed});
 }
 
-TEST_CASE(
-    "files that checksums do not list, and files that are gone, are found, and of one's own a file needs none") {
+TEST_CASE("files that checksums do not list or that are gone are found; one's own file needs none") {
   const verify::GoldenFile file = last_of(golden("I2"), 1);
   const GoldenFolder folder;
   const auto check = [&](const std::string& what) {

@@ -3,13 +3,11 @@
 #include <nipref/verify/golden/confirm/scene.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 
-#include "support/refusal.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
 using verify::ContactsFile;
-using verify::GoldenFault;
 
 namespace {
 
@@ -28,8 +26,7 @@ ContactsFile unit_contact() {
 
 }  // namespace
 
-TEST_CASE(
-    "golden contacts: at least 200 of each kind, rolling sheets of all materials together, each confirmed, none twice") {
+TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twice") {
   std::map<std::string, std::size_t> rows;
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);
@@ -69,8 +66,7 @@ TEST_CASE("golden contacts are what they were: every 40th by fast, one of each k
   }
 }
 
-TEST_CASE(
-    "a golden contact that is changed in its 17th digit is found by the reference, in its 12th by fast") {
+TEST_CASE("a golden contact changed in its 17th digit is found by the reference, in its 12th by fast") {
   ContactsFile file = unit_contact();
   REQUIRE(verify::check_contacts(file, {}).kept());
   std::string& load = file.rows[0].results[0].value;
@@ -84,7 +80,7 @@ TEST_CASE(
   CHECK(faults_at(11) == 2);
   load = right;
   file.rows[0].results[0].bound = "1e-20";
-  CHECK(verify::check_contacts(file, {}).failures.at(0).fault == GoldenFault::too_wide);
+  CHECK(verify::check_contacts(file, {}).failures.at(0).fault == verify::GoldenFault::too_wide);
 }
 
 TEST_CASE("second methods solve contacts as the reference does, and say where they do not reach") {

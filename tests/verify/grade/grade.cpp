@@ -1,4 +1,3 @@
-#include <doctest/doctest.h>
 
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>

@@ -1,8 +1,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
-#include "support/refusal.hpp"
-#include "support/scratch_file.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -39,8 +38,7 @@ TEST_CASE("points that are written are read back exactly, whatever columns are a
   CHECK(back.short_rows == 0);
 }
 
-TEST_CASE(
-    "the values are in the column that is named, or called value, or as the quantity, or is the only one left") {
+TEST_CASE("values are in the column that is named, or called value or as the quantity, or left alone") {
   CHECK(read("alpha,eta,value,other\n1,2,3,4\n", "I6").values[0] == 3);
   CHECK(read("alpha,eta,value,other\n1,2,3,4\n", "I6", "other").values[0] == 4);
   CHECK(read("I6,eta,alpha,x\n9,2,1,4\n", "I6").values[0] == 9);

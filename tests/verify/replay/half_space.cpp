@@ -10,7 +10,6 @@
 
 using namespace nipref;
 using doctest::Approx;
-using verify::HalfSpaceCell;
 using verify::Replay;
 using verify::ReplayedCell;
 using verify::Verdict;
@@ -63,8 +62,7 @@ TEST_CASE("the verdicts of the five tables") {
     CHECK(replay.count(Verdict::likely_misprint) == expected.likely_misprint);
     CHECK(replay.count(Verdict::misprint) == 0);
     for (const ReplayedCell& cell : replay.cells) {
-      CAPTURE(cell.row);
-      CAPTURE(cell.column);
+      CAPTURE(cell.row, cell.column);
       CHECK(cell.corrected);
       if (cell.verdict != Verdict::match) CHECK_FALSE(cell.note.empty());
       if (cell.verdict == Verdict::unexplained) {
@@ -79,8 +77,7 @@ TEST_CASE("the verdicts of the five tables") {
 TEST_CASE("the die: friction in the wrong places, roots of five decimals, one pair of digits exchanged") {
   const Replay& replay = replayed("brock2012-1");
   for (const ReplayedCell& cell : replay.cells) {
-    CAPTURE(cell.row);
-    CAPTURE(cell.column);
+    CAPTURE(cell.row, cell.column);
     const double printed = replay.table.cell(cell.row, cell.column).number->value;
     CHECK(std::fabs(cell.value - printed) < 1.0001e-4);
     CHECK(std::fabs(*cell.corrected - printed) > 4e-4);
@@ -131,8 +128,8 @@ TEST_CASE("the rule of verdicts") {
   const data::Table die = data::load_table_by_id("brock2012-1");  // 0.9938 first
   const auto verdict = [](const data::Table& table, std::size_t row, const char* column, double corrected,
                           double formula, const std::string& proof) {
-    const HalfSpaceCell cell{row, column, corrected, {{{formula, formula}, Verdict::seed_error, "so"}},
-                             "E", proof};
+    const verify::HalfSpaceCell cell{
+        row, column, corrected, {{{formula, formula}, Verdict::seed_error, "so"}}, "E", proof};
     return verify::assess_half_space(table, cell).verdict;
   };
   CHECK(verdict(die, 0, "c=0.1", 0.9939, 0.5, "") == Verdict::match);

@@ -56,8 +56,7 @@ TEST_CASE("a length that its row's replay tells frees the other cells of the row
   }
 }
 
-TEST_CASE(
-    "columns agree on the lengths of X, row 8, by chance in 2 of 1000 rows, and of VII, row 8, in 18 of 100") {
+TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII, row 8, in 18 of 100") {
   struct Length {
     const char* id;
     double chance, upper;  // what must be above the lengths that the columns ask for
@@ -83,9 +82,7 @@ TEST_CASE(
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0, 0.2}}}, 1) == doctest::Approx(0.3));
 }
 
-TEST_CASE(
-    "XVII, rows 6 to 9: at the lengths that d2 demands d0 is met within three units of the thesis's machine, in the row "
-    "where counting puts it") {
+TEST_CASE("XVII, rows 6 to 9: at the lengths that d2 demands d0 is met within three machine units") {
   data::Table table = data::load_table_by_id("thesis-XVII");
   constexpr double machine_unit = 0x1p-32;  // of d0, which is between 16^-3 and 16^-2: 2.3e-4e-6
   const auto d0 = [&](std::size_t row) {
@@ -138,9 +135,7 @@ TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one sa
     const std::string id(table.id);
     const verify::Replay& replay = replayed(id);
     for (const verify::ReplayedCell& replayed : replay.cells) {
-      CAPTURE(id);
-      CAPTURE(replayed.row);
-      CAPTURE(replayed.column);
+      CAPTURE(id, replayed.row, replayed.column);
       if (replayed.verdict == Verdict::input) continue;
       ++cells;
       met += replayed.verdict == Verdict::match || replayed.verdict == Verdict::misprint ? 1 : 0;
@@ -217,8 +212,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   CHECK(contains(text, "discretisation (against the continuous contact of the same load)"));
 }
 
-TEST_CASE(
-    "what the mesh costs is measured from the rows as they were replayed, which are not replayed again") {
+TEST_CASE("what the mesh costs is measured from the rows as they were replayed, none once more") {
   verify::Replay replay = replayed("thesis-VII");
   REQUIRE(replay.nips.size() == replay.table.rows.size());
   for (const verify::ReplayedCell& cell : replay.cells)

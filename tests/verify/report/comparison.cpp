@@ -1,11 +1,10 @@
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/report/report.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/test.hpp"
 
 using namespace nipref::verify;
 using nlohmann::json;
@@ -52,8 +51,7 @@ TEST_CASE("a report against itself has changed nothing") {
   CHECK(none.older == "0123456789, 2026-01-02");
 }
 
-TEST_CASE(
-    "an older report may lack what this one has, or have it otherwise, and a part that it lacks is new, once") {
+TEST_CASE("an older report may lack what this one has, or have it otherwise; a part it lacks is new, once") {
   json older = older_json();
   older["claims"] = {{{"id", "C"}}};
   older["audit"] = {3, "rows"};

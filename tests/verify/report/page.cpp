@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <boost/property_tree/detail/rapidxml.hpp>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/json_schema.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -67,6 +67,10 @@ const Report& small_report() {
 
 std::string answer_of(const Report& report) { return answer_text("report", report_json(report)); }
 
+std::string text_of_report(const Report& report) {
+  return plain(report_text(answer_of(report), "somewhere"));
+}
+
 /// Three quantities, one group of ways, one figure.
 constexpr std::size_t plots_of_small_report = 5;
 
@@ -78,14 +82,6 @@ const std::string& small_page() {
   static const std::string page = report_page(answer_of(small_report()), empty_drawing, true);
   return page;
 }
-
-std::size_t times_in_page(const std::string& page, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++count;
-  return count;
-}
-
-bool in_page(const std::string& page, const std::string& part) { return contains(page, part); }
 
 /// What all attributes of a name hold.
 std::vector<std::string> attributes_of(const std::string& page, const std::string& name) {
@@ -137,7 +133,7 @@ TEST_CASE("the report's page is well-formed, its ids are unique, and no link in 
 TEST_CASE("the report is as the schema has it, its parts as the verbs would answer, without times if so") {
   Report report = small_report();
   AuditResult& broken = report.quantities[1];
-  broken.max_error_ulp = broken.allowance_used = std::numeric_limits<double>::infinity();
+  broken.max_error_ulp = broken.allowance_used = infinite;
   broken.errors.add(broken.max_error_ulp);
   report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
   report.scenes.clear();  // made by hand: without a scene's text
@@ -154,8 +150,8 @@ TEST_CASE("the report is as the schema has it, its parts as the verbs would answ
   const auto& rows = answer["audit"]["rows"];
   CHECK(rows[0]["passed"] == true);
   CHECK(rows[1]["passed"] == false);
-  for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
-    CHECK(rows[1].at(infinite).is_null());
+  for (const char* unknown : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
+    CHECK(rows[1].at(unknown).is_null());
   CHECK(answer["seed_errors"][0]["table"] == "thesis-VII");
   CHECK(answer["bench"]["times"]["ratios"][1]["met"] == false);
   const auto timeless = nlohmann::json::parse(answer_text("report", report_json(report), true));
@@ -174,13 +170,12 @@ TEST_CASE("a page that is not well-formed is seen") {
   }
 }
 
-TEST_CASE(
-    "the report's page needs nothing but itself, and has all plots, each with words that stand for it") {
+TEST_CASE("the report's page needs nothing but itself, and has all plots, with words that stand for them") {
   const std::string& page = small_page();
-  for (const char* foreign : {"<script", "<link", "@import", "url("}) CHECK_FALSE(in_page(page, foreign));
+  for (const char* foreign : {"<script", "<link", "@import", "url("}) CHECK_FALSE(contains(page, foreign));
   for (const std::string& source : attributes_of(page, "src"))
     CHECK(source.starts_with("data:image/svg+xml,%3C"));
-  CHECK(times_in_page(page, "<img ") == plots_of_small_report);
+  CHECK(times_in(page, "<img ") == plots_of_small_report);
   const std::vector<std::string> instead = attributes_of(page, "alt");
   REQUIRE(instead.size() == plots_of_small_report);
   for (const std::string& words : instead) CHECK(words.size() > 40);
@@ -190,7 +185,7 @@ TEST_CASE("a plot stands in the report's page as a picture, encoded as RFC 3986 
   const std::string page = report_page(answer_of(small_report()), [](const std::string&) {
     return "<a b='#1'>\n\n  5 % \u00b7 \"x\"&\n</a>";
   });
-  CHECK(in_page(page, "src=\"data:image/svg+xml,%3Ca b='%231'%3E 5 %25 %C2%B7 %22x%22%26 %3C/a%3E\""));
+  CHECK(contains(page, "src=\"data:image/svg+xml,%3Ca b='%231'%3E 5 %25 %C2%B7 %22x%22%26 %3C/a%3E\""));
 }
 
 TEST_CASE("what the templates of a report name is there: a name that is not would leave a gap") {
@@ -225,45 +220,45 @@ TEST_CASE("without gnuplot the report's page says so in the place of each plot, 
   const std::string page =
       report_page(answer_of(small_report()), [](const std::string&) { return std::nullopt; });
   CHECK(fault_of(page) == "");
-  CHECK_FALSE(in_page(page, "<img "));
-  CHECK_FALSE(in_page(page, "mathematics.html"));
-  CHECK(times_in_page(page, "Not drawn: gnuplot") == plots_of_small_report);
-  CHECK(in_page(page, "id=\"thesis-VII\""));
+  CHECK_FALSE(contains(page, "<img "));
+  CHECK_FALSE(contains(page, "mathematics.html"));
+  CHECK(times_in(page, "Not drawn: gnuplot") == plots_of_small_report);
+  CHECK(contains(page, "id=\"thesis-VII\""));
 }
 
 TEST_CASE("the report's page tells what the report holds") {
   const std::string& page = small_page();
   const AuditResult& worst = *closest_to_its_promise(small_report().quantities);
-  CHECK(in_page(page, fmt::format("<a href=\"#accuracy-{}\"><b>{:.0f} %</b></a>", worst.quantity->name,
-                                  100 * worst.allowance_used)));
-  CHECK(in_page(page, "<b>1400 times</b>"));
-  CHECK(in_page(page, "<a href=\"mathematics.html\">"));
-  CHECK(in_page(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
-  CHECK(in_page(page, "Boost &lt;ooura&gt;"));
-  CHECK(in_page(page, "converged &lt;full friction&gt;"));
-  CHECK(in_page(page, "title=\"seed-error; true: "));                // of a cell as it is printed
-  CHECK(in_page(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // its paragraph
-  CHECK(in_page(page, "nipref report -o &apos;a &amp; b&apos;"));
-  CHECK(in_page(page, "\u2717 MISSED"));
+  CHECK(contains(page, fmt::format("<a href=\"#accuracy-{}\"><b>{:.0f} %</b></a>", worst.quantity->name,
+                                   100 * worst.allowance_used)));
+  CHECK(contains(page, "<b>1400 times</b>"));
+  CHECK(contains(page, "<a href=\"mathematics.html\">"));
+  CHECK(contains(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
+  CHECK(contains(page, "Boost &lt;ooura&gt;"));
+  CHECK(contains(page, "converged &lt;full friction&gt;"));
+  CHECK(contains(page, "title=\"seed-error; true: "));                // of a cell as it is printed
+  CHECK(contains(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // its paragraph
+  CHECK(contains(page, "nipref report -o &apos;a &amp; b&apos;"));
+  CHECK(contains(page, "\u2717 MISSED"));
   std::size_t left_out = 0, unexplained = 0;
   for (const AuditResult& result : small_report().quantities) left_out += result.left_out;
   for (const Replay& replay : small_report().tables) unexplained += replay.count(Verdict::unexplained);
-  CHECK(in_page(page, "<b>1 missed</b>"));                               // the ratio of something other
-  CHECK(in_page(page, fmt::format("<b>{} skipped</b>", left_out + 1)));  // a hard case without a truth
-  CHECK(in_page(page, fmt::format("<b>{} unexplained</b>", unexplained)));
+  CHECK(contains(page, "<b>1 missed</b>"));                               // the ratio of something other
+  CHECK(contains(page, fmt::format("<b>{} skipped</b>", left_out + 1)));  // a hard case without a truth
+  CHECK(contains(page, fmt::format("<b>{} unexplained</b>", unexplained)));
   // Each cell that is judged has its verdict in words.
   for (const Verdict verdict :
        {Verdict::match, Verdict::misprint, Verdict::seed_error, Verdict::unexplained}) {
     std::size_t cells = 0;
     for (const Replay& replay : small_report().tables) cells += replay.count(verdict);
     CAPTURE(name(verdict));
-    CHECK(times_in_page(page, "class=\"keep " + std::string(name(verdict)) + "\"") == cells);
+    CHECK(times_in(page, "class=\"keep " + std::string(name(verdict)) + "\"") == cells);
   }
 }
 
 TEST_CASE("a page that grows says what is still to come, and lines about a part are found by their heads") {
   Report report = small_report();
-  CHECK_FALSE(in_page(small_page(), "This page grows"));
+  CHECK_FALSE(contains(small_page(), "This page grows"));
   report.golden.clear();
   report.comparison = ReportComparison{"abc, yesterday", "", {{Change::slower, "speed, a < b", "100", "70"}}};
   report.to_come = {"golden values", "figures"};
@@ -271,45 +266,43 @@ TEST_CASE("a page that grows says what is still to come, and lines about a part 
   CHECK(fault_of(page) == "");
   // What became of an older report stands at the top.
   CHECK(page.find("speed, a &lt; b") < page.find("id=\"headline\""));
-  CHECK(in_page(small_page(), " missed</b>"));
-  CHECK_FALSE(in_page(page, " missed</b>"));  // it would be 0
-  CHECK(in_page(page,
-                "Still to come: <span class=\"list\"><span>golden values</span><span>figures</span></span>"));
-  const std::string text = plain(report_text(answer_of(report), "somewhere"));
+  CHECK(contains(small_page(), " missed</b>"));
+  CHECK_FALSE(contains(page, " missed</b>"));  // it would be 0
+  CHECK(contains(
+      page, "Still to come: <span class=\"list\"><span>golden values</span><span>figures</span></span>"));
+  const std::string text = text_of_report(report);
   CHECK(report_lines(text, {"page"}) == "page       somewhere\n");
   const std::string lines = report_lines(text, {"tables", "sources"});
   CHECK(lines.starts_with("tables "));
-  CHECK(in_page(lines, "\nsources "));
-  CHECK(in_page(lines, "low"));  // of the line that goes on
-  CHECK_FALSE(in_page(lines, "claims"));
+  CHECK(contains(lines, "\nsources "));
+  CHECK(contains(lines, "low"));  // of the line that goes on
+  CHECK_FALSE(contains(lines, "claims"));
 }
 
 TEST_CASE("the report's text is one screen of 80 columns") {
   Report report = small_report();
-  std::istringstream lines(plain(report_text(answer_of(report), "somewhere")));
+  const std::string text = text_of_report(report);
+  std::istringstream lines(text);
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     CAPTURE(line);
     CHECK(line.size() <= 80);
   }
   CHECK(count <= 30);
-  const std::string text = plain(report_text(answer_of(report), "somewhere"));
-  CHECK(in_page(text, "audit      all 3 quantities pass; closest to its promise: "));
-  CHECK(in_page(text, "1 of 2 promised ratios met"));
-  CHECK(in_page(text, "short      1 missed promises: 0 of 3 quantities, 1 of 2 ratios"));
-  CHECK(in_page(text, "page       somewhere\n"));
-  CHECK(report.kept(false) == false);  // the limit is missed
+  CHECK(contains(text, "audit      all 3 quantities pass; closest to its promise: "));
+  CHECK(contains(text, "1 of 2 promised ratios met"));
+  CHECK(contains(text, "short      1 missed promises: 0 of 3 quantities, 1 of 2 ratios"));
+  CHECK(contains(text, "page       somewhere\n"));
+  CHECK_FALSE(report.kept(false));  // the limit is missed
   report.limits.clear();
   CHECK(report.kept(false));
   CHECK_FALSE(report.kept(true));  // a ratio of times is
   report.quantities[0].allowance_used = 1.5;
   CHECK_FALSE(report.kept(false));
-  CHECK(in_page(plain(report_text(answer_of(report), "")),
-                "2 of 3 quantities pass; closest to its promise: I1 with 150 %"));
+  CHECK(contains(text_of_report(report), "2 of 3 quantities pass; closest to its promise: I1 with 150 %"));
 }
 
-TEST_CASE(
-    "the report's page is drawn by gnuplot and shown by Chromium, on a telephone and on paper, where these are there") {
+TEST_CASE("the report's page is drawn by gnuplot and shown by Chromium, on a telephone and on paper") {
   if (std::system("command -v gnuplot >/dev/null && command -v chromium >/dev/null") != 0) {
     MESSAGE("skipped: gnuplot or chromium is not installed");
     return;
@@ -327,13 +320,10 @@ TEST_CASE(
       "document.title = shown + ' shown, ' + boxes.length + ' too wide ' + (boxes[0] ? boxes[0].outerHTML.slice(0, 80) : ''); });"
       "</script></body>";
   page.replace(page.find("</body>"), 7, probe);
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("nipref-page-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  const std::string file = (folder / "page.html").string(), pdf = (folder / "page.pdf").string();
-  std::ofstream(file) << page;
+  const ScratchFolder folder;
+  const std::string file = folder.write("page.html", page), pdf = folder.file("page.pdf");
   const std::vector<std::string> chromium{"chromium", "--headless", "--no-sandbox", "--disable-gpu",
-                                          "--user-data-dir=" + folder.string()};
+                                          "--user-data-dir=" + folder.path().string()};
   auto dump = chromium, print = chromium;
   dump.insert(dump.end(), {"--dump-dom", "file://" + file});
   print.insert(print.end(), {"--no-pdf-header-footer", "--print-to-pdf=" + pdf, "file://" + file});
@@ -343,5 +333,4 @@ TEST_CASE(
   CHECK(title.starts_with("<title>" + std::to_string(plots_of_small_report) + " shown, 0 too wide"));
   CHECK(output_of(print).status == 0);
   CHECK(std::filesystem::file_size(pdf) > 10'000);
-  std::filesystem::remove_all(folder);
 }

@@ -3,8 +3,7 @@
 #include "support/proven_pages.hpp"
 #include "support/test.hpp"
 
-TEST_CASE(
-    "the mathematics as one page has each section that the table names, formulas as MathML and no dead link") {
+TEST_CASE("the mathematics as one page has each section of the table, MathML and no dead link") {
   const auto file = std::filesystem::path(program()).parent_path() / "mathematics.html";
   if (!std::filesystem::exists(file)) {
     MESSAGE("skipped: there is no pandoc");

@@ -13,15 +13,13 @@ using Wide = boost::multiprecision::cpp_bin_float_50;
 namespace {
 
 void check_covers(const Propagated& number, const Wide& truth) {
-  CAPTURE(verify::stated_text(number));
-  CAPTURE(truth.str());
+  CAPTURE(verify::stated_text(number), truth.str());
   CHECK(boost::multiprecision::abs(Wide(number.value()) - truth) <= number.error());
 }
 
 }  // namespace
 
 TEST_CASE("arithmetic carries errors on: all that the operands may be is in the result's") {
-  using boost::multiprecision::atanh;
   const std::vector<Propagated> numbers{{0.3, 1e-9},   0.7,         {2.5, 1e-3},
                                         {0.015625, 0}, {0.9, 0.05}, {1e-6, 1e-9}};
   struct Unary {
@@ -45,7 +43,7 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
   for (const Propagated& a : numbers) {
     for (const Wide& x : ends(a)) {
       for (const auto& [mine, truth] : functions) check_covers(mine(a), truth(x));
-      if (a.value() + a.error() < 1) check_covers(verify::atanh(a), atanh(x));
+      if (a.value() + a.error() < 1) check_covers(verify::atanh(a), boost::multiprecision::atanh(x));
       for (const Propagated& b : numbers) {
         for (const Wide& y : ends(b)) {
           check_covers(a + b, x + y);
@@ -64,8 +62,7 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
   CHECK(std::isinf((1 / Propagated(0.5, 0.5)).error()));
 }
 
-TEST_CASE(
-    "what is said of a number ends with its error's first digit, and the error holds what was left out") {
+TEST_CASE("what is said of a number ends with its error's first digit; the error holds what is left out") {
   CHECK(verify::stated_text({2.4929584293488993, 2.5e-7}) == "2.4929584 +- 2.8e-07");
   CHECK(verify::stated_text({1234567.0, 765.0}) == "1.2346e+06 +- 8.0e+02");
   CHECK(verify::stated_text({3e-5, 1e-3}) == "0 +- 1.1e-03");

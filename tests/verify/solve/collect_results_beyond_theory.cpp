@@ -3,7 +3,6 @@
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
-#include "support/refusal.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;

@@ -1,9 +1,10 @@
-// Scenes of bodies on half-spaces: what they give.
+// Scenes of bodies on half-spaces: what they give, by either path.
 #include <fmt/format.h>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/reference_values.hpp"
 #include "support/solved_scene.hpp"
 #include "support/test.hpp"
 
@@ -25,6 +26,10 @@ std::string sliding(const std::string& speed, const std::string& more = "") {
 }
 
 std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = [" + names + "]\n"; }
+
+data::Scene example(const char* name, const data::SceneOverrides& overrides = {}) {
+  return data::load_scene(data::example_scene(name), overrides);
+}
 
 }  // namespace
 
@@ -64,8 +69,7 @@ TEST_CASE("a contact that is round to rounding lies anyhow") {
   CHECK(solution["orientation"].error >= 90);
 }
 
-TEST_CASE(
-    "the ends of a line make its span, and between them the pressure has its peak where its slope vanishes") {
+TEST_CASE("the ends of a line make its span, between them the pressure peaks where its slope vanishes") {
   const std::string friction = sliding("0.6", "friction = 0.4\n");
   const auto ends =
       solved(wanting(R"("span", "leading_end", "trailing_end", "peak_pressure", "centre_along")") +
@@ -112,24 +116,33 @@ TEST_CASE("the surface has the die's shape in the contact, with the sphere's als
   CHECK(under_sphere.profile("transverse_displacement")[2].value < 0);  // the surface is drawn to the centre
 }
 
-TEST_CASE("a contact similar to the body's contours: its spans are theirs, its force their integral") {
-  data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
-  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
-  scene.wanted = {data::ResultId::span_along, data::ResultId::span_ratio, data::ResultId::normal_force,
-                  data::ResultId::compliance};
+TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too") {
+  const auto of_sphere = [](const char* speed) {
+    auto scene =
+        example("half-space-sphere-normal-axis", {{"sphere.shear", "7.72e9"}, {"sliding.speed", speed}});
+    scene.wanted = {data::ResultId::critical_speed};
+    return std::stod(verify::solve_by_ref(scene, 16).results[0].numbers[0].value_text());
+  };
+  const double shear_waves = std::sqrt(7.72e9 / 7860);
+  CHECK(of_sphere("0.0") == of_sphere("500.0"));
+  CHECK(of_sphere("0.0") < shear_waves);
+}
 
-  // At rest without friction p = (C/K) sqrt(L^2/4 - x^2) on a line, so that F = int C L^3/(12 K) dpsi, L = L1 sqrt(C1/C).
-  problem.speed = problem.friction = 0;
-  const auto at_rest = verify::solve(scene);
-  const double along = 1 / 0.02, across = 1 / 0.01, length = at_rest["span_along"].value;
-  CHECK(at_rest["span_ratio"].value == approx(std::sqrt(along / across), 1e-14));
-  double integral = 0;
-  constexpr int parts = 2000;
-  for (int i = 0; i < parts; ++i) {
-    const double psi = std::acos(-1.0) * (i + 0.5) / parts;
-    integral += 1 / std::sqrt(along * std::pow(std::cos(psi), 2) + across * std::pow(std::sin(psi), 2));
-  }
-  const double force = std::pow(along, 1.5) * std::pow(length, 3) /
-                       (12 * at_rest.profile("compliance")[0].value) * integral * std::acos(-1.0) / parts;
-  CHECK(at_rest["normal_force"].value == approx(force, 1e-12));
+TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
+  // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
+  auto scene = example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
+  scene.wanted = {data::ResultId::orientation};
+  const auto ref = verify::solve_by_ref(scene, 20);
+  CHECK(std::fabs(std::strtold(ref["orientation"].value_text().c_str(), nullptr) - 30) <= 1e-18L);
+}
+
+TEST_CASE("the reference repeats what is given exactly, and proves no critical speed where lines differ") {
+  const auto solved = verify::solve_by_ref(example("half-space-sliding-die"), 20);
+  CHECK(error(solved["normal_force"]) == 0);
+  // 0.3 is not the decimal.
+  CHECK(solved["friction_force"].value_text().substr(0, 20) == "299.9999999999999888");
+  // Which of the lines is critical first is found by estimates.
+  auto anisotropic = example("half-space-anisotropic");
+  anisotropic.wanted = {data::ResultId::critical_speed};
+  CHECK_FALSE(verify::solve_by_ref(anisotropic, 16)["critical_speed"].proven);
 }

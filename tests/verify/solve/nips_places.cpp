@@ -52,37 +52,6 @@ TEST_CASE("a half-plane's shear has its maximum and zero where the closed form h
   CHECK(zeros[1].error < 1e-9 * half);
 }
 
-TEST_CASE("the shear is smaller on both sides of its peak, and changes its sign at its zeros") {
-  data::Scene scene = gripped_sheet(1.0 / 3, 4.0);
-  const auto solution = verify::solve(scene);
-  const double peak = solution[data::ResultId::peak_shear_position].value,
-               zero = solution.profile(data::ResultId::shear_zeros)[1].value;
-  problem_of(scene).profile = data::Positions{{peak - 1e-3, peak, peak + 1e-3, zero - 1e-6, zero + 1e-6}};
-  scene.wanted = {data::ResultId::shear, data::ResultId::peak_shear};
-  const auto beside = verify::solve(scene);
-  const auto& shear = beside.profile(data::ResultId::shear);
-  CHECK(std::fabs(shear[1].value) == approx(beside[data::ResultId::peak_shear].value, 1e-13));
-  CHECK(std::fabs(shear[0].value) < std::fabs(shear[1].value));
-  CHECK(std::fabs(shear[2].value) < std::fabs(shear[1].value));
-  CHECK(shear[3].value * shear[4].value < 0);
-}
-
-TEST_CASE("line loads have their largest tractions at the places that they tell") {
-  data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
-  scene.wanted = {data::ResultId::peak_pressure_position,
-                  data::ResultId::peak_shear_position,
-                  data::ResultId::peak_pressure,
-                  data::ResultId::peak_shear,
-                  data::ResultId::pressure,
-                  data::ResultId::shear};
-  const auto first = verify::solve(scene);
-  problem_of(scene).profile = data::Positions{{first[data::ResultId::peak_pressure_position].value,
-                                               first[data::ResultId::peak_shear_position].value}};
-  const auto there = verify::solve(scene);
-  CHECK(there.profile(data::ResultId::pressure)[0].value == there[data::ResultId::peak_pressure].value);
-  CHECK(std::fabs(there.profile(data::ResultId::shear)[1].value) == there[data::ResultId::peak_shear].value);
-}
-
 TEST_CASE("a rolling contact's largest pressure is ahead, where the reference has it") {
   data::Scene scene = data::load_scene(data::example_scene("viscoelastic-comparable-memory"));
   scene.wanted = {data::ResultId::peak_pressure_position, data::ResultId::peak_pressure,

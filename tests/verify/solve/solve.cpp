@@ -38,11 +38,6 @@ bool costs_no_more(const fast::Work& less, const fast::Work& more) {
   return holds;
 }
 
-void check_same(const Estimate& found, const Estimate& expected) {
-  CHECK(found.value == expected.value);
-  CHECK(found.error == expected.error);
-}
-
 const data::Friction frictions[] = {data::Friction::none, data::Friction::full};
 
 }  // namespace
@@ -53,27 +48,15 @@ TEST_CASE("each name of a scene is the solver's result of that name") {
   for (const data::Friction friction : frictions) {
     const auto solution = verify::solve(scene_of(friction, all_results(), accuracy));
     const auto contact = fast::converged_for_load(quarter_inch_nip, friction, 100, accuracy);
-    check_same(solution[data::ResultId::contact_length], contact.contact_length());
-    check_same(solution[data::ResultId::load], contact.load());
-    check_same(solution[data::ResultId::indentation], contact.indentation());
-    check_same(solution[data::ResultId::edge_displacement], contact.leading_displacement());
-    check_same(solution[data::ResultId::creep_ratio], contact.creep_ratio());
-    check_same(solution[data::ResultId::peak_pressure], contact.peak_pressure());
-    check_same(solution[data::ResultId::peak_shear], contact.peak_shear());
     CHECK(solution.positions == inside_and_outside.y);
-    for (std::size_t i = 0; i < solution.positions.size(); ++i) {
-      const double y = solution.positions[i];
-      check_same(solution.profile(data::ResultId::pressure)[i], contact.pressure(y));
-      check_same(solution.profile(data::ResultId::shear)[i], contact.shear(y));
-      check_same(solution.profile(data::ResultId::normal_displacement)[i], contact.normal_displacement(y));
-      check_same(solution.profile(data::ResultId::tangential_displacement)[i],
-                 contact.tangential_displacement(y));
-    }
+    check_names(solution, contact, [](const Estimate& found, const Estimate& expected) {
+      CHECK(found.value == expected.value);
+      CHECK(found.error == expected.error);
+    });
   }
 }
 
-TEST_CASE(
-    "evenly spaced positions go from the middle, or of a rolling contact the trailing end, to the leading end") {
+TEST_CASE("even positions go from the middle, of a rolling contact the trailing end, to the leading end") {
   using enum data::ResultId;
   data::Scene scene = scene_of(data::Friction::none, {normal_displacement, indentation, edge_displacement});
   problem_of(scene).profile = data::EvenlySpaced{5};
@@ -104,8 +87,8 @@ TEST_CASE("what a scene does not want costs nothing, is not reported, and is ref
   problem_of(scene).profile.reset();
   CHECK(with.positions.empty());
   CHECK(with.work.kernel_evaluations == verify::solve(scene).work.kernel_evaluations);
-  CHECK_THROWS_WITH_AS((void)with[data::ResultId::creep_ratio],
-                       "result = creep_ratio: must be among what the scene wants", data::BadInput);
+  CHECK_REFUSED(with[data::ResultId::creep_ratio],
+                "result = creep_ratio: must be among what the scene wants");
 }
 
 TEST_CASE("a frictionless scene that wants no tangential result evaluates I1 alone") {

@@ -51,8 +51,7 @@ void check_same(const BothPaths& solved, double accuracy) {
 
 }  // namespace
 
-TEST_CASE(
-    "both paths agree about every number of the scenes of both_paths.txt, and the reference has its digits") {
+TEST_CASE("both paths agree about all numbers of both_paths.txt, and the reference has its digits") {
   const auto rows = table_rows("verify/solve/both_paths.txt");
   CHECK(rows.size() > 35);
   for (const auto& row : rows) {

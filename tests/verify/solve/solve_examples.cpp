@@ -2,22 +2,16 @@
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/paths.hpp"
-#include "support/scratch_file.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;
 
 TEST_CASE("the scene in the README is read and solved") {
-  std::ostringstream readme;
-  readme << std::ifstream(fs::path(source_directory()) / "README.md").rdbuf();
-  const std::string text = readme.str();
-  const std::string fence = "```toml\n";
-  const std::size_t begin = text.find(fence);
-  REQUIRE(begin != std::string::npos);
-  const std::size_t first = begin + fence.size();
-  const ScratchFile file(text.substr(first, text.find("```", first) - first));
-  const auto solution = verify::solve(data::load_scene(file.path()));
+  const std::string text = text_of_file(source_directory() + "/README.md"), fence = "```toml\n";
+  const std::size_t first = text.find(fence) + fence.size();
+  const auto solution =
+      verify::solve(data::parse_scene(text.substr(first, text.find("```", first) - first), "README"));
   CHECK(solution.profile("pressure").size() == 11);
   CHECK(solution.profile("pressure").front().value > solution.profile("pressure")[9].value);
 }

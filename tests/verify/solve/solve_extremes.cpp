@@ -2,6 +2,8 @@
 // soon.
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/scene/file.hpp>
@@ -45,6 +47,31 @@ std::string elastic(double softening) {
 
 constexpr const char* same_when_elastic[] = {"contact_length", "indentation", "creep_ratio", "peak_pressure"};
 
+/// The text with one of its numbers, after an equals sign, replaced by another: an extreme, one of another size, or any. The
+/// same on every machine: only the engine's own bits are used.
+std::string edited(std::string text, std::mt19937_64& engine) {
+  const auto below = [&](std::size_t count) { return static_cast<std::size_t>(engine() % count); };
+  std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
+  for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 1)) {
+    const std::size_t begin = at + (text[at + 3] == '[' ? 4 : 3);
+    const std::size_t end = text.find_first_not_of("0123456789.+-e", begin);
+    if (end > begin) numbers.emplace_back(begin, end - begin);
+  }
+  const auto [begin, length] = numbers[below(numbers.size())];
+  static const std::vector<std::string> extremes = [] {
+    std::istringstream words(
+        "0 -0.0 5e-324 1e-308 1e-100 1e-60 1e-20 1e-8 1e8 1e20 1e60 1e100 1.7976931348623157e308 nan inf -inf -1 -1.0 1 "
+        "2.0 0.5 0.49999999999999994 -0.9999999999999999");
+    return std::vector<std::string>(std::istream_iterator<std::string>(words), {});
+  }();
+  const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
+  const std::string others[]{
+      extremes[below(extremes.size())],
+      fmt::format("{}", std::strtod(text.c_str() + begin, nullptr) * std::pow(10, 24 * share - 12)),
+      fmt::format("{}", std::pow(10, 616 * share - 308))};
+  return text.replace(begin, length, others[below(3)]);
+}
+
 }  // namespace
 
 TEST_CASE("a memory that is far shorter or longer than the contact leaves the elastic contact") {
@@ -84,63 +111,15 @@ TEST_CASE("an angle of many turns keeps its digits") {
 TEST_CASE("a result that is no number is refused by its name") {
   data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
   scene.wanted = {data::ResultId::load};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const fast::Estimate estimate : {fast::Estimate{infinity, 1}, {1, infinity}, {std::nan(""), 1}}) {
+  for (const fast::Estimate estimate : {fast::Estimate{infinite, 1}, {1, infinite}, {std::nan(""), 1}}) {
     verify::SolvedContact<fast::Estimate> contact;
     contact.set(data::ResultId::load, [estimate] { return estimate; });
     contact.set(data::ResultId::indentation, [] { return fast::Estimate{0, 0}; });
-    CHECK_THROWS_WITH_AS((void)verify::collect_results(scene, contact, scene.accuracy),
-                         doctest::Contains("wanted[0] = load: "), data::BadInput);
+    CHECK_REFUSED(verify::collect_results(scene, contact, scene.accuracy), "wanted[0] = load: ");
   }
 }
 
-namespace {
-
-/// The text with one of its numbers, after an equals sign, replaced by another: an extreme, one of another size, or any. The
-/// same on every machine: only the engine's own bits are used.
-std::string edited(std::string text, std::mt19937_64& engine) {
-  const auto below = [&](std::size_t count) { return static_cast<std::size_t>(engine() % count); };
-  std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
-  for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 1)) {
-    const std::size_t begin = at + (text[at + 3] == '[' ? 4 : 3);
-    const std::size_t end = text.find_first_not_of("0123456789.+-e", begin);
-    if (end > begin) numbers.emplace_back(begin, end - begin);
-  }
-  const auto [begin, length] = numbers[below(numbers.size())];
-  static const std::vector<std::string> extremes{"0",
-                                                 "-0.0",
-                                                 "5e-324",
-                                                 "1e-308",
-                                                 "1e-100",
-                                                 "1e-60",
-                                                 "1e-20",
-                                                 "1e-8",
-                                                 "1e8",
-                                                 "1e20",
-                                                 "1e60",
-                                                 "1e100",
-                                                 "1.7976931348623157e308",
-                                                 "nan",
-                                                 "inf",
-                                                 "-inf",
-                                                 "-1",
-                                                 "-1.0",
-                                                 "1",
-                                                 "2.0",
-                                                 "0.5",
-                                                 "0.49999999999999994",
-                                                 "-0.9999999999999999"};
-  const double share = static_cast<double>(engine() >> 11) * 0x1p-53;
-  const std::string others[]{
-      extremes[below(extremes.size())],
-      fmt::format("{}", std::strtod(text.c_str() + begin, nullptr) * std::pow(10, 24 * share - 12)),
-      fmt::format("{}", std::pow(10, 616 * share - 308))};
-  return text.replace(begin, length, others[below(3)]);
-}
-
-}  // namespace
-
-TEST_CASE("random edits of scenes end in numbers or in a refusal of one line") {
+TEST_CASE("random edits of scenes end in numbers or in a refusal") {
   std::vector<std::string> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(data::scenes_directory())) {
     if (entry.path().extension() == ".toml") scenes.push_back(entry.path().stem().string());
@@ -161,8 +140,7 @@ TEST_CASE("random edits of scenes end in numbers or in a refusal of one line") {
         }
       }
       ++results;
-    } catch (const data::BadInput& error) {
-      CHECK(std::string(error.what()).find('\n') == std::string::npos);
+    } catch (const data::BadInput&) {
       ++refusals;
     }
   }

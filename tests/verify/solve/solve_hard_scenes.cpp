@@ -35,8 +35,7 @@ bool is_best(const verify::SceneSolution<fast::Estimate>& found,
 
 }  // namespace
 
-TEST_CASE(
-    "hard scenes are within their errors of their solutions to 1e-13, at accuracies of all orders, and meet 1e-8") {
+TEST_CASE("hard scenes are within their errors of solutions to 1e-13 at all accuracies, and meet 1e-8") {
   for (const auto& file : hard_scenes()) {
     CAPTURE(file.stem().string());
     data::Scene scene = data::load_scene(file);

@@ -4,7 +4,6 @@
 #include "support/test.hpp"
 
 using nipref::verify::with_mathml;
-using nipref::verify::without_marks;
 
 TEST_CASE("formulas in a text are MathML, in which fractions, indices, powers and Greek letters are such") {
   const auto math = [](const std::string& content) { return "<math>" + content + "</math>"; };
@@ -36,7 +35,7 @@ TEST_CASE("a definition's marks come in pairs, and its text is the same without 
   for (const auto& quantity : nipref::verify::catalogue()) {
     CAPTURE(quantity.notation);
     CHECK(std::ranges::count(quantity.notation, '`') % 2 == 0);
-    CHECK(without_marks(quantity.notation) == quantity.definition);
+    CHECK(nipref::verify::without_marks(quantity.notation) == quantity.definition);
     CHECK(quantity.definition.find('`') == std::string::npos);
   }
 }

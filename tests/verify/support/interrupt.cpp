@@ -46,8 +46,7 @@ int end_of(void (*work)()) {
 
 }  // namespace
 
-TEST_CASE(
-    "Ctrl-C: audit, bench and tables answer with what is finished, and 130, and the text says that it is not all") {
+TEST_CASE("Ctrl-C: audit, bench and tables answer with what is finished, 130, and say that it is not all") {
   if (!has_terminals()) return;
   const std::vector<std::string> audit{"audit", "I3", "I1", "I2", "I4", "I5", "I6"};
   std::vector<std::string> audit_json = audit;
@@ -68,8 +67,7 @@ TEST_CASE(
   CHECK(contains(text, "\ninterrupted: "));
 }
 
-TEST_CASE(
-    "an interrupted loop throws and leaves the rest undone, and the second interrupt kills, unless ignored before") {
+TEST_CASE("an interrupted loop throws, leaving the rest, the second interrupt kills, unless ignored before") {
   CHECK(end_of([] {
           verify::stop_gently_on_interrupt();
           std::raise(SIGINT);

@@ -20,8 +20,7 @@ struct Told {
 
 }  // namespace
 
-TEST_CASE(
-    "without a terminal progress is a line every 15 seconds: what is done, the time so far and what is left") {
+TEST_CASE("without a terminal progress is a line every 15 s: what is done, time so far, what is left") {
   Told told;
   {
     Progress progress(told.output());

@@ -31,7 +31,9 @@ TEST_CASE("a template formats the numbers of its sections, and writes a dash whe
       {"{{#as}}.3g {{none}}{{/as}}", "-"},
       {"{{#as}}<5 {{n}}a{{/as}}{{#as}}>4 {{none}}{{/as}}", "68441a    "},
       {"{{#as}}.0f% {{off_by}}{{/as}} % {{#off}}{{off_by}}{{/off}}", "-26 % 26 % low"},
-      {"{{#upward}}0.00101{{/upward}}", "1.1e-03"},
+      {"{{#upward}}0{{/upward}} {{#upward}}1e-3{{/upward}} {{#upward}}1.01e-3{{/upward}}",
+       "0.0e+00 1.0e-03 1.1e-03"},  // never less than the error
+      {"{{#upward}}1.99e-3{{/upward}} {{#upward}}9.949e-3{{/upward}}", "2.0e-03 1.0e-02"},
       {"{{#off}}0.0007{{/off}} {{#off}}1.02{{/off}}", "0.07 % high 102 % high"},
       {"{{#two_digits}}{{n}}{{/two_digits}} {{#two_digits}}33.2{{/two_digits}} {{#two_digits}}1e12{{/two_digits}}",
        "68000 33 1e+12"},

@@ -7,13 +7,12 @@
 
 using namespace nipref;
 using verify::Point;
-using verify::Quantity;
 
 namespace {
 
 void check_kept(const char* name, const Point& point) {
   CAPTURE(name);
-  const Quantity& quantity = verify::find_quantity(name);
+  const verify::Quantity& quantity = verify::find_quantity(name);
   const std::vector<ref::Exact> exactly(point.begin(), point.end());
   const ref::Estimate truth = quantity.by_ref(exactly, verify::digits_beyond_double);
   const double value = quantity.by_fast(point, {});

@@ -1,42 +1,15 @@
-// Rows of materials: every model on both paths, confirmed by the golden values' second method; defaults and names.
+// Rows of materials: defaults and names.
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/keys.hpp>
-#include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
-#include <nipref/verify/golden/confirm/confirm.hpp>
-#include <nipref/verify/golden/make.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
-
-TEST_CASE("materials: series, operators and the thesis's solid are confirmed by a second method") {
-  for (const verify::Quantity& quantity : verify::catalogue()) {
-    if (!quantity.name.starts_with("material.")) continue;
-    CAPTURE(quantity.name);
-    verify::Random random("second method");
-    for (const double model : {4.0, 5.0, 6.0, 7.0}) {
-      for (int i = 0; i < 5; ++i) {
-        verify::Point point = quantity.draw(random);
-        point[verify::argument_number(quantity.arguments, "material")] = model;
-        if (quantity.keep_off) quantity.keep_off(point);
-        CAPTURE(point[0]);
-        const ref::Estimate truth = verify::ref_value(quantity, point, 30);
-        CHECK(truth.proven);
-        verify::GoldenRow row = verify::golden_row(quantity, point, truth);
-        CHECK(verify::confirm_row(quantity, row) == "");
-        const double promised = quantity.promise * verify::ulp_of(row.scale);
-        CHECK(std::fabs(truth.error_of(quantity.by_fast(point, {}))) <=
-              (quantity.fast_error ? quantity.fast_error(point, {}) : promised));
-      }
-    }
-  }
-}
 
 TEST_CASE("materials: a series has as many terms as a solid needs, operators their order") {
   // theta1 = 1 + 1/(p + 1) + 1/(p + 2) + 1/(p + 4) is N/D with N = p^3 + 10 p^2 + 28 p + 22, D = p^3 + 7 p^2 + 14 p + 8;

@@ -1,8 +1,8 @@
-#include <doctest/doctest.h>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
+
+#include "support/test.hpp"
 
 using namespace nipref;
 

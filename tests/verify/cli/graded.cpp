@@ -1,13 +1,19 @@
 #include <nlohmann/json.hpp>
 
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
+#include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/golden.hpp>
+
 #include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch_file.hpp"
-#include "support/scratch_folder.hpp"
+#include "support/scratch.hpp"
 #include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using nlohmann::json;
+using namespace nipref;
 
 namespace {
 
@@ -20,6 +26,14 @@ json row_of(const Outcome& outcome) {
   const json rows = json::parse(outcome.out)["rows"];
   REQUIRE(rows.size() == 1);
   return rows[0];
+}
+
+verify::Graded graded_at(const char* quantity, double alpha) {
+  const std::vector<verify::Point> points{{alpha}};
+  const std::vector<double> values{1.0};
+  return {verify::grade_of("mine", "its points",
+                           verify::audit_values(verify::find_quantity(quantity), points, values, {})),
+          0};
 }
 
 }  // namespace
@@ -88,4 +102,31 @@ TEST_CASE("a kernel that is slower than an older one by more than is allowed fal
   const Outcome outcome = run(slower);
   CHECK(outcome.status == 1);
   CHECK(contains(unfolded(outcome.out), "FAIL, 200 % slower is allowed"));
+}
+
+TEST_CASE("the worst point of a grade is appended once to a file like a golden one") {
+  const ScratchFile file;
+  std::filesystem::remove(file.path());
+  for (const double alpha : {0.75, 2.5, 0.75}) verify::keep_worst(file.path(), graded_at("I3", alpha));
+  const verify::GoldenFile kept = verify::read_golden(file.path());
+  REQUIRE(kept.rows.size() == 2);
+  CHECK(kept.rows[0].arguments == verify::Point{0.75});
+  CHECK(kept.rows[1].arguments == verify::Point{2.5});
+  CHECK(kept.rows[0].origin == "worst:mine");
+  CHECK(kept.rows[0].value.size() > 50);
+  CHECK_FALSE(kept.rows[0].confirmed_by.empty());
+  CHECK(verify::check_golden(file.path(), {}).kept());
+  CHECK_THROWS_AS(verify::keep_worst(file.path(), graded_at("I4", 1)), data::BadInput);
+}
+
+TEST_CASE("golden points are those of the ranges, and no more than asked for") {
+  const verify::Quantity& quantity = verify::find_quantity("I1");
+  const verify::Ranges ranges = verify::parse_ranges(quantity, {{"alpha", "1..20"}});
+  const auto all = verify::golden_points(quantity, {}, 1000);
+  const auto some = verify::golden_points(quantity, ranges, 1000);
+  CHECK(all.size() >= 200);
+  CHECK(some.size() > 0);
+  CHECK(some.size() < all.size());
+  for (const verify::Point& point : some) CHECK(verify::contains(ranges, point));
+  CHECK(verify::golden_points(quantity, {}, 7).size() == 7);
 }

@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
@@ -9,7 +10,12 @@ using namespace nipref;
 using verify::Claim;
 using verify::ClaimOutcome;
 using verify::ClaimVerdict;
+using verify::FormulaErratum;
 using verify::Json;
+using verify::LimitRow;
+using verify::LimitSample;
+using verify::Propagated;
+using verify::Settlement;
 
 namespace {
 
@@ -44,8 +50,7 @@ double unit_of(double value) {
 
 /// In JSON: `error` is a number, and the value has no digit far below it.
 void check_stated(const Json& value, const Json& error) {
-  CAPTURE(value.line());
-  CAPTURE(error.line());
+  CAPTURE(value.line(), error.line());
   REQUIRE_FALSE(error.is_null());
   const double number = std::stod(value.line()), size = std::stod(error.line());
   CHECK(std::isfinite(number));
@@ -55,6 +60,17 @@ void check_stated(const Json& value, const Json& error) {
 }
 
 bool near(double value, double truth, double unit) { return std::fabs(value - truth) <= unit; }
+
+/// Found values off by `distance` of a limit of 1.
+LimitRow row_with(double order, double before, double last, double error = 0) {
+  return {"limit.test",
+          "",
+          "",
+          "size",
+          order,
+          {LimitSample{0.2, {1 + before, error}, Propagated::exact(1)},
+           LimitSample{0.1, {1 - last, error}, Propagated::exact(1)}}};
+}
 
 }  // namespace
 
@@ -141,4 +157,57 @@ TEST_CASE("claims, each decided once: by its numbers, which other programs found
       if (!row.at("printed_value").is_null()) check_stated(row.at("printed_value"), row.at("printed_error"));
     }
   }
+}
+
+TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
+  std::set<std::string_view> listed;
+  const std::vector<FormulaErratum> errata = verify::formula_errata();
+  for (const FormulaErratum& erratum : errata) {
+    CAPTURE(erratum.id);
+    CHECK(listed.insert(erratum.id).second);
+    for (const char* key : {"equation", "printed", "right", "proof"})
+      CHECK_FALSE(erratum.entry->text(key).empty());
+    const Settlement settlement = verify::settle(erratum);
+    CAPTURE(verify::stated_text(settlement.right), verify::stated_text(settlement.truth));
+    CHECK(settlement.settled());
+    // Not by a hair, or the truth would have to be known better.
+    if (settlement.printed) {
+      const Propagated apart = verify::fabs(*settlement.printed - settlement.truth);
+      CAPTURE(verify::stated_text(*settlement.printed));
+      CHECK(apart.value() > 100 * apart.error());
+    }
+  }
+  CHECK(listed.size() == 44);
+}
+
+TEST_CASE("an erratum is open if the right formula is not the truth or the printed one is") {
+  const Propagated one(1, 0.05), two(2, 0.05);
+  CHECK(Settlement{"", two, one, one}.settled());
+  CHECK(Settlement{"", {}, one, one}.settled());
+  CHECK(Settlement{"", two, {1.09, 0.05}, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {1.11, 0.05}, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {1.11, 0.05}, {1, 0}}.settled());
+  CHECK_FALSE(Settlement{"", one, one, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {not_a_number, 0.05}, one}.settled());
+}
+
+TEST_CASE("the solvers approach every limit with the power of the first term that it leaves out") {
+  const std::vector<LimitRow> rows = verify::limits();
+  CHECK(rows.size() >= 15);
+  for (const LimitRow& row : rows) {
+    CAPTURE(std::string(row.name), row.measured_order().value_or(0).value());
+    CHECK(row.approached());
+    CHECK(row.samples.back().distance().value() < 0.01);
+  }
+}
+
+TEST_CASE("a limit approached too slowly, too fast, not at all, or within the error's haze is missed") {
+  CHECK(row_with(2, 0.04, 0.01).approached());
+  CHECK(row_with(2, 0.04, 0.01).measured_order()->value() == doctest::Approx(2));
+  CHECK_FALSE(row_with(2, 0.04, 0.02).approached());
+  CHECK_FALSE(row_with(1, 0.04, 0.01).approached());
+  CHECK_FALSE(row_with(1, 0.02, 0.02).approached());
+  CHECK_FALSE(row_with(2, 0.04, 0.01, 0.005).approached());
+  CHECK(row_with(0, 0.04, 0.0001).approached());
+  CHECK_FALSE(row_with(0, 0.04, 0.01).approached());
 }
