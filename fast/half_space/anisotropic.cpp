@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
 #include <cmath>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
-#include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 #include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/check_moduli.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -17,11 +13,6 @@ internal::AnisotropicLine checked_line(const data::Stiffness& solid) {
   solid.check();
   internal::check_moduli(solid);
   return internal::AnisotropicLine(solid);
-}
-
-double checked_speed(double speed) {
-  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  return speed;
 }
 
 }  // namespace
@@ -34,29 +25,19 @@ struct AnisotropicHalfSpace::Implementation {
   [[nodiscard]] internal::AnisotropicAnswers at(Direction psi) const {
     internal::check_direction("psi", psi);
     if (const auto answers = line.at(psi, motion)) return *answers;
-    throw data::BadInput(
-        "speed", speed,
-        fmt::format("must be below {:.10g}, which is critical on the line psi = {:.6g} degrees",
-                    internal::speed_of_motion(line, motion.direction, psi),
-                    std::atan2(psi.sine, psi.cosine) * 180 / std::numbers::pi));
+    throw internal::supercritical(
+        speed, {internal::speed_of_motion(line, motion.direction, psi), std::atan2(psi.sine, psi.cosine)});
   }
 };
 
 AnisotropicHalfSpace::AnisotropicHalfSpace(const data::Stiffness& solid, Direction motion, double speed)
-    : implementation_(std::make_unique<const Implementation>(
-          Implementation{checked_line(solid), {motion, internal::Two{checked_speed(speed)}}, speed})) {
+    : implementation_(std::make_shared<const Implementation>(
+          Implementation{checked_line(solid), {motion, internal::Two{speed}}, speed})) {
+  internal::check_not_negative("speed", speed);
   internal::check_direction("motion", motion);
 }
 
-AnisotropicHalfSpace::AnisotropicHalfSpace(AnisotropicHalfSpace&&) noexcept = default;
-AnisotropicHalfSpace& AnisotropicHalfSpace::operator=(AnisotropicHalfSpace&&) noexcept = default;
-AnisotropicHalfSpace::~AnisotropicHalfSpace() = default;
-
-LineResponse AnisotropicHalfSpace::along(Direction psi) const {
-  const internal::AnisotropicAnswers answers = implementation_->at(psi);
-  return {answers.compliance, answers.coupling, answers.coupling_across, answers.shear_compliance,
-          answers.shear_compliance_across};
-}
+LineResponse AnisotropicHalfSpace::along(Direction psi) const { return implementation_->at(psi).normal; }
 
 PressureWave AnisotropicHalfSpace::inside(Direction psi) const {
   const LineResponse surface = along(psi);  // refuses what is not subcritical
@@ -64,8 +45,7 @@ PressureWave AnisotropicHalfSpace::inside(Direction psi) const {
 }
 
 ShearResponse AnisotropicHalfSpace::shear_along(Direction psi) const {
-  const internal::AnisotropicAnswers answers = implementation_->at(psi);
-  return {answers.in_line, answers.across};
+  return implementation_->at(psi).shear;
 }
 
 double rayleigh_speed(const data::Stiffness& solid, Direction motion, Direction psi) {
@@ -77,8 +57,8 @@ double rayleigh_speed(const data::Stiffness& solid, Direction motion, Direction 
 CriticalSpeed critical_speed(const data::Stiffness& solid, Direction motion) {
   internal::check_direction("motion", motion);
   constexpr std::size_t most_lines = 800;  // up to ten milliseconds each
-  return internal::critical_speed(internal::critical_line(checked_line(solid), solid, motion, most_lines),
-                                  motion);
+  const internal::AnisotropicLine line = checked_line(solid);
+  return internal::critical_speed(line, line, motion, most_lines);
 }
 
 }  // namespace nipref::fast

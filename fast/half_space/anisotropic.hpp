@@ -2,7 +2,6 @@
 #include <memory>
 
 #include <nipref/data/material/stiffness.hpp>
-#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 
@@ -23,9 +22,6 @@ namespace nipref::fast {
 class AnisotropicHalfSpace {
  public:
   AnisotropicHalfSpace(const data::Stiffness& solid, Direction motion, double speed);
-  AnisotropicHalfSpace(AnisotropicHalfSpace&&) noexcept;
-  AnisotropicHalfSpace& operator=(AnisotropicHalfSpace&&) noexcept;
-  ~AnisotropicHalfSpace();
 
   [[nodiscard]] LineResponse along(Direction psi) const;
   [[nodiscard]] PressureWave inside(Direction psi) const;
@@ -34,7 +30,7 @@ class AnisotropicHalfSpace {
 
  private:
   struct Implementation;
-  std::unique_ptr<const Implementation> implementation_;
+  std::shared_ptr<const Implementation> implementation_;
 };
 
 /// The speed along `motion` at which the line psi becomes critical: that of the surface wave along it, or of the

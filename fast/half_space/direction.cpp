@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/direction.hpp>
 #include <nipref/fast/half_space/internal/direction_words.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -28,19 +28,11 @@ Direction of_small_angle(Two angle) {
 }  // namespace
 
 Direction Direction::of_degrees(double degrees) {
-  if (!std::isfinite(degrees)) throw data::BadInput("degrees", degrees, "must be a finite number");
+  internal::check_finite("degrees", degrees);
   const double within_a_turn = std::fmod(degrees, 360), quarters = std::round(within_a_turn / 90);
-  const auto [c, s, c_low, s_low] = of_small_angle((within_a_turn - 90 * quarters) * degree);
-  switch (static_cast<int>(quarters + 4) % 4) {
-    case 0:
-      return {c, s, c_low, s_low};
-    case 1:
-      return {-s, c, -s_low, c_low};
-    case 2:
-      return {-c, -s, -c_low, -s_low};
-    default:
-      return {s, -c, s_low, -c_low};
-  }
+  constexpr Direction of_quarters[]{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  return of_small_angle((within_a_turn - 90 * quarters) * degree)
+      .turned(of_quarters[static_cast<int>(quarters + 4) % 4]);
 }
 
 Direction Direction::turned(Direction from) const {

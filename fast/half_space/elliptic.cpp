@@ -7,10 +7,11 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
-#include <nipref/fast/half_space/internal/check_positive.hpp>
+#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/compliance_table.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 
 namespace nipref::fast {
@@ -309,8 +310,7 @@ Estimate EllipticContact::orientation() const {
 }
 
 Estimate EllipticContact::radius_ratio(Direction psi) const {
-  const double length = std::hypot(psi.cosine, psi.sine);
-  if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("psi", length, "must be of unit length");
+  internal::check_direction("psi", psi);
   const double ratio = minor_length_ / major_length_;
   const double along = psi.cosine * major_.cosine + psi.sine * major_.sine;
   const double across = psi.sine * major_.cosine - psi.cosine * major_.sine;
@@ -327,7 +327,7 @@ Estimate EllipticContact::span_ratio(Direction psi, Direction to) const {
 }
 
 Estimate EllipticContact::pressure(const EllipticLoad& load, Direction psi, double x) const {
-  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  internal::check_finite("x", x);
   const Estimate end = radius_ratio(psi) * load.semi_major;
   const Estimate shape = internal::between_ends(
       end.value - x, end.value + x, end.error + 0x1p-52 * std::fabs(x),

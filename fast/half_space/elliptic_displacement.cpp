@@ -6,11 +6,11 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/internal/pressure_potential.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -115,9 +115,9 @@ struct Line {
     return {n.cosine * sums[0] - n.sine * sums[1] + in_surface,
             n.sine * sums[0] + n.cosine * sums[1] + in_surface, sums[2] + into, in_surface, into};
   }
-  /// By a relative change of the force or the response the displacement in the surface and that into it change at most by the
-  /// first two times as much; by one of the width w by three times that, as w d/dw of C(s/w)/w is (2 L - 3 C)/w. The third is
-  /// what roundings of that into it are relative to.
+  /// The most that the displacement in the surface, and that into it, change for each relative change of the force or of the
+  /// response; for one of the width w it is three times as much, as w d/dw of C(s/w)/w is (2 L - 3 C)/w. The third number is
+  /// what roundings of the displacement into the half-space are relative to.
   [[nodiscard]] std::array<double, 3> changes() const {
     std::array<double, 3> sums{};
     for (std::size_t j = 0; j < wave.count; ++j) {
@@ -154,8 +154,8 @@ struct Line {
 std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
                                                       const PressureWaves& half_space, Direction psi,
                                                       double x, double depth) const {
-  if (!std::isfinite(x)) throw data::BadInput("x", x, "must be a finite number");
-  if (!(std::isfinite(depth) && depth >= 0)) throw data::BadInput("depth", depth, "must be finite and >= 0");
+  internal::check_finite("x", x);
+  internal::check_not_negative("depth", depth);
   const double a = load.semi_major.value, b = load.semi_minor.value, ratio = b / a;
   const Direction place = psi.turned({major_.cosine, -major_.sine, major_.cosine_low, -major_.sine_low});
   const auto line_at = [&](const Arc& arc, double angle) -> Line {

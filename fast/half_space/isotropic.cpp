@@ -6,10 +6,12 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/direction_words.hpp>
 #include <nipref/fast/half_space/internal/isotropic_line.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/number/internal/bisection.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -33,6 +35,8 @@ IsotropicLine line_at(Two X, double poisson) {
   return {X, wS, wD, defect, Two{4} - X - 4 * defect, twice(defect) - one};
 }
 
+bool is_slow(Two speed, double poisson) { return is_subcritical(line_at(square(speed), poisson)); }
+
 [[noreturn]] void refuse_supercritical(const data::IsotropicSolid& solid, double speed,
                                        Direction from_motion) {
   const double psi = std::acos(std::min(std::fabs(from_motion.cosine), 1.)) * (180 / std::numbers::pi);
@@ -46,9 +50,8 @@ IsotropicLine line_at(Two X, double poisson) {
 /// The line at any speed.
 IsotropicLine any_line(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   solid.check();
-  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  const double length = std::hypot(from_motion.cosine, from_motion.sine);
-  if (!(std::fabs(length - 1) < 1e-9)) throw data::BadInput("psi", length, "must be of unit length");
+  internal::check_not_negative("speed", speed);
+  internal::check_direction("psi", from_motion);
   // The cosine is that of the unit vector along from_motion: near the motion, the rounding of from_motion's length
   // would be an error of K that grows towards the Rayleigh speed.
   const Two along = speed * internal::cosine_of(from_motion);
@@ -147,18 +150,12 @@ ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double
 
 double isotropic_rayleigh_speed(double poisson) {
   data::IsotropicSolid{1, poisson, 1}.check();
-  const auto subcritical = [&](double speed) {
-    return is_subcritical(line_at(internal::two_product(speed, speed), poisson));
-  };
-  return internal::last_that(subcritical, 0, 1);
+  return internal::last_that([&](double speed) { return is_slow({speed}, poisson); }, 0, 1);
 }
 
 Two internal::rayleigh_speed_in_two_words(double poisson) {
-  const double high = isotropic_rayleigh_speed(poisson), next = std::nextafter(high, 1);
-  const auto subcritical = [&](double low) {
-    return is_subcritical(line_at(square(two_sum(high, low)), poisson));
-  };
-  return {high, last_that(subcritical, 0, next - high)};
+  return last_in_two_words([&](Two speed) { return is_slow(speed, poisson); },
+                           isotropic_rayleigh_speed(poisson));
 }
 
 }  // namespace nipref::fast

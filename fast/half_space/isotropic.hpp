@@ -34,12 +34,7 @@ double rolling_index_beyond(const data::IsotropicSolid& solid, double speed, Dir
 /// towards the Rayleigh speed.
 double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
-/// The response of the surface in the direction of a shear traction tau, 1/stress: du/dx = -in_line H[tau] along the
-/// line for tau along the line, du/dx = -across H[tau] across the line for tau across it.
-struct ShearResponse {
-  double in_line;  ///< X wS/(mu R)
-  double across;   ///< 1/(mu wS)
-};
+/// X wS/(mu R) along the line and 1/(mu wS) across it.
 ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double speed,
                                        Direction from_motion);
 

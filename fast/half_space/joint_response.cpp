@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numbers>
 #include <string_view>
 #include <variant>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
+#include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/joint_response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
@@ -42,6 +41,12 @@ struct Surface {
   double critical_speed = std::numeric_limits<double>::infinity();
 };
 
+template <class HalfSpace>
+Surface surface_of(const HalfSpace& solid, Direction motion, double critical_speed) {
+  return {[=](Direction from_motion) { return solid.along(from_motion.turned(motion)); },
+          [=](Direction from_motion) { return solid.inside(from_motion.turned(motion)); }, critical_speed};
+}
+
 struct HalfSpaceOf {
   const data::HalfSpaceProblem& problem;
 
@@ -58,25 +63,15 @@ struct HalfSpaceOf {
   }
   Surface operator()(const data::TransverselyIsotropicBody& body) const {
     const Direction motion = motion_of(problem);
-    const auto surface =
-        std::make_shared<const TransverselyIsotropicHalfSpace>(body.solid, body.axis, motion, problem.speed);
-    return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
-            [surface, motion](Direction from_motion) { return surface->inside(from_motion.turned(motion)); },
-            surface->critical_speed()};
+    const TransverselyIsotropicHalfSpace solid(body.solid, body.axis, motion, problem.speed);
+    return surface_of(solid, motion, solid.critical_speed());
   }
   Surface operator()(const data::Stiffness& solid) const {
     const Direction motion = motion_of(problem);
     // No line tells by itself that another is critical.
     const auto critical = fast::critical_speed(solid, motion);
-    if (problem.speed >= critical.speed) {
-      throw data::BadInput("speed", problem.speed,
-                           fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
-                                       critical.speed, critical.psi * 180 / std::numbers::pi));
-    }
-    const auto surface = std::make_shared<const AnisotropicHalfSpace>(solid, motion, problem.speed);
-    return {[surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); },
-            [surface, motion](Direction from_motion) { return surface->inside(from_motion.turned(motion)); },
-            critical.speed};
+    if (problem.speed >= critical.speed) throw internal::supercritical(problem.speed, critical);
+    return surface_of(AnisotropicHalfSpace(solid, motion, problem.speed), motion, critical.speed);
   }
 };
 

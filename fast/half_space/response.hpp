@@ -20,6 +20,12 @@ struct LineResponse {
   double shear_compliance = 0, shear_compliance_across = 0;
 };
 
+/// The response of the surface in the direction of a shear traction tau, 1/stress: du/dx = -in_line H[tau] along the
+/// line for tau along the line, du/dx = -across H[tau] across the line for tau across it.
+struct ShearResponse {
+  double in_line, across;
+};
+
 /// The response of two bodies to the tractions between them, whose shear tractions are opposite. (brock2013 25b-c)
 inline LineResponse in_contact(const LineResponse& lower, const LineResponse& upper) {
   return {lower.compliance + upper.compliance, lower.coupling - upper.coupling,

@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/internal/check_positive.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/isotropic_line.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 
@@ -116,7 +116,7 @@ RollingLine RollingSphere::along(Direction from_motion) const {
 /// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The phase has the error of
 /// the distances to the ends; the factor has those of the span and of B and Phi, which contain a difference.
 Estimate RollingLine::traction(double x, Wave wave) const {
-  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  internal::check_finite("x", x);
   const double half = span / 2, ahead = half - x, behind = half + x;
   const double distance_error = uncertainty * half + 0x1p-52 * std::fabs(x);
   const Estimate root = internal::between_ends(ahead, behind, distance_error,

@@ -6,10 +6,11 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/internal/check_positive.hpp>
+#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 
@@ -51,7 +52,7 @@ struct SlidingContact::Shape {
 };
 
 Estimate SlidingLine::pressure(double x) const {
-  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  internal::check_finite("x", x);
   const double ahead = leading_end().value - x, behind = x - trailing_end().value;
   const double distance_error = uncertainty * span + 0x1p-52 * std::fabs(x);
   const Estimate shape = internal::between_ends(ahead, behind, distance_error, [&](double a, double b) {
@@ -71,8 +72,7 @@ SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, d
     : response_(std::move(response)), body_(body), friction_(friction), motion_(motion), rule_(rule) {
   body.check();
   if (!(friction >= 0 && friction <= 1000)) throw BadInput("friction", friction, "must be from 0 to 1000");
-  const double length = std::hypot(motion.cosine, motion.sine);
-  if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("motion", length, "must be of unit length");
+  internal::check_direction("motion", motion);
   steepness_ = shape(motion).steepness();
   integrate();
 }
@@ -89,8 +89,7 @@ SlidingContact::Shape SlidingContact::shape(Direction psi) const {
   if (!(compliance > 0) || !std::isfinite(compliance))
     throw BadInput("compliance", compliance,
                    "must be positive and finite: is the speed subcritical, the friction small?");
-  for (const double each : {line.coupling, line.coupling_across})
-    if (!std::isfinite(each)) throw BadInput("coupling", each, "must be a finite number");
+  for (const double each : {line.coupling, line.coupling_across}) internal::check_finite("coupling", each);
   const double shear = of_friction(line.coupling, line.coupling_across);
   const double modulus = std::hypot(compliance, shear);
   return {std::atan2(compliance, shear) / std::numbers::pi,

@@ -1,15 +1,11 @@
-#include <fmt/format.h>
-
 #include <cmath>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 #include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/check_moduli.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -24,35 +20,8 @@ internal::TransverselyIsotropicLine checked_line(const data::TransverselyIsotrop
   return {solid, axis};
 }
 
-CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line,
-                             const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
-                             Direction motion) {
-  check_direction("motion", motion);
-  constexpr std::size_t most_lines = 8000;  // some ten microseconds each
-  const internal::CriticalLine critical =
-      axis == data::SymmetryAxis::normal
-          ? internal::CriticalLine{line.limit(motion), 0}
-          : internal::critical_line(line, data::Stiffness::of(solid, axis), motion, most_lines);
-  return internal::critical_speed(critical, motion);
-}
-
-/// BadInput unless the speed is below it.
-double critical_above(double speed, const internal::TransverselyIsotropicLine& line,
-                      const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
-                      Direction motion, SpeedUnit unit) {
-  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  CriticalSpeed critical = critical_speed(line, solid, axis, motion);
-  critical.speed /= unit.high;
-  if (speed >= critical.speed) {
-    throw data::BadInput("speed", speed,
-                         fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
-                                     critical.speed, critical.psi * 180 / std::numbers::pi));
-  }
-  return critical.speed;
-}
-
-/// The same solid; with a normal axis one whose motion under pressure is the same, and whose waves polarised across the line
-/// are as fast as its longest, so that they never radiate: then c66 does not matter.
+/// The same solid. With a normal axis c66 does not matter for the motion under pressure, and c11 takes its place: then waves
+/// polarised across the line are as fast as longitudinal ones and never radiate.
 internal::AnisotropicLine general_line(const data::TransverselyIsotropicSolid& solid,
                                        data::SymmetryAxis axis) {
   data::Stiffness general = data::Stiffness::of(solid, axis);
@@ -63,6 +32,15 @@ internal::AnisotropicLine general_line(const data::TransverselyIsotropicSolid& s
   return internal::AnisotropicLine(general);
 }
 
+CriticalSpeed first_critical(const internal::TransverselyIsotropicLine& line,
+                             const internal::AnisotropicLine& general, data::SymmetryAxis axis,
+                             Direction motion) {
+  check_direction("motion", motion);
+  if (axis == data::SymmetryAxis::normal) return internal::critical_at(line.limit(motion), 0, motion);
+  constexpr std::size_t most_lines = 8000;  // some ten microseconds each
+  return internal::critical_speed(line, general, motion, most_lines);
+}
+
 }  // namespace
 
 struct TransverselyIsotropicHalfSpace::Implementation {
@@ -71,9 +49,9 @@ struct TransverselyIsotropicHalfSpace::Implementation {
   internal::Motion motion;
   double speed, critical;
 
-  [[nodiscard]] internal::LineAnswers at(Direction psi) const {
+  [[nodiscard]] LineResponse at(Direction psi) const {
     check_direction("psi", psi);
-    const std::optional<internal::LineAnswers> answers = line.at(psi, motion);
+    const std::optional<LineResponse> answers = line.at(psi, motion);
     // The critical speed found by the search may be too high by roundings.
     if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
     return *answers;
@@ -83,22 +61,17 @@ struct TransverselyIsotropicHalfSpace::Implementation {
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid,
                                                                data::SymmetryAxis axis, Direction motion,
                                                                double speed, SpeedUnit unit) {
+  internal::check_not_negative("speed", speed);
   const internal::TransverselyIsotropicLine line = checked_line(solid, axis);
-  const double critical = critical_above(speed, line, solid, axis, motion, unit);
-  implementation_ = std::make_unique<const Implementation>(Implementation{
-      line, general_line(solid, axis), {motion, speed * Two{unit.high, unit.low}}, speed, critical});
+  const internal::AnisotropicLine general = general_line(solid, axis);
+  CriticalSpeed critical = first_critical(line, general, axis, motion);
+  critical.speed /= unit.high;
+  if (speed >= critical.speed) throw internal::supercritical(speed, critical);
+  implementation_ = std::make_shared<const Implementation>(
+      Implementation{line, general, {motion, speed * Two{unit.high, unit.low}}, speed, critical.speed});
 }
 
-TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =
-    default;
-TransverselyIsotropicHalfSpace& TransverselyIsotropicHalfSpace::operator=(
-    TransverselyIsotropicHalfSpace&&) noexcept = default;
-TransverselyIsotropicHalfSpace::~TransverselyIsotropicHalfSpace() = default;
-
-LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
-  const internal::LineAnswers answers = implementation_->at(psi);
-  return {answers.compliance, answers.coupling, answers.coupling_across};
-}
+LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const { return implementation_->at(psi); }
 
 PressureWave TransverselyIsotropicHalfSpace::inside(Direction psi) const {
   const LineResponse surface = along(psi);
@@ -120,7 +93,7 @@ double TransverselyIsotropicHalfSpace::critical_speed() const { return implement
 
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion) {
-  return critical_speed(checked_line(solid, axis), solid, axis, motion);
+  return first_critical(checked_line(solid, axis), general_line(solid, axis), axis, motion);
 }
 
 double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,

@@ -33,9 +33,6 @@ class TransverselyIsotropicHalfSpace {
   /// Takes some milliseconds, as it computes the critical speed.
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                                  Direction motion, double speed, SpeedUnit unit = {});
-  TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
-  TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
-  ~TransverselyIsotropicHalfSpace();
 
   /// Compliance and couplings to the shear along and across the line; each to two units in the last place, up
   /// to 1 - 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
@@ -54,7 +51,7 @@ class TransverselyIsotropicHalfSpace {
 
  private:
   struct Implementation;
-  std::unique_ptr<const Implementation> implementation_;
+  std::shared_ptr<const Implementation> implementation_;
 };
 
 /// The smallest speed at which some line is critical: the minimum over the lines of the speed of the Rayleigh wave

@@ -86,10 +86,10 @@ std::optional<AnisotropicAnswers> AnisotropicLine::at(Direction psi, const Motio
   const auto y31 = m->adjugate(2, 0), y32 = m->adjugate(2, 1);
   const Two y11 = m->adjugate(0, 0).re, y22 = m->adjugate(1, 1).re, y12 = m->adjugate(0, 1).re;
   const Two turned = twice(c * s * y12), cc = square(c), ss = square(s);
-  return AnisotropicAnswers{answer(m->adjugate(2, 2).re),        answer(-(c * y31.im + s * y32.im)),
-                            answer(-(c * y32.im - s * y31.im)),  answer(c * y31.re + s * y32.re),
-                            answer(c * y32.re - s * y31.re),     answer(cc * y11 + ss * y22 + turned),
-                            answer(ss * y11 + cc * y22 - turned)};
+  return AnisotropicAnswers{
+      {answer(m->adjugate(2, 2).re), answer(-(c * y31.im + s * y32.im)), answer(-(c * y32.im - s * y31.im)),
+       answer(c * y31.re + s * y32.re), answer(c * y32.re - s * y31.re)},
+      {answer(cc * y11 + ss * y22 + turned), answer(ss * y11 + cc * y22 - turned)}};
 }
 
 // G = T^-1 (M + i R^T), as the traction of the wave on planes of depth is -k M u = -(T G - i R^T) k u.
@@ -114,6 +114,18 @@ std::optional<Square<std::complex<double>, 3>> AnisotropicLine::decay(Direction 
     }
   }
   return result;
+}
+
+double AnisotropicLine::wave_bound(Direction psi) const {
+  const double cc = psi.cosine * psi.cosine, ss = psi.sine * psi.sine, cs = psi.cosine * psi.sine;
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += std::fabs(cc * c11_[i][k].high + cs * c12_[i][k].high + ss * c22_[i][k].high);
+    largest = std::max(largest, sum);
+  }
+  return std::sqrt(largest / density_);
 }
 
 double AnisotropicLine::limit(Direction psi) const {

@@ -6,16 +6,15 @@
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/fast/half_space/internal/impedance.hpp>
 #include <nipref/fast/half_space/internal/line_limits.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast::internal {
 
-/// The response of a half-space of any anisotropy along a line, 1/stress: the third row of the inverse impedance in the
-/// axes of the line, with real and imaginary parts, and its diagonal.
+/// The response of a half-space of any anisotropy along a line: the third row of the inverse impedance in the axes of the
+/// line, with real and imaginary parts, and its diagonal.
 struct AnisotropicAnswers {
-  double compliance;
-  double coupling, coupling_across;
-  double shear_compliance, shear_compliance_across;
-  double in_line, across;
+  LineResponse normal;
+  ShearResponse shear;
 };
 
 /// Responses by Stroh's formalism, in two words throughout (impedance.hpp). A line is subcritical, below its limiting speed
@@ -30,6 +29,8 @@ class AnisotropicLine final : public LineLimits {
   /// Nothing if the line is not below its limiting speed.
   [[nodiscard]] std::optional<Square<std::complex<double>, 3>> decay(Direction psi,
                                                                      const Motion& motion) const;
+  /// An upper bound of the speed of plane waves along the line, from the largest row sum of Christoffel's matrix.
+  [[nodiscard]] double wave_bound(Direction psi) const;
   [[nodiscard]] double limit(Direction psi) const override;
   [[nodiscard]] Two limit_in_two_words(Direction psi) const override;
 

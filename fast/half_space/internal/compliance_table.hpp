@@ -10,8 +10,8 @@ namespace nipref::fast::internal {
 /// A compliance in each direction, opposite ones alike.
 using Compliance = std::function<double(Direction)>;
 
-/// A compliance by interpolation between Chebyshev points of pieces, which are halved until the next points agree to about
-/// 1e-10, or stand for at most 2^13 lines: for searches that ask for more directions than that.
+/// A compliance by interpolation between Chebyshev points of pieces, for searches that ask for many directions. Pieces are
+/// halved until they agree to about 1e-10 with the points of their halves, or 2^13 lines have been computed.
 class ComplianceTable {
  public:
   explicit ComplianceTable(const Compliance& compliance);

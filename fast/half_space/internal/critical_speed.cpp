@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 
 namespace nipref::fast::internal {
@@ -45,42 +46,6 @@ class CriticalSpeeds {
   Direction motion_;
 };
 
-/// The plane waves whose direction lies in the surface.
-class PlaneWaves {
- public:
-  explicit PlaneWaves(const data::Stiffness& solid)
-      : voigt_(solid.voigt), density_(solid.density / unit_of(solid)) {
-    for (auto& row : voigt_)
-      for (double& modulus : row) modulus /= unit_of(solid);
-  }
-
-  /// An upper bound of the fastest wave's speed, from the largest row sum of Christoffel's matrix.
-  [[nodiscard]] double bound(Direction along) const {
-    constexpr std::size_t first[] = {0, 5, 4}, second[] = {5, 1, 3};  // Voigt's numbers of 1i and of 2i
-    const double cc = along.cosine * along.cosine, ss = along.sine * along.sine;
-    const double cs = along.cosine * along.sine;
-    double largest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        sum += std::fabs(cc * voigt_[first[i]][first[k]] + ss * voigt_[second[i]][second[k]] +
-                         cs * (voigt_[first[i]][second[k]] + voigt_[second[i]][first[k]]));
-      }
-      largest = std::max(largest, sum);
-    }
-    return std::sqrt(largest / density_);
-  }
-
- private:
-  /// A unit of stress in which sums of moduli do not overflow.
-  static double unit_of(const data::Stiffness& solid) {
-    return std::scalbn(1.0, std::ilogb(solid.voigt[2][2]));
-  }
-
-  data::Stiffness::Voigt voigt_;
-  double density_;
-};
-
 /// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
 /// given step.
 ///
@@ -92,7 +57,8 @@ class PlaneWaves {
 /// vectors.
 class Landscape {
  public:
-  Landscape(const CriticalSpeeds& speeds, const PlaneWaves& waves, Direction motion, std::size_t most_lines)
+  Landscape(const CriticalSpeeds& speeds, const AnisotropicLine& waves, Direction motion,
+            std::size_t most_lines)
       : speeds_(speeds), waves_(waves), motion_(motion), most_lines_(most_lines) {
     constexpr double quarter = std::numbers::pi / 2, most_apart = 3000;
     for (const double from_motion : {-quarter, 0.0, quarter}) lines_.push_back(at(from_motion));
@@ -142,7 +108,7 @@ class Landscape {
   }
 
   [[nodiscard]] double wave_bound(double from_motion) const {
-    return waves_.bound(Direction::of_angle(from_motion).turned(motion_));
+    return waves_.wave_bound(Direction::of_angle(from_motion).turned(motion_));
   }
 
   /// sqrt(w^2 - (V.k)^2)
@@ -175,7 +141,7 @@ class Landscape {
   }
 
   const CriticalSpeeds& speeds_;
-  const PlaneWaves& waves_;
+  const AnisotropicLine& waves_;
   Direction motion_;
   std::size_t most_lines_;
   std::vector<Line> lines_;
@@ -213,14 +179,22 @@ double speed_of_motion(const LineLimits& line, Direction motion, Direction psi) 
   return along_motion(line.limit(psi), motion, psi);
 }
 
-CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
-                           std::size_t most_lines) {
+CriticalSpeed critical_at(double speed, double from_motion, Direction motion) {
+  const double theta = std::atan2(motion.sine, motion.cosine);
+  const double psi = std::remainder(theta + from_motion, std::numbers::pi);
+  return {speed, psi == -std::numbers::pi / 2 ? -psi : psi};
+}
+
+CriticalSpeed critical_speed(const LineLimits& line, const AnisotropicLine& waves, Direction motion,
+                             std::size_t most_lines) {
   const CriticalSpeeds speeds(line, motion);
-  const PlaneWaves waves(solid);
-  CriticalLine critical{HUGE_VAL, 0};
+  double least = HUGE_VAL, at = 0;
   const auto keep_lower = [&](double from_motion) {
     const double speed = speeds(from_motion);
-    if (speed < critical.speed) critical = {speed, from_motion};
+    if (speed < least) {
+      least = speed;
+      at = from_motion;
+    }
   };
   for (const Landscape::Valley& valley : Landscape(speeds, waves, motion, most_lines).lowest()) {
     constexpr int steps = 3;
@@ -231,13 +205,13 @@ CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid,
       from_motion = nearer_to_bottom(speeds, from_motion);
     }
   }
-  return critical;
+  return critical_at(least, at, motion);
 }
 
-CriticalSpeed critical_speed(const CriticalLine& critical, Direction motion) {
-  const double theta = std::atan2(motion.sine, motion.cosine);
-  const double psi = std::remainder(theta + critical.from_motion, std::numbers::pi);
-  return {critical.speed, psi == -std::numbers::pi / 2 ? -psi : psi};
+data::BadInput supercritical(double speed, const CriticalSpeed& critical) {
+  return {"speed", speed,
+          fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees", critical.speed,
+                      critical.psi * 180 / std::numbers::pi)};
 }
 
 }  // namespace nipref::fast::internal

@@ -1,8 +1,8 @@
 #pragma once
 #include <cstddef>
 
-#include <nipref/data/material/stiffness.hpp>
-#include <nipref/fast/half_space/internal/line_limits.hpp>
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 
 namespace nipref::fast::internal {
@@ -10,19 +10,17 @@ namespace nipref::fast::internal {
 /// The speed along `motion` at which the line psi is critical; infinite across the motion.
 double speed_of_motion(const LineLimits& line, Direction motion, Direction psi);
 
-struct CriticalLine {
-  double speed;        ///< along the motion
-  double from_motion;  ///< psi - theta
-};
+/// That of the line at the angle psi - theta = from_motion.
+CriticalSpeed critical_at(double speed, double from_motion, Direction motion);
 
-/// The line that is critical first. Apart from rounding in double it is proven that no line has a critical speed
+/// The line that is critical first, of a solid with these plane waves. Apart from rounding in double it is proven that no line has a critical speed
 /// lower by more than 1e-3, 1e-6, 1e-9 or 1e-12 of it, whichever is the smallest that 400 lines suffice for. BadInput
 /// "solid" where the fastest wave along the surface is 3000 times as fast, or where `most_lines` lines do not
 /// suffice.
-CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
-                           std::size_t most_lines);
+CriticalSpeed critical_speed(const LineLimits& line, const AnisotropicLine& waves, Direction motion,
+                             std::size_t most_lines);
 
-/// The same with the line's angle psi from x1, -pi/2 < psi <= pi/2.
-CriticalSpeed critical_speed(const CriticalLine& critical, Direction motion);
+/// The refusal of a speed that is not below the critical one.
+data::BadInput supercritical(double speed, const CriticalSpeed& critical);
 
 }  // namespace nipref::fast::internal

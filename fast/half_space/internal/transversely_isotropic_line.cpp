@@ -47,7 +47,7 @@ NormalAxisLine::NormalAxisLine(const data::TransverselyIsotropicSolid& solid)
 
 double NormalAxisLine::bound(Direction) const { return d5_; }
 
-NIPREF_TWICE LineFunctions NormalAxisLine::code(Direction psi, Two scaled_X) const {
+NIPREF_TWICE LineFunctions NormalAxisLine::at(Direction psi, Two scaled_X) const {
   const Two X = scaled_X / squared_length(psi);
   const Two A1_squared = Two{d1_} - X, B5_squared = Two{d5_} - X;
   if (!(A1_squared.high > 0 && B5_squared.high > 0)) return {};
@@ -59,12 +59,6 @@ NIPREF_TWICE LineFunctions NormalAxisLine::code(Direction psi, Two scaled_X) con
   const Two stiff = root3_ * root5_ * A1;
   const Two rayleigh = B5 * (determinant_ - d3_ * X) - X * stiff;
   return {rayleigh, A1 * sqrt(P_squared), stiff - d13_ * B5};
-}
-
-NIPREF_FUSED LineFunctions NormalAxisLine::fused(Direction psi, Two X) const { return code(psi, X); }
-
-LineFunctions NormalAxisLine::at(Direction psi, Two X) const {
-  return chosen_instruction_set > 0 ? fused(psi, X) : code(psi, X);
 }
 
 InPlaneAxisLine::InPlaneAxisLine(const data::TransverselyIsotropicSolid& solid)
@@ -92,7 +86,7 @@ double InPlaneAxisLine::bound(Direction psi) const {
 // What remains of the third row of the inverse impedance is
 //   M/A6 = 2 d5 B5 Pi Sigma + T5 J1 - d6 sin^2 J2,  (Pi Sigma, cos J1, -sin J2)/(M/A6),
 //   J1 = q - 2 d5 G + (d6 + d12) sin^2/d1,  J2 = Pi + B1^2 - (d6 + d12) T5/(d1 d6).
-NIPREF_TWICE LineFunctions InPlaneAxisLine::code(Direction psi, Two X) const {
+NIPREF_TWICE LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
   const Two cos2 = square(cosine_of(psi)), sin2 = square(sine_of(psi));
   const Two A6 = d6_ * sin2 - X, A2 = d2_ * sin2 - X;
   const Two B1_squared = cos2 + A6 * inverse1_, B2_squared = cos2 + A2 * inverse6_,
@@ -119,20 +113,26 @@ NIPREF_TWICE LineFunctions InPlaneAxisLine::code(Direction psi, Two X) const {
   return {rayleigh, compliance, sin2 * J2 - cos2 * J1, psi.cosine * psi.sine * (J1 + J2).high};
 }
 
-NIPREF_FUSED LineFunctions InPlaneAxisLine::fused(Direction psi, Two X) const { return code(psi, X); }
-
-LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
-  return chosen_instruction_set > 0 ? fused(psi, X) : code(psi, X);
-}
-
 TransverselyIsotropicLine::TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid,
                                                      data::SymmetryAxis axis)
     : inverse_unit_(1 / power_of_two(solid.c44)),
       density_(solid.density * inverse_unit_),
       line_(line_of(times(inverse_unit_, solid), axis)) {}
 
+namespace {
+
+template <class Line>
+NIPREF_FUSED LineFunctions fused(const Line& line, Direction psi, Two X) {
+  return line.at(psi, X);
+}
+
+}  // namespace
+
 LineFunctions TransverselyIsotropicLine::functions(Direction psi, Two X) const {
-  return std::visit([&](const auto& line) { return line.at(psi, X); }, line_);
+  const auto of = [&](const auto& line) {
+    return chosen_instruction_set > 0 ? fused(line, psi, X) : line.at(psi, X);
+  };
+  return std::visit(of, line_);
 }
 
 bool TransverselyIsotropicLine::is_subcritical(Direction psi, Two speed) const {
@@ -140,13 +140,13 @@ bool TransverselyIsotropicLine::is_subcritical(Direction psi, Two speed) const {
 }
 
 // Numerators and denominators have two words, as their terms cancel; double suffices for their quotients.
-std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Motion& motion) const {
+std::optional<LineResponse> TransverselyIsotropicLine::at(Direction psi, const Motion& motion) const {
   const LineFunctions line = functions(psi, stress_density(density_, psi, motion));
   if (!line.subcritical()) return std::nullopt;
   const double divisor = line.rayleigh.high;
-  return LineAnswers{line.compliance.high / divisor * inverse_unit_,
-                     line.coupling.high / divisor * inverse_unit_,
-                     line.coupling_across / divisor * inverse_unit_};
+  return LineResponse{line.compliance.high / divisor * inverse_unit_,
+                      line.coupling.high / divisor * inverse_unit_,
+                      line.coupling_across / divisor * inverse_unit_};
 }
 
 // By a central difference in two words. With this step the rounding error is 1e-13 of the result and the truncation
@@ -169,9 +169,7 @@ double TransverselyIsotropicLine::limit(Direction psi) const {
 }
 
 Two TransverselyIsotropicLine::limit_in_two_words(Direction psi) const {
-  const double high = limit(psi), next = std::nextafter(high, HUGE_VAL);
-  return {high,
-          last_that([&](double low) { return is_subcritical(psi, two_sum(high, low)); }, 0, next - high)};
+  return last_in_two_words([&](Two speed) { return is_subcritical(psi, speed); }, limit(psi));
 }
 
 }  // namespace nipref::fast::internal

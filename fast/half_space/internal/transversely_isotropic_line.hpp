@@ -4,6 +4,7 @@
 
 #include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/internal/line_limits.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast::internal {
 
@@ -23,11 +24,6 @@ struct LineFunctions {
   [[nodiscard]] bool subcritical() const { return rayleigh.high > 0; }
 };
 
-/// 1/stress.
-struct LineAnswers {
-  double compliance, coupling, coupling_across;
-};
-
 /// The axis of symmetry is normal to the surface: all lines are alike. (brock2013 19, 25b)
 class NormalAxisLine {
  public:
@@ -37,9 +33,6 @@ class NormalAxisLine {
   [[nodiscard]] double bound(Direction psi) const;
 
  private:
-  [[nodiscard]] LineFunctions code(Direction psi, Two X) const;  ///< what is compiled twice
-  [[nodiscard]] LineFunctions fused(Direction psi, Two X) const;
-
   double d1_, d3_, d5_, d13_;
   Two determinant_;  ///< d1 d3 - d13^2
   Two sum_;          ///< |d5 + d13|
@@ -55,9 +48,6 @@ class InPlaneAxisLine {
   [[nodiscard]] double bound(Direction psi) const;
 
  private:
-  [[nodiscard]] LineFunctions code(Direction psi, Two X) const;  ///< what is compiled twice
-  [[nodiscard]] LineFunctions fused(Direction psi, Two X) const;
-
   double d2_, d5_, d6_;
   Two inverse1_, inverse5_, inverse6_;
   Two sum_over_d1_;  ///< (d6 + d12)/d1
@@ -70,7 +60,7 @@ class TransverselyIsotropicLine final : public LineLimits {
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
   /// Nothing if the line is not subcritical.
-  [[nodiscard]] std::optional<LineAnswers> at(Direction psi, const Motion& motion) const;
+  [[nodiscard]] std::optional<LineResponse> at(Direction psi, const Motion& motion) const;
 
   /// d ln K/d ln speed on a subcritical line.
   [[nodiscard]] double condition(Direction psi, const Motion& motion) const;

@@ -1,7 +1,7 @@
 #pragma once
+#include <Eigen/Core>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -31,44 +31,23 @@ void visit_nodes(Subinterval panel, Visit&& visit) {
   }
 }
 
+template <std::size_t count>
+using Components = Eigen::Array<double, static_cast<int>(count), 1>;
+
 /// One panel's part of int f and int |f| for a vector f.
 template <std::size_t count>
 struct PanelSum {
   Subinterval panel;
-  std::array<double, count> value{}, magnitude{};
+  Components<count> value = Components<count>::Zero(), magnitude = value;
 
   template <typename Integrand>
   PanelSum(Integrand& integrand, Subinterval over) : panel(over) {
     visit_nodes(panel, [&](double x, double weight) {
-      const std::array<double, count> term = integrand(x);
-      for (std::size_t i = 0; i < count; ++i) {
-        value[i] += weight * term[i];
-        magnitude[i] += weight * std::fabs(term[i]);
-      }
+      const std::array<double, count> terms = integrand(x);
+      const Eigen::Map<const Components<count>> term(terms.data());
+      value += weight * term;
+      magnitude += weight * term.abs();
     });
-  }
-};
-
-/// A panel compared with its two halves.
-template <std::size_t count>
-struct HalvedPanel {
-  PanelSum<count> left, right;
-  std::array<Estimate, count> integral{};  ///< sum of the halves; the error is its difference from the whole
-
-  template <typename Integrand>
-  HalvedPanel(Integrand& integrand, const PanelSum<count>& whole)
-      : left(integrand, {whole.panel.lower, whole.panel.middle()}),
-        right(integrand, {whole.panel.middle(), whole.panel.upper}) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const double sum = left.value[i] + right.value[i];
-      integral[i] = {sum, std::fabs(sum - whole.value[i])};
-    }
-  }
-
-  [[nodiscard]] bool confirms_whole(const std::array<double, count>& tolerated) const {
-    for (std::size_t i = 0; i < count; ++i)
-      if (!(integral[i].error <= tolerated[i])) return false;
-    return true;
   }
 };
 
@@ -78,14 +57,6 @@ template <std::size_t count>
 struct AdaptedPanels {
   std::vector<Subinterval> panels;
   std::array<Estimate, count> integral{};
-
-  void add(Subinterval panel, const std::array<Estimate, count>& part) {
-    panels.push_back(panel);
-    for (std::size_t i = 0; i < count; ++i) {
-      integral[i].value += part[i].value;
-      integral[i].error += part[i].error;
-    }
-  }
 };
 
 /// f maps a number to a std::array<double, count>. A panel is halved until its halves agree with it, which grades the
@@ -98,33 +69,33 @@ AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double up
   const double middle = Subinterval{lower, upper}.middle();
   std::vector<PanelSum<count>> pending{{integrand, {lower, middle}}, {integrand, {middle, upper}}};
   std::size_t nodes = 2 * nodes_in_a_panel;
-  std::array<double, count> magnitude{};  // the integral of |f|, as far as it is known
-  const auto count_in = [&magnitude](const PanelSum<count>& sum, double sign) {
-    for (std::size_t i = 0; i < count; ++i) magnitude[i] += sign * sum.magnitude[i];
-  };
-  for (const auto& sum : pending) count_in(sum, 1);
-
+  // The integral of |f|, as far as it is known.
+  Components<count> magnitude = pending[0].magnitude + pending[1].magnitude;
+  Components<count> value = Components<count>::Zero(), error = value;
   AdaptedPanels<count> result;
   while (!pending.empty()) {
     std::vector<PanelSum<count>> unconfirmed;
     const bool enough = nodes >= most_nodes;
-    auto tolerated = magnitude;
-    for (double& each : tolerated) each *= tolerance;
+    const Components<count> tolerated = tolerance * magnitude;
     for (const PanelSum<count>& whole : pending) {
-      const HalvedPanel<count> halves(integrand, whole);
+      const double halfway = whole.panel.middle();
+      const PanelSum<count> left(integrand, {whole.panel.lower, halfway}),
+          right(integrand, {halfway, whole.panel.upper});
       nodes += 2 * nodes_in_a_panel;
-      count_in(whole, -1);
-      count_in(halves.left, 1);
-      count_in(halves.right, 1);
-      if (enough || halves.confirms_whole(tolerated)) {
-        result.add(whole.panel, halves.integral);
+      magnitude += left.magnitude + right.magnitude - whole.magnitude;
+      const Components<count> sum = left.value + right.value, missing = (sum - whole.value).abs();
+      if (enough || (missing <= tolerated).all()) {
+        result.panels.push_back(whole.panel);
+        value += sum;
+        error += missing;
       } else {
-        unconfirmed.insert(unconfirmed.end(), {halves.left, halves.right});
+        unconfirmed.insert(unconfirmed.end(), {left, right});
       }
     }
     pending = std::move(unconfirmed);
   }
-  for (std::size_t i = 0; i < count; ++i) result.integral[i].error += rounding * magnitude[i];
+  error += rounding * magnitude;
+  for (int i = 0; i < value.size(); ++i) result.integral[static_cast<std::size_t>(i)] = {value[i], error[i]};
   return result;
 }
 

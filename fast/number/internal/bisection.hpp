@@ -1,5 +1,8 @@
 #pragma once
+#include <cmath>
 #include <concepts>
+
+#include <nipref/fast/number/two_words.hpp>
 
 namespace nipref::fast::internal {
 
@@ -11,6 +14,12 @@ double last_that(std::predicate<double> auto holds, double low, double high) {
     if (middle == low || middle == high) return low;
     (holds(middle) ? low : high) = middle;
   }
+}
+
+/// The same to two words, from the last double: `holds` is a predicate of two words.
+Two last_in_two_words(std::predicate<Two> auto holds, double last) {
+  const auto holds_beyond = [&](double low) { return holds(two_sum(last, low)); };
+  return {last, last_that(holds_beyond, 0, std::nextafter(last, HUGE_VAL) - last)};
 }
 
 }  // namespace nipref::fast::internal

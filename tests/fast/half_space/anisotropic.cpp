@@ -1,6 +1,7 @@
 // Half-spaces of any anisotropy: special solids, turned axes, critical speeds.
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 
 #include "support/test.hpp"
 

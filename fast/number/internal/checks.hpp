@@ -1,0 +1,23 @@
+#pragma once
+#include <cmath>
+#include <string_view>
+
+#include <nipref/data/bad_input.hpp>
+
+namespace nipref::fast::internal {
+
+// Each throws BadInput unless the number is what its name says.
+
+inline void check_finite(std::string_view name, double value) {
+  if (!std::isfinite(value)) throw data::BadInput(name, value, "must be a finite number");
+}
+
+inline void check_not_negative(std::string_view name, double value) {
+  if (!(std::isfinite(value) && value >= 0)) throw data::BadInput(name, value, "must be finite and >= 0");
+}
+
+inline void check_positive(std::string_view name, double value) {
+  if (!(std::isfinite(value) && value > 0)) throw data::BadInput(name, value, "must be finite and > 0");
+}
+
+}  // namespace nipref::fast::internal
