@@ -8,25 +8,14 @@ namespace nipref::fast {
 namespace {
 
 using internal::Octuple;
-using internal::partial_fractions;
+using internal::Operators;
 using internal::Polynomial;
-using internal::product;
-using internal::sum;
 
-struct ExactOperators {
-  Polynomial p, q, p_dilatation, q_dilatation;
-};
-
-ExactOperators operators_of(const data::DifferentialOperators& x) {
-  const auto exactly = [](const std::vector<double>& c) { return Polynomial(c.begin(), c.end()); };
-  return {exactly(x.p), exactly(x.q), exactly(x.p_dilatation), exactly(x.q_dilatation)};
+Operators exactly(const std::vector<double>& p, const std::vector<double>& q) {
+  return {Polynomial(p.begin(), p.end()), Polynomial(q.begin(), q.end())};
 }
 
-struct ExactModulus {
-  Polynomial p, q;
-};
-
-ExactModulus exactly(const Modulus& m) {
+Operators exactly(const Modulus& m) {
   using data::SpringModel;
   const Octuple spring = m.spring, viscosity = m.viscosity;
   if (m.model == SpringModel::elastic) return {{1}, {spring}};
@@ -35,41 +24,33 @@ ExactModulus exactly(const Modulus& m) {
   return {{spring + second, viscosity}, {spring * second, spring * viscosity}};
 }
 
-ExactOperators operators_of(const Modulus& shear, const Modulus& bulk) {
-  const ExactModulus G = exactly(shear), K = exactly(bulk);
-  return {G.p, G.q, K.p, K.q};
+data::MaterialFunctions factored(const Operators& shear, const Operators& bulk, double shared) {
+  const auto [theta1, theta2] = compliances_of(shear, bulk);
+  return {partial_fractions(theta1, "Q", shared), partial_fractions(theta2, "Q_dilatation", shared)};
 }
 
-ExactOperators operators_of(const data::StandardLinearSolid& s) {
+data::MaterialFunctions factored(const data::DifferentialOperators& x) {
+  return factored(exactly(x.p, x.q), exactly(x.p_dilatation, x.q_dilatation), internal::of_rounded);
+}
+
+data::MaterialFunctions factored(const data::StandardLinearSolid& s) {
   constexpr auto model = data::SpringModel::standard_linear;
-  return operators_of({model, s.shear_1, s.shear_2, s.shear_viscosity},
-                      {model, s.bulk_1, s.bulk_2, s.bulk_viscosity});
-}
-
-/// theta1 = P/(2Q), theta2 = 3 P P'/(6 Q' P + 2 Q P')
-data::MaterialFunctions factored(const ExactOperators& operators, double shared) {
-  const auto& [p, q, p_dilatation, q_dilatation] = operators;
-  const Polynomial six = product({6}, q_dilatation), two = product({2}, q);
-  const data::MaterialFunction theta1 = partial_fractions({p}, two, "Q", shared);
-  // A factor P that both have is left out at once: rounding would split its double root.
-  if (p == p_dilatation) return {theta1, partial_fractions({{3}, p}, sum(six, two), "Q_dilatation", shared)};
-  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
-  return {theta1, partial_fractions({{3}, p, p_dilatation}, denominator, "Q_dilatation", shared)};
+  return factored(exactly(Modulus{model, s.shear_1, s.shear_2, s.shear_viscosity}),
+                  exactly(Modulus{model, s.bulk_1, s.bulk_2, s.bulk_viscosity}), internal::of_rounded);
 }
 
 }  // namespace
 
 data::MaterialFunctions material_functions(const Modulus& shear, const Modulus& bulk) {
-  return factored(operators_of(shear, bulk), internal::of_exact);
+  return factored(exactly(shear), exactly(bulk), internal::of_exact);
 }
 
 data::MaterialFunctions material_functions(const data::ViscoelasticMaterial& material) {
   if (material.functions()) return *material.functions();
   const auto* operators = std::get_if<data::DifferentialOperators>(&material.constants());
   const data::MaterialFunctions functions =
-      factored(operators != nullptr ? operators_of(*operators)
-                                    : operators_of(std::get<data::StandardLinearSolid>(material.constants())),
-               internal::of_rounded);
+      operators != nullptr ? factored(*operators)
+                           : factored(std::get<data::StandardLinearSolid>(material.constants()));
   functions.check();
   return functions;
 }

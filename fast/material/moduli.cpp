@@ -2,23 +2,20 @@
 #include <complex>
 #include <string>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/magnitude.hpp>
 #include <nipref/fast/material/moduli.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
 
 using data::SpringModel;
+using internal::check_not_negative;
 
-void check_nonnegative(const char* name, double value) {
-  if (!(std::isfinite(value) && value >= 0)) throw data::BadInput(name, value, "must be finite and >= 0");
-}
-
-/// amplitude e^(-rate t)
-Fading faded(double amplitude, double rate, double t) {
+/// amplitude e^-age
+Fading faded(double amplitude, double age) {
   // By halves: the exponential may be smaller than any double where the product is not.
-  const double age = rate * t, half = std::exp(-age / 2), value = amplitude * half * half;
+  const double half = std::exp(-age / 2), value = amplitude * half * half;
   // What has faded to nothing is not made infinite again.
   return {value, value == 0 ? 0 : value * (1 + age)};
 }
@@ -32,9 +29,25 @@ double second_spring(const Modulus& m) {
   return m.model == SpringModel::standard_linear ? m.second_spring : 0;
 }
 
-/// The stress of the dashpot over that of the springs beside it.
-double dashpot_ratio(const Modulus& m, double omega) {
-  return omega * (m.viscosity / (m.spring + second_spring(m)));
+/// The modulus at_rest + jump time z/(1 + time z) + dashpot z, z the variable of Laplace's transformation.
+struct Stiff {
+  double at_rest, jump, time, dashpot;
+};
+Stiff stiffness_of(const Modulus& m) {
+  if (m.model == SpringModel::elastic) return {m.spring, 0, 1, 0};
+  if (m.model == SpringModel::kelvin_voigt) return {m.spring, 0, 1, m.viscosity};
+  const double second = second_spring(m), both = m.spring + second, part = m.spring / both;
+  return {part * second, m.spring * part, m.viscosity / both, 0};
+}
+
+/// Its reciprocal at_once + fluidity/(rate + z).
+struct Compliant {
+  double at_once, fluidity, rate;
+};
+Compliant compliance_of(const Modulus& m) {
+  if (m.model == SpringModel::elastic) return {1 / m.spring, 0, 0};
+  if (m.model == SpringModel::kelvin_voigt) return {0, 1 / m.viscosity, m.spring / m.viscosity};
+  return {1 / m.spring, 1 / m.viscosity, second_spring(m) / m.viscosity};
 }
 
 /// x^2/(1 + x^2) and x/(1 + x^2)
@@ -51,73 +64,55 @@ void Modulus::check(const char* prefix) const {
 }
 
 Fading relaxation(const Modulus& m, double t) {
-  check_nonnegative("t", t);
-  if (m.model == SpringModel::elastic || m.model == SpringModel::kelvin_voigt) return {m.spring, m.spring};
-  const double second = second_spring(m), both = m.spring + second, part = m.spring / both;
-  return Fading{part * second, part * second} + faded(m.spring * part, both / m.viscosity, t);
+  check_not_negative("t", t);
+  const auto [at_rest, jump, time, dashpot] = stiffness_of(m);
+  return Fading{at_rest, at_rest} + faded(jump, t / time);
 }
 
 double creep(const Modulus& m, double t) {
-  check_nonnegative("t", t);
-  switch (m.model) {
-    case SpringModel::elastic:
-      return 1 / m.spring;
-    case SpringModel::kelvin_voigt:
-      return gone(m.spring / m.viscosity, t) / m.viscosity;
-    default:
-      return 1 / m.spring + gone(second_spring(m) / m.viscosity, t) / m.viscosity;
-  }
+  check_not_negative("t", t);
+  const auto [at_once, fluidity, rate] = compliance_of(m);
+  return at_once + gone(rate, t) * fluidity;
 }
 
 double storage(const Modulus& m, double omega) {
-  check_nonnegative("omega", omega);
-  if (m.model == SpringModel::elastic || m.model == SpringModel::kelvin_voigt) return m.spring;
-  const double second = second_spring(m), part = m.spring / (m.spring + second);
-  return part * (second + m.spring * followed(dashpot_ratio(m, omega)));
+  check_not_negative("omega", omega);
+  const auto [at_rest, jump, time, dashpot] = stiffness_of(m);
+  return at_rest + jump * followed(time * omega);
 }
 
 double loss(const Modulus& m, double omega) {
-  check_nonnegative("omega", omega);
-  if (m.model == SpringModel::elastic) return 0;
-  if (m.model == SpringModel::kelvin_voigt) return m.viscosity * omega;
-  const double part = m.spring / (m.spring + second_spring(m));
-  return part * m.spring * lagged(dashpot_ratio(m, omega));
+  check_not_negative("omega", omega);
+  const auto [at_rest, jump, time, dashpot] = stiffness_of(m);
+  return jump * lagged(time * omega) + dashpot * omega;
 }
 
 std::complex<double> modulus_at(const Modulus& m, double p, double omega) {
-  check_nonnegative("p", p);
-  check_nonnegative("omega", omega);
-  if (m.model == SpringModel::elastic) return m.spring;
-  const std::complex<double> z(p, omega);
-  if (m.model == SpringModel::kelvin_voigt) return m.spring + m.viscosity * z;
-  // In units of 2^-53: share is good to 2, ratio to 4, less to 10, the sums to 14 and 11, a quotient to 6 more.
-  const double both = m.spring + second_spring(m), share = second_spring(m) / both;
-  const std::complex<double> ratio = m.viscosity / both * z;
-  if (std::abs(ratio) < 1) return m.spring * ((share + ratio) / (1.0 + ratio));
-  const std::complex<double> less = 1.0 / ratio;
-  return m.spring * ((1.0 + share * less) / (1.0 + less));
+  check_not_negative("p", p);
+  check_not_negative("omega", omega);
+  const auto [at_rest, jump, time, dashpot] = stiffness_of(m);
+  // In units of 2^-53: at_rest and jump are good to 3, ratio to 3, its reciprocal to 9, the sums with 1 to 4 and 10, a
+  // quotient to 6 more. Real parts are >= 0, so that no term exceeds the sum.
+  const std::complex<double> z(p, omega), ratio = time * z;
+  const std::complex<double> followed =
+      std::abs(ratio) < 1 ? ratio / (1.0 + ratio) : 1.0 / (1.0 + 1.0 / ratio);
+  return at_rest + jump * followed + dashpot * z;
 }
 
 Fading theta1(const Modulus& shear, double t) {
-  check_nonnegative("t", t);
-  switch (shear.model) {
-    case SpringModel::elastic:
-      return {0, 0};
-    case SpringModel::kelvin_voigt:
-      return faded(1 / (2 * shear.viscosity), shear.spring / shear.viscosity, t);
-    default:
-      return faded(1 / (2 * shear.viscosity), second_spring(shear) / shear.viscosity, t);
-  }
+  check_not_negative("t", t);
+  const auto [at_once, fluidity, rate] = compliance_of(shear);
+  return faded(fluidity / 2, rate * t);
 }
 
 // 6K + 2G = c - sum k_i/(p + s_i), so that 3/(6K + 2G) = (3/c) [1 + v . (p + M)^-1 v] with v_i^2 = k_i/c and
 // M = diag(s) - v v, symmetric: a term for each of its principal directions, positive all.
 Fading theta2(const Modulus& shear, const Modulus& bulk, double t) {
-  check_nonnegative("t", t);
+  check_not_negative("t", t);
   if (shear.model == SpringModel::elastic) return {0, 0};
   if (shear.model == SpringModel::kelvin_voigt) {
     const double viscosity = 6 * bulk.viscosity + 2 * shear.viscosity;
-    return faded(3 / viscosity, (6 * bulk.spring + 2 * shear.spring) / viscosity, t);
+    return faded(3 / viscosity, (6 * bulk.spring + 2 * shear.spring) / viscosity * t);
   }
   const double of_bulk = 6 * bulk.spring, of_shear = 2 * shear.spring, at_once = of_bulk + of_shear;
   const double share_bulk = of_bulk / at_once, share_shear = of_shear / at_once;
@@ -139,8 +134,8 @@ Fading theta2(const Modulus& shear, const Modulus& bulk, double t) {
                cosine = half_apart < 0 ? larger * smaller : larger;
   const double slow_weight = v_bulk * sine + v_shear * cosine;
   const double fast_weight = v_bulk * cosine - v_shear * sine;
-  return faded(3 / at_once * slow_weight * slow_weight, slow_rate, t) +
-         faded(3 / at_once * fast_weight * fast_weight, fast_rate, t);
+  return faded(3 / at_once * slow_weight * slow_weight, slow_rate * t) +
+         faded(3 / at_once * fast_weight * fast_weight, fast_rate * t);
 }
 
 }  // namespace nipref::fast

@@ -9,28 +9,26 @@
 #include <nipref/fast/material/internal/inverse_transform.hpp>
 #include <nipref/fast/material/internal/partial_fractions.hpp>
 #include <nipref/fast/material/rational_solid.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
 
+using internal::check_not_negative;
 using internal::Octuple;
 using internal::OctupleComplex;
+using internal::Operators;
 using internal::Polynomial;
 using internal::product;
 using internal::Rational;
-using internal::times;
+using internal::sum;
 
 /// Of the size of the parts that a value is made of, which are known better.
 constexpr double least_scale = 0x1p-150;
 
-/// A modulus Q/P. `factors`: those of P that are known, otherwise P itself.
-struct Operators {
-  Polynomial p, q;
-  std::vector<Polynomial> factors{p};
-};
 struct Solid {
   Operators shear, dilatation;
-  Rational theta1, theta2;
+  internal::Compliances compliances;
 };
 
 void check_part(const std::string& name, double value) {
@@ -43,16 +41,11 @@ void check_not_below_0(const std::string& name, double value) {
   if (value < 0) throw data::BadInput(name, value, "must be >= 0");
 }
 
-/// theta1 or theta2, numerator over denominator.
-struct Series {
-  Polynomial numerator;
-  std::vector<Polynomial> factors;
-  Polynomial denominator{1};
-};
-
-Series series_of(const data::PronyList& list, const std::string& name) {
+/// theta1 or theta2.
+Rational series_of(const data::PronyList& list, const std::string& name) {
   check_not_below_0(name + "_instantaneous", list.instantaneous);
-  Series series{internal::trimmed({list.instantaneous}), {}};
+  Polynomial numerator = internal::trimmed({list.instantaneous}), denominator{1};
+  std::vector<Polynomial> factors;
   // Terms of one rate are one, as a root that many factors share is found to few digits.
   std::map<double, Octuple> by_rate;
   for (std::size_t i = 0; i < list.rates.size(); ++i) {
@@ -63,13 +56,12 @@ Series series_of(const data::PronyList& list, const std::string& name) {
   }
   for (const auto& [rate, amplitude] : by_rate) {
     const Polynomial factor{rate, 1};
-    series.numerator = internal::sum(product(series.numerator, factor), times(amplitude, series.denominator));
-    series.denominator = product(series.denominator, factor);
-    series.factors.push_back(factor);
+    numerator = sum(product(numerator, factor), product({amplitude}, denominator));
+    denominator = product(denominator, factor);
+    factors.push_back(factor);
   }
-  if (series.numerator.empty())
-    throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
-  return series;
+  if (numerator.empty()) throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
+  return {{numerator}, factors};
 }
 
 Polynomial polynomial_of(const std::vector<double>& coefficients, const std::string& name) {
@@ -96,21 +88,12 @@ Operators operators_of(const std::vector<double>& p, const std::vector<double>& 
 
 struct Build {
   Solid operator()(const data::PronySeries& both) const {
-    const Series one = series_of(both.theta1, "theta1"), two = series_of(both.theta2, "theta2");
-    return of_compliances(one, two);
+    return of_compliances({series_of(both.theta1, "theta1"), series_of(both.theta2, "theta2")});
   }
   Solid operator()(const data::DifferentialOperators& x) const {
     const Operators shear = operators_of(x.p, x.q, ""),
                     dilatation = operators_of(x.p_dilatation, x.q_dilatation, "_dilatation");
-    // A factor that both have would be a spurious root.
-    const bool same = shear.p == dilatation.p;
-    const Polynomial six = times(6, dilatation.q), two = times(2, shear.q);
-    return {shear,
-            dilatation,
-            {shear.p, {two}},
-            same ? Rational{times(3, shear.p), {internal::sum(six, two)}}
-                 : Rational{times(3, product(shear.p, dilatation.p)),
-                            {internal::sum(product(six, shear.p), product(two, dilatation.p))}}};
+    return {shear, dilatation, compliances_of(shear, dilatation)};
   }
   Solid operator()(const data::SingleRelaxationTimeSolid& x) const {
     data::check_magnitude("bulk", x.bulk);
@@ -119,20 +102,19 @@ struct Build {
     const Octuple tau = x.relaxation_time, shear = x.shear, both = 6 * Octuple(x.bulk) + 2 * shear;
     const Octuple factor = x.theta2_rate_factor;
     // theta1 = (2 + tau p)/(2 shear (1 + tau p)), theta2 = 3 (1 + factor + tau p)/(both (factor + tau p))
+    const Polynomial n1{2, tau}, n2{3 * (1 + factor), 3 * tau};
     const Polynomial d1{2 * shear, 2 * shear * tau}, d2{factor * both, both * tau};
-    return of_compliances({{2, tau}, {d1}, d1}, {{3 * (1 + factor), 3 * tau}, {d2}, d2});
+    return of_compliances({{{n1}, {d1}}, {{n2}, {d2}}});
   }
 
  private:
   /// G = 1/(2 theta1), 6K = 3/theta2 - 1/theta1.
-  static Solid of_compliances(const Series& one, const Series& two) {
-    return {{times(2, one.numerator), one.denominator},
-            {times(6, product(one.numerator, two.numerator)),
-             internal::sum(times(3, product(two.denominator, one.numerator)),
-                           times(-1, product(one.denominator, two.numerator))),
-             {times(6, one.numerator), two.numerator}},
-            {one.numerator, one.factors},
-            {two.numerator, two.factors}};
+  static Solid of_compliances(const internal::Compliances& both) {
+    const Polynomial n1 = product(both.theta1.numerator), d1 = product(both.theta1.denominator);
+    const Polynomial n2 = product(both.theta2.numerator), d2 = product(both.theta2.denominator);
+    return {{product({2}, n1), d1},
+            {product({{6}, n1, n2}), sum(product({{3}, d2, n1}), product({{-1}, d1, n2})), {{6}, n1, n2}},
+            both};
   }
 };
 
@@ -140,10 +122,6 @@ Solid built(const RationalSolid& solid) { return std::visit(Build{}, solid); }
 
 const Operators& of_strain(const Solid& solid, Strain of) {
   return of == Strain::shear ? solid.shear : solid.dilatation;
-}
-
-void check_not_negative(const char* name, double value) {
-  if (!(std::isfinite(value) && value >= 0)) throw data::BadInput(name, value, "must be finite and >= 0");
 }
 
 Fading rounded(const internal::Sized<Octuple>& found, const char* name, double at) {
@@ -173,17 +151,12 @@ struct AtPoint {
   }
 };
 
-data::MaterialFunction terms_of(const Rational& theta, const char* name) {
-  Polynomial denominator{1};
-  for (const Polynomial& factor : theta.denominator) denominator = product(denominator, factor);
-  return internal::partial_fractions({theta.numerator}, denominator, name, internal::of_exact);
-}
-
 }  // namespace
 
 data::MaterialFunctions material_functions(const RationalSolid& solid) {
-  const Solid all = built(solid);
-  return {terms_of(all.theta1, "theta1"), terms_of(all.theta2, "theta2")};
+  const auto [theta1, theta2] = built(solid).compliances;
+  return {partial_fractions(theta1, "theta1", internal::of_exact),
+          partial_fractions(theta2, "theta2", internal::of_exact)};
 }
 
 Fading relaxation(const RationalSolid& solid, Strain of, double t) {
@@ -191,7 +164,7 @@ Fading relaxation(const RationalSolid& solid, Strain of, double t) {
   const Operators& modulus = of_strain(all, of);
   std::vector<Polynomial> factors = modulus.factors;
   factors.push_back({0, 1});
-  return in_time({modulus.q, factors}, t);
+  return in_time({{modulus.q}, factors}, t);
 }
 
 Fading creep(const RationalSolid& solid, Strain of, double t) {
@@ -199,7 +172,7 @@ Fading creep(const RationalSolid& solid, Strain of, double t) {
   const Operators& modulus = of_strain(all, of);
   if (modulus.q.empty())
     throw data::BadInput("theta2", "3 theta1 at all times", "must be less: nothing resists dilatation");
-  return in_time({modulus.p, {{0, 1}, modulus.q}}, t);
+  return in_time({{modulus.p}, {{0, 1}, modulus.q}}, t);
 }
 
 Fading storage(const RationalSolid& solid, Strain of, double omega) {
@@ -224,7 +197,7 @@ Fading modulus_at(const RationalSolid& solid, Strain of, double p, double omega,
   return rounded({imaginary ? value.im : value.re, n.size * d.size / (below * below)}, name, at);
 }
 
-Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).theta1, t); }
-Fading theta2(const RationalSolid& solid, double t) { return in_time(built(solid).theta2, t); }
+Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).compliances.theta1, t); }
+Fading theta2(const RationalSolid& solid, double t) { return in_time(built(solid).compliances.theta2, t); }
 
 }  // namespace nipref::fast

@@ -110,14 +110,13 @@ Polynomial remainder(Polynomial a, const Polynomial& by) {
 
 Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   Points roots;
-  Polynomial denominator{1};
   for (const Polynomial& factor : transform.denominator) {
     const Points more = roots_of(factor);
     check_apart(more);
     roots.insert(roots.end(), more.begin(), more.end());
-    denominator = product(denominator, factor);
   }
-  const Polynomial proper = remainder(transform.numerator, denominator);
+  const Polynomial denominator = product(transform.denominator);
+  const Polynomial proper = remainder(product(transform.numerator), denominator);
   // Divided differences of a product, from the first root to the last: of the polynomial from the first to the k-th by
   // synthetic division, of the exponential from the k-th on.
   Points rest, faded = roots;

@@ -1,16 +1,8 @@
 #pragma once
-#include <vector>
-
 #include <nipref/fast/material/internal/polynomial.hpp>
 #include <nipref/fast/number/internal/sized.hpp>
 
 namespace nipref::fast::internal {
-
-/// The numerator over the product of the factors.
-struct Rational {
-  Polynomial numerator;
-  std::vector<Polynomial> denominator;
-};
 
 /// The function of time, t >= 0, that has this transform, without its impulses at 0: divided differences of e^(p t) over
 /// the roots of the denominator, which may coincide. The error is below 2^-150 of the size. BadInput where five roots of

@@ -96,9 +96,10 @@ Polynomial sum(const Polynomial& a, const Polynomial& b) {
   return trimmed(std::move(c));
 }
 
-Polynomial times(const Octuple& factor, Polynomial a) {
-  for (Octuple& c : a) c *= factor;
-  return a;
+Polynomial product(const std::vector<Polynomial>& factors) {
+  Polynomial all{1};
+  for (const Polynomial& factor : factors) all = product(all, factor);
+  return all;
 }
 
 std::vector<OctupleComplex> roots_of(Polynomial p) {

@@ -35,9 +35,14 @@ using Polynomial = std::vector<Octuple>;
 Polynomial product(const Polynomial& a, const Polynomial& b);
 /// A coefficient that cancels to less than 2^-200 of its terms is 0: leading coefficients of doubles cancel exactly.
 Polynomial sum(const Polynomial& a, const Polynomial& b);
-Polynomial times(const Octuple& factor, Polynomial a);
 /// Without the zeros at its end.
 Polynomial trimmed(Polynomial a);
+
+/// The product of some factors over that of others.
+struct Rational {
+  std::vector<Polynomial> numerator, denominator;
+};
+Polynomial product(const std::vector<Polynomial>& factors);
 
 /// All roots: by the formula up to the second degree, otherwise to rounding by the method of Ehrlich and Aberth.
 std::vector<OctupleComplex> roots_of(Polynomial p);
