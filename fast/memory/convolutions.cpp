@@ -116,17 +116,6 @@ Extended faded_time(double lambda, double t, double first, double last) {
   return fading(lambda, internal::two_sum(t, -last)) * length * extended_phi1(lambda * length);
 }
 
-double sign_memory(double gamma0, double gamma, double lambda, double t, double T) {
-  check_times(lambda, t, T);
-  check("gamma0", gamma0, -largest);
-  check("gamma", gamma, -largest);
-  const double passed = std::clamp(T, 0.0, t);
-  const Extended before = passed > 0 ? faded_time(lambda, t, 0, passed) : 0;
-  const Extended after = passed < t ? faded_time(lambda, t, passed, t) : 0;
-  const int sign = (T > t) - (T < t);
-  return static_cast<double>(Extended{gamma0} * sign + gamma * (before - after));
-}
-
 }  // namespace
 
 double J1(double lambda, double a, double b, double t, double T) {
@@ -146,11 +135,18 @@ double J4(double lambda, double a, double b, double t, double T) {
 }
 
 double J5(double gamma0, double gamma, double lambda, double t, double T) {
-  return sign_memory(gamma0, gamma, lambda, t, T);
+  check_times(lambda, t, T);
+  check("gamma0", gamma0, -largest);
+  check("gamma", gamma, -largest);
+  const double passed = std::clamp(T, 0.0, t);
+  const Extended before = passed > 0 ? faded_time(lambda, t, 0, passed) : 0;
+  const Extended after = passed < t ? faded_time(lambda, t, passed, t) : 0;
+  const int sign = (T > t) - (T < t);
+  return static_cast<double>(Extended{gamma0} * sign + gamma * (before - after));
 }
 
 double J6(double gamma0, double gamma, double lambda, double t, double T) {
-  return sign_memory(gamma0, gamma, lambda, t, T);
+  return J5(gamma0, gamma, lambda, t, T);
 }
 
 }  // namespace nipref::fast

@@ -8,6 +8,7 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
 
@@ -17,14 +18,6 @@ namespace {
 using namespace internal;
 
 using std::numbers::pi;
-
-void check_positive(const char* name, double value) {
-  if (!(value > 0) || !std::isfinite(value)) throw data::BadInput(name, value, "must be a finite number > 0");
-}
-
-void check_clock(double t) {
-  if (!(t >= 0) || !std::isfinite(t)) throw data::BadInput("t", t, "must be a finite number, 0 or more");
-}
 
 /// Distances are limited so that their products with a rate, and with each other, do not overflow.
 constexpr double farthest = 1e100;
@@ -122,14 +115,14 @@ MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed,
 }
 
 double MovingLoad::normal_displacement(double t, double T) const {
-  check_clock(t);
+  check_not_negative("t", t);
   check_argument("T", T, Domain::finite);
   if (t == T) throw data::BadInput("T", T, "must differ from t: Un is infinite under the load");
   return normal_displacement(load_path("T", t, T));
 }
 
 double MovingLoad::tangential_displacement(double t, double T, double t0) const {
-  check_clock(t);
+  check_not_negative("t", t);
   check_argument("T", T, Domain::finite);
   check_argument("t0", t0, Domain::finite);
   return tangential_displacement(load_path("T", t, T), load_path("t0", t, t0));

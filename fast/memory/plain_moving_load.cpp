@@ -5,6 +5,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
 
@@ -14,11 +15,6 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 constexpr Complex i(0, 1);
-
-double positive(double value, const char* name) {
-  if (!(std::isfinite(value) && value > 0)) throw data::BadInput(name, value, "must be finite and > 0");
-  return value;
-}
 
 std::vector<Complex> roots(int terms) {
   if (!(terms >= 1 && terms <= most_residue_terms)) {
@@ -49,8 +45,8 @@ double remembered_sign(double rate, double t, double T) {
 PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed,
                                  double half_thickness, int terms, double smallest_term)
     : roots_(roots(terms)), smallest_term_(smallest_term) {
-  positive(speed, "speed");
-  positive(half_thickness, "half_thickness");
+  internal::check_positive("speed", speed);
+  internal::check_positive("half_thickness", half_thickness);
   const data::MaterialFunctions functions = material_functions(material);
   const auto check_rate = [&](bool is_allowed, const char* why) {
     if (!is_allowed) throw data::BadInput("residue_terms", terms, why);

@@ -16,9 +16,9 @@ int refuse(int code, const std::exception& reason) noexcept {
   return code;
 }
 
-/// Writes the value, unless the kernel refuses the argument.
+/// Gives the value, unless the kernel refuses the argument.
 template <class Kernel>
-int write(double* value, Kernel kernel) noexcept {
+int give(double* value, Kernel kernel) noexcept {
   return c_call([=] {
     if (value == nullptr) throw data::BadInput("value", "null", "must point to a double");
     *value = kernel();
@@ -40,42 +40,34 @@ int c_call(void (*body)(void* context), void* context) noexcept {
 
 }  // namespace nipref::fast
 
-using namespace nipref;
+using namespace nipref::fast;
 
 int nipref_fast_I1(double alpha, double* value) {
-  return fast::write(value, [=] { return fast::I1(alpha); });
+  return give(value, [=] { return I1(alpha); });
 }
-
 int nipref_fast_I2(double alpha, double* value) {
-  return fast::write(value, [=] { return fast::I2(alpha); });
+  return give(value, [=] { return I2(alpha); });
 }
-
 int nipref_fast_I3(double alpha, double* value) {
-  return fast::write(value, [=] { return fast::I3(alpha); });
+  return give(value, [=] { return I3(alpha); });
 }
-
 int nipref_fast_I4(double eta, double* value) {
-  return fast::write(value, [=] { return fast::I4(eta); });
+  return give(value, [=] { return I4(eta); });
 }
-
 int nipref_fast_I5(double eta, double* value) {
-  return fast::write(value, [=] { return fast::I5(eta); });
+  return give(value, [=] { return I5(eta); });
 }
-
 int nipref_fast_I6(double alpha, double eta, double* value) {
-  return fast::write(value, [=] { return fast::I6(alpha, eta); });
+  return give(value, [=] { return I6(alpha, eta); });
 }
-
 int nipref_fast_I7(double eta, double* value) {
-  return fast::write(value, [=] { return fast::I7(eta); });
+  return give(value, [=] { return I7(eta); });
 }
-
 int nipref_fast_F1(double eta, double poisson, double* value) {
-  return fast::write(value, [=] { return fast::F1(eta, poisson); });
+  return give(value, [=] { return F1(eta, poisson); });
 }
-
 int nipref_fast_F2(double eta, double poisson, double* value) {
-  return fast::write(value, [=] { return fast::F2(eta, poisson); });
+  return give(value, [=] { return F2(eta, poisson); });
 }
 
-const char* nipref_last_error(void) { return fast::last_error; }
+const char* nipref_last_error(void) { return last_error; }

@@ -9,8 +9,7 @@
 namespace nipref::fast {
 namespace {
 
-using internal::theta1_share;
-using internal::theta2_share;
+using internal::shares_of;
 using std::numbers::inv_pi;
 
 /// The ratios theta1/N and theta2/N do not depend on Young's modulus, so that the check uses 1.
@@ -21,7 +20,8 @@ double normal_step(double alpha, const data::ElasticMaterial& material, Accuracy
 }
 
 double F1_of_checked(double eta, double poisson, Accuracy accuracy) {
-  return (theta2_share(poisson) * I4(eta, accuracy) - theta1_share(poisson) * I5(eta, accuracy)) * inv_pi;
+  const auto [theta1, theta2] = shares_of(poisson);
+  return (theta2 * I4(eta, accuracy) - theta1 * I5(eta, accuracy)) * inv_pi;
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ double F2(double eta, double poisson, Accuracy accuracy) {
   const double i7 = I7(eta, accuracy);
   const int part = static_cast<int>(internal::Component::eta_part_of_I6);
   const double s = internal::sheet_code().scalar[part][accuracy.tier()](eta);
-  return std::fabs(eta) / 4 + (theta1_share(poisson) * i7 - s) * inv_pi;
+  return std::fabs(eta) / 4 + (shares_of(poisson).theta1 * i7 - s) * inv_pi;
 }
 
 double un(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {

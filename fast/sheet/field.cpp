@@ -9,7 +9,6 @@
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
-#include <nipref/fast/sheet/internal/theta_shares.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 // With s the depth, N = theta1 + theta2, functions of w = alpha + i s as in field_functions.hpp:
@@ -31,8 +30,8 @@ using internal::FieldFunction;
 using internal::FieldFunctions;
 using internal::HalfPlaneParts;
 using internal::SeenFromLoads;
-using internal::theta1_share;
-using internal::theta2_share;
+using internal::Shares;
+using internal::shares_of;
 using std::numbers::inv_pi;
 
 constexpr double quarter_pi = std::numbers::pi / 4;
@@ -48,10 +47,6 @@ void check(double alpha, double depth) {
                          "must be at least 1e-300 in magnitude on the faces: the load is at 0");
   }
 }
-
-using internal::Shares;
-
-Shares shares_of(double poisson) { return {theta1_share(poisson), theta2_share(poisson)}; }
 
 bool is_near(double alpha) { return alpha < internal::near_load_end; }
 
@@ -109,14 +104,12 @@ HalfPlaneParts operator-(const HalfPlaneParts& a, const HalfPlaneParts& b) {
 
 /// u and v from their parts; v of a shear load lacks what depends on eta.
 double u_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
-  const double sum = load == SheetLoad::normal ? -parts.first - share.theta1 * parts.second
-                                               : share.theta1 * parts.second - share.theta2 * parts.first;
-  return sum * inv_pi;
+  const double second = share.theta1 * parts.second;
+  return (load == SheetLoad::normal ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
 }
+/// The formula is that of u under the other load.
 double v_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
-  const double sum = load == SheetLoad::normal ? share.theta1 * parts.second - share.theta2 * parts.first
-                                               : -parts.first - share.theta1 * parts.second;
-  return sum * inv_pi;
+  return u_of(parts, load == SheetLoad::normal ? SheetLoad::shear : SheetLoad::normal, share);
 }
 
 internal::FromFace from_face(const FieldFunctions& f, const FieldFunctions& face, double s, SheetLoad load,
@@ -134,40 +127,35 @@ internal::FromFace planes_from_face(double alpha, double s, SheetLoad load, cons
 }
 
 double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
-  const bool normal = load == SheetLoad::normal;
   HalfPlaneParts parts{};
   if (is_near(alpha)) {
     parts = internal::half_plane_u({alpha, s}, load) + parts_of_u(internal::near_rest(alpha, s, I4), s, load);
   } else {
-    parts = parts_of_u(internal::decaying(alpha, s), s, load);
-    if (!normal) parts = parts + HalfPlaneParts{quarter_pi * s, quarter_pi * s};
+    const double constant = load == SheetLoad::normal ? 0 : quarter_pi * s;
+    parts = parts_of_u(internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
   }
   return u_of(parts, load, shares_of(poisson));
 }
 
-/// v of a normal load, which is odd, without the part that depends on eta.
-double normal_v_in_quarter(double alpha, double s, double poisson) {
-  const SheetLoad load = SheetLoad::normal;
-  const HalfPlaneParts parts =
-      is_near(alpha)
-          ? internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load)
-          : parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{quarter_pi, quarter_pi};
+/// v without the part that depends on eta; of a shear load, far from it, without -alpha/4, too.
+double v_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
+  HalfPlaneParts parts{};
+  if (is_near(alpha)) {
+    parts = internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load);
+  } else {
+    const double constant = load == SheetLoad::normal ? quarter_pi : 0;
+    parts = parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
+  }
   return v_of(parts, load, shares_of(poisson));
 }
 
-/// Both parts grow with their distances, which are subtracted first.
+/// v of a shear load. Both parts grow with their distances, which are subtracted first.
 double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
-  const SheetLoad load = SheetLoad::shear;
-  const double t1 = theta1_share(poisson);
   const int part = static_cast<int>(internal::Component::eta_part_of_I6);
-  const double held = t1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
-  if (is_near(alpha)) {
-    const HalfPlaneParts parts =
-        internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load);
-    return eta / 4 + (held - parts.first - t1 * parts.second) * inv_pi;
-  }
-  const HalfPlaneParts parts = parts_of_v(internal::decaying(alpha, s), s, load);
-  return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inv_pi;
+  const double held =
+      shares_of(poisson).theta1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
+  const double apart = is_near(alpha) ? eta : eta - alpha;
+  return apart / 4 + (held * inv_pi + v_in_quarter(alpha, s, SheetLoad::shear, poisson));
 }
 
 /// A function that is odd in alpha is proportional to it for tiny alpha. Such an alpha is multiplied by 2^64, so that
@@ -329,7 +317,7 @@ double sheet_v(double alpha, double eta, double depth, SheetLoad load, double po
   const double s = std::fabs(depth);
   if (load == SheetLoad::shear) return shear_v_in_quarter(std::fabs(alpha), std::fabs(eta), s, poisson);
   const Lifted place = lifted(alpha, depth);
-  return sign(alpha) * place.scale * normal_v_in_quarter(place.alpha, s, poisson) + F1(eta, poisson);
+  return sign(alpha) * place.scale * v_in_quarter(place.alpha, s, load, poisson) + F1(eta, poisson);
 }
 
 }  // namespace nipref::fast

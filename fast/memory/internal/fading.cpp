@@ -35,7 +35,7 @@ Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
 }
 template <typename Rate>
 Rate all_ahead(Kernel kernel, const Waves& from, double at, Rate rate) {
-  const Rate far = memory_from_far(kernel, from, rate);
+  const Rate far = memory_of_waves(kernel, from, rate, Side::ahead);
   if (kernel == Kernel::I1) return far;  // I1 is integrable, so that its memory exists at rate 0, too
   return far + (rate == 0.0 ? Rate(-limit(kernel) * at) : limit(kernel) / rate);
 }
@@ -101,12 +101,12 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
 template <typename Rate>
 auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
   const auto plain = one_word(rate);
-  if (start.at.high >= nearest) return memory_from_far(kernel, start.waves, plain);
+  if (start.at.high >= nearest) return memory_of_waves(kernel, start.waves, plain, Side::ahead);
   const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
   const Two way = -start.at + Two{nearest, 0};
   return by_pieces(kernel, start, &end, way, rate, accuracy) -
          limit(kernel) * way.high * phi1(plain * way.high) +
-         faded(rate, way) * memory_from_far(kernel, end.waves, plain);
+         faded(rate, way) * memory_of_waves(kernel, end.waves, plain, Side::ahead);
 }
 
 /// K' of I1 or I3 is smooth, but for -1/w of I1, between the distances `nearest`, and a sum of waves from there on.
@@ -114,15 +114,15 @@ template <typename Rate>
 auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
   const auto plain = one_word(rate);
   const double w = start.at.high;
-  if (w >= nearest) return slope_memory_from_far(kernel, start.waves, plain);
+  if (w >= nearest) return memory_of_waves(kernel, start.waves, plain, Side::ahead, 1);
   const double from = std::max(w, -nearest);
   const auto kept = faded(rate, {nearest - from, 0});
   auto sum = rate.slope[static_cast<std::size_t>(kernel)]->from(from) +
-             kept * slope_memory_from_far(kernel, nearest_waves(accuracy), plain);
+             kept * memory_of_waves(kernel, nearest_waves(accuracy), plain, Side::ahead, 1);
   if (kernel == Kernel::I1) sum += kept * scaled_E1(plain * nearest) - scaled_E1(plain * w);
   if (w >= -nearest) return sum;
-  const auto reached = slope_residues_behind(kernel, nearest_waves(accuracy), plain);
-  return slope_residues_behind(kernel, start.waves, plain) +
+  const auto reached = memory_of_waves(kernel, nearest_waves(accuracy), plain, Side::behind, 1);
+  return memory_of_waves(kernel, start.waves, plain, Side::behind, 1) +
          faded(rate, -start.at + Two{-nearest, 0}) * (sum - reached);
 }
 
@@ -179,7 +179,8 @@ OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accura
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
   if (kernel == Kernel::I1 && start.at.high <= -nearest) {
     const double rate = fade.rate.high;
-    return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
+    return whole_line(rate) * faded(fade, -start.at) +
+           memory_of_waves(kernel, start.waves, rate, Side::behind);
   }
   // At rate 0 the limit is subtracted from the point on, not from the load on.
   const double from_point = fade.rate.high == 0 ? limit(kernel) * start.at.high : 0;

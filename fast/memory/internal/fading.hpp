@@ -57,8 +57,8 @@ double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, cons
 Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
                                    Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0: to a few units in the last place of its size
-/// for real rates and for complex ones from polynomial_from on, which may make it far smaller than I; to such units of I for
+/// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0. The error is a few units in the last place:
+/// of its own size, which may be far below that of I, for real rates and for complex ones from polynomial_from on, of I's for
 /// others.
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
-#include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
 namespace {
@@ -35,12 +33,7 @@ void kernel_between(Kernel kernel, double v, double step, const GaussRule& rule,
   Nodes points;
   const std::size_t count = rule.at.size();
   for (std::size_t i = 0; i < count; ++i) points[i] = v + step * rule.at[i];
-  const std::span<const double> at(points.data(), count);
-  const std::span<double> value(values.data(), count);
-  if (kernel == Kernel::I1) return I1(at, value, accuracy);
-  if (kernel == Kernel::I3) return I3(at, value, accuracy);
-  if (kernel == Kernel::I4) return I4(at, value, accuracy);
-  I5(at, value, accuracy);
+  sheet_code().batch[static_cast<int>(kernel)][accuracy.tier()](points.data(), values.data(), count);
 }
 
 /// The kernels at the rules' points on the intervals that most integrals consist of: [1/2, 1] and, for the kernels

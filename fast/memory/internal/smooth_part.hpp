@@ -14,7 +14,7 @@ class Series {
  public:
   static constexpr double half_width = 1.25;
 
-  /// As many of them as are left when the last, whose sizes add up to less than `negligible`, are gone.
+  /// Without the last ones, whose sizes add up to less than `negligible`.
   Series(std::vector<Coefficient> coefficients, double negligible);
   [[nodiscard]] Coefficient operator()(double w) const;
   /// 0 beyond the last.

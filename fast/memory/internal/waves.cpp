@@ -7,48 +7,31 @@
 #include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
-#include <nipref/fast/sheet/roots.hpp>
 
 namespace nipref::fast::internal {
 namespace {
 
 using Extended = long double;
 
-struct Root {
-  Two frequency, decay;                         ///< z = frequency + i decay
-  std::array<Complex, kernel_count> amplitude;  ///< C_n of each kernel
-};
-
-Two two_words(Extended x) {
-  const double high = static_cast<double>(x);
-  return {high, static_cast<double>(x - high)};
-}
-
 constexpr double gone = 400;
 
-/// A root of sinh 2z + 2z to more bits than a double has: the first wave matters up to 340 half-thicknesses, where the
-/// rounding of a double root would be multiplied by as much.
-std::complex<Extended> extended_root(int n) {
-  std::complex<Extended> z = sheet_root(n);
-  const std::complex<Extended> c = std::cosh(z);
-  z -= (std::sinh(Extended{2} * z) + Extended{2} * z) / (Extended{4} * c * c);  // Newton
-  return z;
-}
+/// C_n of each kernel.
+using Amplitudes = std::array<Complex, kernel_count>;
 
-Root root(int n) {
-  const std::complex<Extended> z = extended_root(n), c = std::cosh(z), s = std::sinh(z);
+Amplitudes amplitudes_of(std::complex<Extended> z) {
+  const std::complex<Extended> c = std::cosh(z), s = std::sinh(z);
   const Extended half_turn = std::numbers::pi_v<Extended>;
   const std::complex<Extended> amplitude_I1 = std::complex<Extended>(0, half_turn) * (s * s) / (c * c) / z;
-  return {two_words(z.real()),
-          two_words(z.imag()),
-          {Complex(amplitude_I1), Complex(half_turn / (c * c)), Complex(half_turn * s / (z * c * c)),
-           Complex(half_turn / c)}};
+  return {Complex(amplitude_I1), Complex(half_turn / (c * c)), Complex(half_turn * s / (z * c * c)),
+          Complex(half_turn / c)};
 }
 
-const std::array<Root, most_waves>& roots() {
-  static const std::array<Root, most_waves> all = [] {
-    std::array<Root, most_waves> first;
-    for (int n = 0; n < most_waves; ++n) first[static_cast<std::size_t>(n)] = root(n + 1);
+const std::array<Amplitudes, most_waves>& amplitudes() {
+  static const std::array<Amplitudes, most_waves> all = [] {
+    std::array<Amplitudes, most_waves> first;
+    for (std::size_t n = 0; n < most_waves; ++n)
+      first[n] = amplitudes_of({Extended{root_table.frequency_high[n]} + root_table.frequency_low[n],
+                                Extended{root_table.decay_high[n]} + root_table.decay_low[n]});
     return first;
   }();
   return all;
@@ -59,36 +42,16 @@ int wave_count(double distance, double tolerance) {
   return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, most_waves);
 }
 
-/// The roots as a structure of arrays, which vector instructions need.
-struct Columns {
-  std::array<double, most_waves> frequency_high, frequency_low, decay_high, decay_low;
-
-  Columns() {
-    for (std::size_t n = 0; n < most_waves; ++n) {
-      const Root& root = roots()[n];
-      frequency_high[n] = root.frequency.high;
-      frequency_low[n] = root.frequency.low;
-      decay_high[n] = root.decay.high;
-      decay_low[n] = root.decay.low;
-    }
-  }
-};
-
-RootColumns root_columns() {
-  static const Columns all;
-  return {all.frequency_high.data(), all.frequency_low.data(), all.decay_high.data(), all.decay_low.data()};
-}
-
 /// The sum over the waves of C wave transform(i z): its real part for a real rate. For a complex rate the transform at
 /// the conjugate root is not the conjugate, and both are summed.
 template <typename Rate, typename Transform>
 Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   Rate sum = 0;
-  const auto& all_roots = roots();
+  const auto& all_amplitudes = amplitudes();
   for (int n = at.count - 1; n >= 0; --n) {
-    const Root& root = all_roots[static_cast<std::size_t>(n)];
-    const Complex term = root.amplitude[static_cast<std::size_t>(kernel)] * at.value(n);
-    const Complex exponent{-root.decay.high, root.frequency.high};
+    const Amplitudes& amplitude = all_amplitudes[static_cast<std::size_t>(n)];
+    const Complex term = amplitude[static_cast<std::size_t>(kernel)] * at.value(n);
+    const Complex exponent{-root_table.decay_high[n], root_table.frequency_high[n]};
     if constexpr (std::is_same_v<Rate, double>) {
       sum += (term * transform(n, exponent)).real();
     } else {
@@ -106,7 +69,7 @@ Waves waves(Two distance, double tolerance) {
   if (distance.high > gone) distance = {gone, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
-  sheet_code().waves(root_columns(), distance.high, distance.low, at.real.data(), at.imaginary.data(),
+  sheet_code().waves(distance.high, distance.low, at.real.data(), at.imaginary.data(),
                      static_cast<std::size_t>(at.count));
   return at;
 }
@@ -116,20 +79,12 @@ double faded_kernel(Kernel kernel, const Waves& at) {
 }
 
 template <typename Rate>
-Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
-  return sum_over<Rate>(kernel, from, [&](int, Complex exponent) { return inverse(rate - exponent); });
-}
-
-template <typename Rate>
-Rate slope_memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
-  return sum_over<Rate>(kernel, from,
-                        [&](int, Complex exponent) { return exponent * inverse(rate - exponent); });
-}
-
-template <typename Rate>
-Rate slope_residues_behind(Kernel kernel, const Waves& at, Rate rate) {
-  return sum_over<Rate>(kernel, at,
-                        [&](int, Complex exponent) { return exponent * inverse(rate + exponent); });
+Rate memory_of_waves(Kernel kernel, const Waves& at, Rate rate, Side side, int order) {
+  const double sign = side == Side::ahead ? -1 : 1;
+  const auto integral = [&](Complex exponent) { return inverse(rate + sign * exponent); };
+  if (order == 0)
+    return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return integral(exponent); });
+  return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return exponent * integral(exponent); });
 }
 
 template <typename Rate>
@@ -155,16 +110,8 @@ Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, R
   return far - faded * near;
 }
 
-double residues_behind(Kernel kernel, const Waves& at, double rate) {
-  return sum_over<double>(kernel, at, [&](int, Complex exponent) { return inverse(rate + exponent); });
-}
-
-template double memory_from_far(Kernel, const Waves&, double);
-template Complex memory_from_far(Kernel, const Waves&, Complex);
-template double slope_memory_from_far(Kernel, const Waves&, double);
-template Complex slope_memory_from_far(Kernel, const Waves&, Complex);
-template double slope_residues_behind(Kernel, const Waves&, double);
-template Complex slope_residues_behind(Kernel, const Waves&, Complex);
+template double memory_of_waves(Kernel, const Waves&, double, Side, int);
+template Complex memory_of_waves(Kernel, const Waves&, Complex, Side, int);
 template double memory_of_piece_ahead(Kernel, const Waves&, double, double);
 template Complex memory_of_piece_ahead(Kernel, const Waves&, Complex, double);
 template double memory_of_piece_behind(Kernel, const Waves&, const Waves&, double, double, double);

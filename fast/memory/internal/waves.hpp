@@ -3,6 +3,7 @@
 #include <complex>
 
 #include <nipref/fast/number/two_words.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
 
 // The decaying part D of a kernel, which is I1 itself, or I3, I4, I5 less (pi/4) sign(w), as its residue series
 // D(w) = Re sum_n C_n e^(i z_n |w|), times the sign of w for the odd kernels. A term of the series is called a wave;
@@ -10,12 +11,12 @@
 
 namespace nipref::fast::internal {
 
-enum class Kernel { I1, I3, I4, I5 };
+enum class Kernel { I1, I3, I4, I5 };  ///< numbered like Component, see tables.hpp
 inline constexpr int kernel_count = 4;
 
 using Complex = std::complex<double>;
 
-inline constexpr int most_waves = 16;
+inline constexpr int most_waves = tabulated_roots;
 /// From this distance on most_waves waves are enough: the next is below e^(-pi 15) = 2^-67 of the first.
 inline constexpr double nearest = 1;
 
@@ -35,17 +36,14 @@ Waves waves(Two distance, double tolerance);
 /// D at the waves' distance ahead of the load.
 double faded_kernel(Kernel kernel, const Waves& at);
 
-/// int_0^inf e^(-rate d) D(p + d) dd, where p > 0 is the waves' distance. The rate is real or complex, Re rate >= 0.
-template <typename Rate>
-Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate);
+enum class Side { ahead, behind };
 
-/// The same integral of the kernel's derivative D'.
+/// The sum Re C_n (i z_n)^order e^(i z_n w)/(rate -+ i z_n) at the waves' distance w, which is > 0; the rate is real or
+/// complex, Re rate >= 0, and the order of the derivative D^(order) 0 or 1. With the minus it is int_0^inf e^(-rate d)
+/// D^(order)(w + d) dd, the memory of all that lies farther ahead of the load; with the plus, behind the load, the
+/// antiderivative of e^(-rate d) D^(order)(w - d).
 template <typename Rate>
-Rate slope_memory_from_far(Kernel kernel, const Waves& from, Rate rate);
-
-/// The antiderivative of e^(-rate d) D'(a - d) at the distance a behind the load, of an odd kernel, whose derivative is even.
-template <typename Rate>
-Rate slope_residues_behind(Kernel kernel, const Waves& at, Rate rate);
+Rate memory_of_waves(Kernel kernel, const Waves& at, Rate rate, Side side, int order = 0);
 
 /// int_0^length e^(-rate d) D(p + d) dd for a piece ahead of the load.
 template <typename Rate>
@@ -56,8 +54,5 @@ Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double l
 template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded);
-
-/// sum Re C_n e^(i z_n a)/(rate + i z_n), the residues' part of the memory at the distance a behind the load.
-double residues_behind(Kernel kernel, const Waves& at, double rate);
 
 }  // namespace nipref::fast::internal

@@ -13,58 +13,32 @@ struct SortedValues {
   alignas(64) double low[3 * regime_capacity];
 };
 
-template <Regime regime, Component component, int tier, Words words>
+template <class Number, Regime regime, Component component, int tier, Words words>
 NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& values) {
-  constexpr int32_t first = first_of_regime[static_cast<int>(regime)];
+  constexpr int32_t first = first_of_regime[static_cast<int>(regime)], step = sizeof(Number) / sizeof(double);
   const int32_t n = (points.count[static_cast<int>(regime)] + lanes - 1) & ~(lanes - 1);
   const double* __restrict x = points.x + first;
   double* __restrict high = values.high + first;
   double* __restrict low = values.low + first;
-  for (int32_t i = 0; i < n; ++i) {
-    const Pair value = in_regime<regime, component, tier>(x[i]);
+  for (int32_t i = 0; i < n; i += step) {
+    const Sum<Number> value = in_regime<regime, component, tier>(load<Number>(x + i));
     if constexpr (words == Words::rounded) {
-      high[i] = value.high + value.low;
+      store(high + i, value.high + value.low);
     } else {
-      high[i] = value.high;
-      low[i] = value.low;
+      store(high + i, value.high);
+      store(low + i, value.low);
     }
   }
 }
-
-#ifdef NIPREF_VECTORS
-
-template <Regime regime, Component component, int tier>
-NIPREF_INLINE VectorPair in_regime(Vector x) {
-  if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
-  if constexpr (regime == Regime::piece) return piece<component, tier>(x);
-}
-
-/// The same for the regimes whose vector form differs from the scalar one.
-template <Regime regime, Component component, int tier, Words words>
-requires(regime != Regime::residue_tail) NIPREF_INLINE
-    void evaluate_regime(const SortedPoints& points, SortedValues& values) {
-  const int32_t first = first_of_regime[static_cast<int>(regime)];
-  const int32_t last = first + points.count[static_cast<int>(regime)];
-  for (int32_t i = first; i < last; i += lanes) {
-    const VectorPair value = in_regime<regime, component, tier>(load(points.x + i));
-    if constexpr (words == Words::rounded) {
-      store(values.high + i, value.high + value.low);
-    } else {
-      store(values.high + i, value.high);
-      store(values.low + i, value.low);
-    }
-  }
-}
-
-#endif
 
 template <Component component, int tier, Words words>
 NIPREF_INLINE void evaluate_sorted(const SortedPoints& points, SortedValues& values) {
   if constexpr (shape_of<component> == Shape::logarithmic) {
-    evaluate_regime<Regime::near_zero, component, tier, words>(points, values);
+    evaluate_regime<Vector, Regime::near_zero, component, tier, words>(points, values);
   }
-  evaluate_regime<Regime::piece, component, tier, words>(points, values);
-  evaluate_regime<Regime::residue_tail, component, tier, words>(points, values);
+  evaluate_regime<Vector, Regime::piece, component, tier, words>(points, values);
+  // The compiler makes vectors of the numbers of this loop.
+  evaluate_regime<double, Regime::residue_tail, component, tier, words>(points, values);
 }
 
 }  // namespace nipref::fast::internal::NIPREF_ISA

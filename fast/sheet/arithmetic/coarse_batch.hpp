@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nipref/fast/sheet/arithmetic/batch.hpp>
-#include <nipref/fast/sheet/arithmetic/coarse_vector.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
@@ -11,7 +10,7 @@ struct CoarseBlock {
   int32_t tail_count;
   alignas(64) double tail_argument[regime_capacity];
   alignas(64) double tail_value[regime_capacity];
-#ifdef NIPREF_VECTORS
+#ifdef __AVX2__
   uint8_t is_tail[block_size / lanes];  ///< which of a vector's arguments belong to the tail
   alignas(64) uint64_t offset[block_size];
   alignas(64) double t[block_size];
@@ -21,7 +20,7 @@ struct CoarseBlock {
 #endif
 };
 
-#ifdef NIPREF_VECTORS
+#ifdef __AVX2__
 
 /// Collects the tail and locates all points. The offsets of rows are stored to memory long before they are loaded: a
 /// scalar load soon after a vector store waits for it, and extracting from a vector register is slow.
@@ -29,12 +28,12 @@ template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
   size_t tail_count = 0;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
-    const Vector x = load(argument + i);
-    const LaneBits is_tail = other_lanes(where_less(magnitude(x), all(piece_end)));
+    const Vector x = load<Vector>(argument + i);
+    const LaneBits is_tail = other_lanes(where_less(magnitude(x), all<Vector>(piece_end)));
     block.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(block.tail_argument + tail_count, is_tail, x);
     tail_count += count_lanes(is_tail);
-    const VectorCoarsePoint at = locate_coarsely<component, tier>(magnitude(x));
+    const CoarsePoint<Vector> at = locate_coarsely<component, tier>(magnitude(x));
     store(block.offset + i, at.offset);
     store(block.t + i, at.t);
     if constexpr (shape_of<component> == Shape::logarithmic) store(block.rest + i, at.rest);
@@ -49,9 +48,10 @@ NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* 
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const double* tail = block.tail_value;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
-    Vector result = cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, load(block.t + i));
-    if constexpr (shape_of<component> == Shape::logarithmic) result += load(block.rest + i);
-    if constexpr (shape_of<component> == Shape::odd) result *= load(argument + i);
+    Vector result =
+        cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, load<Vector>(block.t + i));
+    if constexpr (shape_of<component> == Shape::logarithmic) result += load<Vector>(block.rest + i);
+    if constexpr (shape_of<component> == Shape::odd) result *= load<Vector>(argument + i);
     const LaneBits is_tail = block.is_tail[i / lanes];
     store(value + i, expand(result, is_tail, tail));
     tail += count_lanes(is_tail);

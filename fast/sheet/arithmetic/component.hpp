@@ -1,12 +1,8 @@
 #pragma once
 
 #include <nipref/fast/sheet/arithmetic/coarse.hpp>
-#include <nipref/fast/sheet/arithmetic/near_zero.hpp>
-#include <nipref/fast/sheet/arithmetic/near_zero_vector.hpp>
 #include <nipref/fast/sheet/arithmetic/piece.hpp>
-#include <nipref/fast/sheet/arithmetic/piece_vector.hpp>
 #include <nipref/fast/sheet/arithmetic/residue_tail.hpp>
-#include <nipref/fast/sheet/arithmetic/vector.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
@@ -19,8 +15,8 @@ namespace nipref::fast::internal::NIPREF_ISA {
 /// Coarse tiers treat the first two as one.
 enum class Regime { near_zero, piece, residue_tail };
 
-template <Regime regime, Component component, int tier>
-NIPREF_INLINE Pair in_regime(double x) {
+template <Regime regime, Component component, int tier, class Number>
+NIPREF_INLINE Sum<Number> in_regime(Number x) {
   if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
   if constexpr (regime == Regime::piece) return piece<component, tier>(x);
   if constexpr (regime == Regime::residue_tail) return residue_tail<component, tier>(x);
@@ -35,9 +31,11 @@ template <Component component, int tier>
 NIPREF_INLINE Pair evaluate(double x) {
   if (x >= piece_end) [[unlikely]]
     return residue_tail<component, tier>(x);
-  if constexpr (tier_works[tier].coarse) return {coarse<component, tier>(x), 0};
-  if (is_near_zero<component>(x)) return near_zero<component, tier>(x);
-  return piece<component, tier>(x);
+  if constexpr (tier_works[tier].coarse) {
+    return {coarse<component, tier>(x), 0};
+  } else {
+    return is_near_zero<component>(x) ? near_zero<component, tier>(x) : piece<component, tier>(x);
+  }
 }
 
 /// f(-x) from f(x).

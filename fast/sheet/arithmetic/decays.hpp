@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/fast/sheet/arithmetic/floating.hpp>
+#include <nipref/fast/sheet/arithmetic/vector.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
 // Exponentials and waves at all nodes of a Gauss rule at once, which the memory of a kernel needs.
@@ -9,29 +9,14 @@ namespace nipref::fast::internal::NIPREF_ISA {
 /// e^-x for 0 <= x <= 708, to a unit in the last place: 2^-k e^r with |r| <= ln 2/2, Taylor's polynomial.
 NIPREF_INLINE double decay(double x) {
   constexpr double per_ln2 = 0x1.71547652b82fep+0;
-  constexpr double ln2_high = 0x1.62e42fefa3800p-1;  // its last 11 bits are 0: products with k are exact
-  constexpr double ln2_low = 0x1.ef35793c76730p-45;
   constexpr double rounding_shift =
       0x1.8p52;  // adding it rounds to an integer, which then stands in the low bits
-  constexpr double taylor[] = {1,
-                               1,
-                               1.0 / 2,
-                               1.0 / 6,
-                               1.0 / 24,
-                               1.0 / 120,
-                               1.0 / 720,
-                               1.0 / 5040,
-                               1.0 / 40320,
-                               1.0 / 362880,
-                               1.0 / 3628800,
-                               1.0 / 39916800,
-                               1.0 / 479001600,
-                               1.0 / 6227020800};
+  constexpr Taylor<14> series(0, 1, 1);
   const double shifted = mul_add(-x, per_ln2, rounding_shift);
   const double k = shifted - rounding_shift;
   const double r = mul_add(-k, ln2_low, mul_add(-k, ln2_high, -x));
   const double power = from_bits((bits_of(shifted) + 1023) << 52);
-  return horner<13>(taylor, r) * power;
+  return horner<13>(series.of, r) * power;
 }
 
 /// value[i] = e^(-rate at[i]).
@@ -59,37 +44,22 @@ NIPREF_INLINE Turn turn(Pair phase) {
   constexpr double quarter_middle = 0x1.0b4611a600000p-34;
   constexpr double quarter_low = 0x1.3198a2e037073p-69;
   constexpr double rounding_shift = 0x1.8p52;
-  constexpr double sine_series[] = {1,
-                                    -1.0 / 6,
-                                    1.0 / 120,
-                                    -1.0 / 5040,
-                                    1.0 / 362880,
-                                    -1.0 / 39916800,
-                                    1.0 / 6227020800,
-                                    -1.0 / 1307674368000};
-  constexpr double cosine_series[] = {1,
-                                      -1.0 / 2,
-                                      1.0 / 24,
-                                      -1.0 / 720,
-                                      1.0 / 40320,
-                                      -1.0 / 3628800,
-                                      1.0 / 479001600,
-                                      -1.0 / 87178291200,
-                                      1.0 / 20922789888000};
+  constexpr Taylor<8> sine_series(1, 2, -1);
+  constexpr Taylor<9> cosine_series(0, 2, -1);
   const double shifted = phase.high * per_quarter + rounding_shift;
   const double quarters = shifted - rounding_shift;
   const uint64_t quadrant = bits_of(shifted);
   const double r = ((phase.high - quarters * quarter_high) - quarters * quarter_middle) +
                    (phase.low - quarters * quarter_low);
-  const double sine = r * horner<7>(sine_series, r * r), cosine = horner<8>(cosine_series, r * r);
+  const double sine = r * horner<7>(sine_series.of, r * r), cosine = horner<8>(cosine_series.of, r * r);
   const bool odd = (quadrant & 1) != 0;
   const double c = odd ? sine : cosine, s = odd ? cosine : sine;
   return {from_bits(bits_of(c) ^ ((quadrant + 1) >> 1 << 63)), from_bits(bits_of(s) ^ (quadrant >> 1 << 63))};
 }
 
-/// The waves e^((i frequency - decay) distance) of `count` roots, 1 <= distance <= 500; 0 from e^-708 on.
-NIPREF_INLINE void waves(const RootColumns& roots, double distance_high, double distance_low, double* real,
-                         double* imaginary, size_t count) {
+NIPREF_INLINE void waves(double distance_high, double distance_low, double* real, double* imaginary,
+                         size_t count) {
+  const RootTable& roots = root_table;
   const Pair distance = {distance_high, distance_low};
   for (size_t i = 0; i < count; ++i) {
     Pair exponent = two_product(roots.decay_high[i], distance.high);

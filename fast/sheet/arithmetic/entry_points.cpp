@@ -56,22 +56,28 @@ NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* va
   for (size_t i = whole; i < count; ++i) value[i] = last_value[i - whole];
 }
 
-template <Component component, int tier>
-requires(tier_works[tier].coarse) void batch(const double* argument, double* value, size_t count) {
-  CoarseBlock block;
-  in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
-    coarse_block<component, tier>(x[0], n, block, block_value);
-  });
+/// A component at a block of arguments: its values, or their high words and, where two are wanted, the low ones.
+template <Component component, int tier, Words words>
+void evaluate_block(const double* argument, int32_t n, double* high, double* low) {
+  if constexpr (tier_works[tier].coarse) {
+    CoarseBlock block;
+    coarse_block<component, tier>(argument, n, block, high);
+    if constexpr (words == Words::two)
+      for (int32_t i = 0; i < n; ++i) low[i] = 0;
+  } else {
+    SortedPoints points;
+    SortedValues values;
+    sort<component>(argument, n, points);
+    evaluate_sorted<component, tier, words>(points, values);
+    restore_order<component>(argument, n, points, values.high, high);
+    if constexpr (words == Words::two) restore_order<component>(argument, n, points, values.low, low);
+  }
 }
 
 template <Component component, int tier>
-requires(!tier_works[tier].coarse) void batch(const double* argument, double* value, size_t count) {
-  SortedPoints points;
-  SortedValues values;
-  in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
-    sort<component>(x[0], n, points);
-    evaluate_sorted<component, tier, Words::rounded>(points, values);
-    restore_order<component>(x[0], n, points, values.high, block_value);
+void batch(const double* argument, double* value, size_t count) {
+  in_blocks({argument}, value, count, [](const double* const(&x)[1], double* block_value, int32_t n) {
+    evaluate_block<component, tier, Words::rounded>(x[0], n, block_value, nullptr);
   });
 }
 
@@ -81,30 +87,13 @@ struct PartOfI6 {
   alignas(64) double low[block_size];
 };
 
-template <Component component, int tier>
-requires(tier_works[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
-  CoarseBlock block;
-  coarse_block<component, tier>(argument, n, block, part.high);
-  for (int32_t i = 0; i < n; ++i) part.low[i] = 0;
-}
-
-template <Component component, int tier>
-requires(!tier_works[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
-  SortedPoints points;
-  SortedValues values;
-  sort<component>(argument, n, points);
-  evaluate_sorted<component, tier, Words::two>(points, values);
-  restore_order<component>(argument, n, points, values.high, part.high);
-  restore_order<component>(argument, n, points, values.low, part.low);
-}
-
 template <int tier>
 void batch_i6(const double* alpha, const double* eta, double* value, size_t count) {
   PartOfI6 r;
   PartOfI6 s;
   in_blocks({alpha, eta}, value, count, [&](const double* const(&x)[2], double* block_value, int32_t n) {
-    evaluate_part<Component::alpha_part_of_I6, tier>(x[0], n, r);
-    evaluate_part<Component::eta_part_of_I6, tier>(x[1], n, s);
+    evaluate_block<Component::alpha_part_of_I6, tier, Words::two>(x[0], n, r.high, r.low);
+    evaluate_block<Component::eta_part_of_I6, tier, Words::two>(x[1], n, s.high, s.low);
     for (int32_t i = 0; i < n; ++i) {
       block_value[i] = combine_i6(__builtin_fabs(x[0][i]), __builtin_fabs(x[1][i]), {r.high[i], r.low[i]},
                                   {s.high[i], s.low[i]});

@@ -14,11 +14,13 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// An unevaluated sum; |low| is small against |high|, though not necessarily below half a unit of it.
-struct Pair {
-  double high;
-  double low;
+/// An unevaluated sum; |low| is small against |high|, though not necessarily below half a unit of it. A number is a double
+/// or a vector of doubles here and in what follows.
+template <class Number>
+struct Sum {
+  Number high, low;
 };
+using Pair = Sum<double>;
 
 NIPREF_INLINE uint64_t bits_of(double x) { return __builtin_bit_cast(uint64_t, x); }
 NIPREF_INLINE double from_bits(uint64_t bits) { return __builtin_bit_cast(double, bits); }
@@ -55,15 +57,6 @@ NIPREF_INLINE Pair two_product(double a, double b) {
 #endif
 }
 
-/// c[0] + c[1] x + ... + c[degree] x^degree.
-template <int degree>
-NIPREF_INLINE double horner(const double* c, double x) {
-  double sum = c[degree];
-#pragma GCC unroll 16
-  for (int k = degree - 1; k >= 0; --k) sum = mul_add(sum, x, c[k]);
-  return sum;
-}
-
 /// Nearest integer of 0 <= x < 2^51 as a double, and its low bits as an integer, by the shift that makes the
 /// last place 1: unlike a conversion this runs in vectors on every instruction set.
 struct Nearest {
@@ -75,5 +68,64 @@ NIPREF_INLINE Nearest nearest(double x) {
   const double shifted = x + rounding_shift;
   return {shifted - rounding_shift, static_cast<int64_t>(bits_of(shifted) & 0xffffffff)};
 }
+
+/// ln 2 in two words, the first a multiple of 2^-42: products of it with exponents are exact.
+inline constexpr double ln2_high = 0x1.62e42fefa38p-1, ln2_low = 0x1.ef35793c7673p-45;
+
+/// sign^k/(first + k step)! for k = 0 to count - 1: the series of e^x, or by powers of x^2 those of sine and cosine.
+template <unsigned count>
+struct Taylor {
+  double of[count];
+
+  constexpr Taylor(unsigned first, unsigned step, double sign) : of{} {
+    double divisor = 1;
+    for (unsigned k = 0, n = 0; k < count; ++k, divisor *= sign) {
+      while (n < first + k * step) divisor *= ++n;
+      of[k] = 1 / divisor;
+    }
+  }
+};
+
+/// x, or x in every lane.
+template <class Number>
+NIPREF_INLINE Number all(double x) {
+  return x - Number{};
+}
+
+/// Not by __builtin_memcpy, for which GCC takes instructions of integers, which are slower beside those of doubles.
+template <class Number>
+NIPREF_INLINE Number load(const double* from) {
+  using InMemory [[gnu::aligned(8), gnu::may_alias]] = Number;
+  return *reinterpret_cast<const InMemory*>(from);
+}
+template <class Place, class Number>
+NIPREF_INLINE void store(Place* to, Number x) {
+  using InMemory [[gnu::aligned(8), gnu::may_alias]] = Number;
+  *reinterpret_cast<InMemory*>(to) = x;
+}
+
+/// 0 < x < 2^969 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for other x.
+template <class Number>
+struct Decomposed {
+  Number exponent, mantissa;
+};
+
+// What vector.hpp has for vectors, under the same names.
+
+/// c - a b and -a b - c, rounded like mul_add.
+NIPREF_INLINE double minus_mul_add(double a, double b, double c) { return mul_add(-a, b, c); }
+NIPREF_INLINE double minus_mul_subtract(double a, double b, double c) { return -mul_add(a, b, c); }
+
+NIPREF_INLINE double smaller(double a, double b) { return a < b ? a : b; }
+
+/// By masks: conditional expressions may be compiled to branches, which random arguments mispredict.
+NIPREF_INLINE uint64_t less(double a, double b) { return a < b ? ~uint64_t{0} : 0; }
+NIPREF_INLINE double select(uint64_t where, double a, double b) {
+  return from_bits((bits_of(a) & where) | (bits_of(b) & ~where));
+}
+
+NIPREF_INLINE uint64_t table_index(uint64_t index) { return index; }
+NIPREF_INLINE double gather_eighths(const double* table, uint64_t index) { return table[index / 8]; }
+NIPREF_INLINE double look_up(const double (&table)[16], uint64_t index) { return table[index]; }
 
 }  // namespace nipref::fast::internal::NIPREF_ISA

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <nipref/fast/sheet/arithmetic/floating.hpp>
+#include <nipref/fast/sheet/arithmetic/vector.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
@@ -29,11 +29,11 @@ NIPREF_INLINE Position position(double x, double constant_high, double constant_
 template <Component component, int tier>
 NIPREF_INLINE Pair decay(Position where) {
   constexpr double ln2_cell = 0x1.62e42fefa39efp-1 / exponential_cells;
-  constexpr double series[] = {1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720};
+  constexpr Taylor<6> series(1, 1, 1);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const int64_t j = where.cell & (exponential_cells - 1);
   const double y = -ln2_cell * where.offset;
-  double low = table.exponential_high[j] * (y * horner<tier_works[tier].exponential - 1>(series, y));
+  double low = table.exponential_high[j] * (y * horner<tier_works[tier].exponential - 1>(series.of, y));
   if constexpr (tier_works[tier].compensated) low += table.exponential_low[j];
   return {table.exponential_high[j], low};
 }
@@ -42,14 +42,15 @@ NIPREF_INLINE Pair decay(Position where) {
 template <Component component, int tier>
 NIPREF_INLINE Pair oscillation(Position where) {
   constexpr double turn_cell = 0x1.921fb54442d18p+2 / phase_cells;
-  constexpr double sine_series[] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040};
-  constexpr double cosine_series[] = {-1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320};
+  constexpr Taylor<4> sine_series(1, 2, -1);
+  constexpr Taylor<5> cosine_series(0, 2, -1);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const int64_t p = where.cell & (phase_cells - 1);
   const double b = turn_cell * where.offset;
   const double square = b * b;
-  const double sine = b * horner<tier_works[tier].sine / 2>(sine_series, square);
-  const double cosine_minus_one = square * horner<tier_works[tier].cosine / 2 - 1>(cosine_series, square);
+  const double sine = b * horner<tier_works[tier].sine / 2>(sine_series.of, square);
+  const double cosine_minus_one =
+      square * horner<tier_works[tier].cosine / 2 - 1>(cosine_series.of + 1, square);
   double low = mul_add(table.cosine_high[p], cosine_minus_one, -table.sine[p] * sine);
   if constexpr (tier_works[tier].compensated) low += table.cosine_low[p];
   return {table.cosine_high[p], low};

@@ -17,7 +17,7 @@ inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_ca
 /// of a range is padded with points that are valid in every regime.
 struct SortedPoints {
   int32_t count[3];
-#ifdef NIPREF_VECTORS
+#ifdef __AVX2__
   uint8_t is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
   uint8_t is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
   int32_t far_count;                    ///< others
@@ -27,17 +27,17 @@ struct SortedPoints {
   alignas(64) double x[3 * regime_capacity];
 };
 
-#ifdef NIPREF_VECTORS
+#ifdef __AVX2__
 
 /// Pads the last vector of a range that ends here; left as they were, its lanes could index beyond a table.
-NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
+NIPREF_INLINE void fill_up(double* end) { store(end, all<Vector>(1.0)); }
 
 /// Separates the points near zero from the others.
 NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedPoints& points) {
   size_t near_count = 0;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
-    const Vector x = magnitude(load(argument + i));
-    const LaneBits is_near = where_less(x, all(near_end));
+    const Vector x = magnitude(load<Vector>(argument + i));
+    const LaneBits is_near = where_less(x, all<Vector>(near_end));
     points.is_near[i / lanes] = static_cast<uint8_t>(is_near);
     compress(points.x + near_count, is_near, x);
     compress_others(points.x + first_of_regime[1] + (i - near_count), is_near, x);
@@ -51,7 +51,7 @@ NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedP
 
 NIPREF_INLINE void take_all_as_far(const double* argument, int32_t n, SortedPoints& points) {
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes)
-    store(points.x + first_of_regime[1] + i, magnitude(load(argument + i)));
+    store(points.x + first_of_regime[1] + i, magnitude(load<Vector>(argument + i)));
   points.count[0] = 0;
   points.far_count = n;
 }
@@ -62,8 +62,8 @@ NIPREF_INLINE void separate_tail(SortedPoints& points) {
   const auto far_count = static_cast<size_t>(points.far_count);
   double* const far = points.x + first_of_regime[1];
   for (size_t i = 0; i < far_count; i += lanes) {
-    const Vector x = load(far + i);
-    const LaneBits is_tail = other_lanes(where_less(x, all(piece_end)));
+    const Vector x = load<Vector>(far + i);
+    const LaneBits is_tail = other_lanes(where_less(x, all<Vector>(piece_end)));
     points.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(points.x + first_of_regime[2] + count, is_tail, x);
     compress_others(far + (i - count), is_tail, x);
@@ -102,7 +102,7 @@ NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points
   for (size_t i = 0; i < static_cast<size_t>(points.far_count); i += lanes) {
     const LaneBits is_tail = points.is_tail[i / lanes];
     Vector result = expand(expand_others(is_tail, piece + (i - count)), is_tail, tail + count);
-    if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
+    if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load<Vector>(argument + i));
     store(value + i, result);
     count += count_lanes(is_tail);
   }

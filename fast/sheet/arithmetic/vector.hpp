@@ -1,23 +1,22 @@
 #pragma once
 
-// Vectors of doubles, eight with AVX-512 and four with AVX2, for the vector forms of the regimes. Arithmetic,
-// comparisons and selections are GCC's own operators on vectors; this header adds the operations that GCC lacks.
+// Vectors of doubles, eight with AVX-512 and four with AVX2, and functions of numbers of either kind. Arithmetic and
+// comparisons are GCC's own operators on vectors; this header adds the operations that GCC lacks.
 
 #include <stddef.h>
 
 #include <nipref/fast/sheet/arithmetic/floating.hpp>
 
 #ifdef __AVX2__
-#define NIPREF_VECTORS
 
 #include <immintrin.h>  // it has only functions that are always inlined, which floating.hpp allows
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
 #ifdef __AVX512F__
-using Vector = __m512d;
+using Vector [[gnu::vector_size(64)]] = double;
 #else
-using Vector = __m256d;
+using Vector [[gnu::vector_size(32)]] = double;
 #endif
 
 /// Loops over points run in whole vectors of this many.
@@ -28,22 +27,22 @@ using VectorBits [[gnu::vector_size(sizeof(Vector))]] = uint64_t;
 /// One bit for each lane.
 using LaneBits = uint32_t;
 
-/// Unevaluated sums; see Pair.
-struct VectorPair {
-  Vector high;
-  Vector low;
-};
+/// The lanes that are not in a set.
+NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return set ^ ((1u << lanes) - 1); }
 
 NIPREF_INLINE VectorBits bits_of(Vector x) { return __builtin_bit_cast(VectorBits, x); }
 NIPREF_INLINE Vector from_bits(VectorBits bits) { return __builtin_bit_cast(Vector, bits); }
 
-NIPREF_INLINE Vector all(double x) { return x - Vector{}; }
+NIPREF_INLINE auto less(Vector a, Vector b) { return a < b; }
+NIPREF_INLINE Vector select(decltype(Vector{} < Vector{}) where, Vector a, Vector b) { return where ? a : b; }
 
 /// Positions in a table, in a register and in memory. With AVX2 they are loaded from memory, as extracting them from
 /// the register would take more instructions.
 struct TableIndex {
   VectorBits all;
   alignas(sizeof(Vector)) uint64_t lane[lanes];
+
+  operator const uint64_t*() const { return lane; }
 };
 NIPREF_INLINE TableIndex table_index(VectorBits index) {
   TableIndex at;
@@ -55,19 +54,7 @@ NIPREF_INLINE TableIndex table_index(VectorBits index) {
   return at;
 }
 
-/// 0 < x < 2^969 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for other x.
-struct VectorDecomposed {
-  Vector exponent;
-  Vector mantissa;
-};
-
 #ifdef __AVX512F__
-
-NIPREF_INLINE Vector load(const double* from) { return _mm512_loadu_pd(from); }
-NIPREF_INLINE void store(double* to, Vector x) { _mm512_storeu_pd(to, x); }
-NIPREF_INLINE void store(uint64_t* to, VectorBits x) {
-  _mm512_storeu_si512(to, __builtin_bit_cast(__m512i, x));
-}
 
 /// a b + c, c - a b and -a b - c with one rounding.
 NIPREF_INLINE Vector mul_add(Vector a, Vector b, Vector c) { return _mm512_fmadd_pd(a, b, c); }
@@ -78,7 +65,7 @@ NIPREF_INLINE Vector magnitude(Vector x) { return _mm512_abs_pd(x); }
 NIPREF_INLINE Vector smaller(Vector a, Vector b) { return _mm512_min_pd(a, b); }
 NIPREF_INLINE LaneBits where_less(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 
-NIPREF_INLINE VectorDecomposed decompose(Vector x) {
+NIPREF_INLINE Decomposed<Vector> decompose(Vector x) {
   return {_mm512_getexp_pd(x), _mm512_getmant_pd(x, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero)};
 }
 
@@ -98,50 +85,33 @@ NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(wanted), x));
 }
 
-/// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
-  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(~set), x));
-}
-
 /// Puts sorted[0], sorted[1], ... into the lanes that are not in the set; the others are unspecified. The load is a
 /// separate instruction: expanding directly from memory that was not written, with an empty mask, doubles the time of a
 /// batch.
 NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
-  Vector from = load(sorted);
+  Vector from = load<Vector>(sorted);
   asm("" : "+v"(from));
   return _mm512_maskz_expand_pd(static_cast<__mmask8>(~set), from);
 }
 
 /// The same for the lanes wanted, keeping the others.
 NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
-  Vector from = load(sorted);
+  Vector from = load<Vector>(sorted);
   asm("" : "+v"(from));
   return _mm512_mask_expand_pd(others, static_cast<__mmask8>(wanted), from);
 }
 
 #else
 
-NIPREF_INLINE Vector load(const double* from) { return _mm256_loadu_pd(from); }
-NIPREF_INLINE void store(double* to, Vector x) { _mm256_storeu_pd(to, x); }
-NIPREF_INLINE void store(uint64_t* to, VectorBits x) { __builtin_memcpy(to, &x, sizeof x); }
-
 /// a b + c, c - a b and -a b - c with one rounding.
 NIPREF_INLINE Vector mul_add(Vector a, Vector b, Vector c) { return _mm256_fmadd_pd(a, b, c); }
 NIPREF_INLINE Vector minus_mul_add(Vector a, Vector b, Vector c) { return _mm256_fnmadd_pd(a, b, c); }
 NIPREF_INLINE Vector minus_mul_subtract(Vector a, Vector b, Vector c) { return _mm256_fnmsub_pd(a, b, c); }
 
-NIPREF_INLINE Vector magnitude(Vector x) { return _mm256_andnot_pd(all(-0.0), x); }
+NIPREF_INLINE Vector magnitude(Vector x) { return _mm256_andnot_pd(all<Vector>(-0.0), x); }
 NIPREF_INLINE Vector smaller(Vector a, Vector b) { return _mm256_min_pd(a, b); }
 NIPREF_INLINE LaneBits where_less(Vector a, Vector b) {
   return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
-}
-
-NIPREF_INLINE VectorDecomposed decompose(Vector x) {
-  constexpr int scaling = 54;  // makes denormal numbers normal
-  const VectorBits bits = bits_of(x * 0x1p54);
-  // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer.
-  const Vector biased = from_bits((bits >> 52) | 0x4330000000000000);
-  return {biased - all(0x1p52 + 1023 + scaling), from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
 }
 
 /// table[index], 0 <= index < 16; AVX2's own gather takes longer than four loads on many processors.
@@ -159,38 +129,25 @@ NIPREF_INLINE Vector gather_eighths(const double* table, const TableIndex& index
 
 /// Permutations of a vector's halves of doubles for one set of lanes.
 struct LaneOrder {
-  alignas(32) uint32_t front[8];         ///< brings the set to the front
-  alignas(32) uint32_t others_front[8];  ///< brings all others there
-  alignas(32) uint32_t back[8];          ///< from the front back to the set, whose sign bits are set
-  alignas(32) uint32_t others_back[8];   ///< from the front back to all others
+  alignas(32) uint32_t front[8];  ///< brings the set to the front
+  alignas(32) uint32_t back[8];   ///< from the front back to the set, whose sign bits are set
 };
-
-constexpr void fill_lane_order(uint32_t set, uint32_t (&front)[8], uint32_t (&back)[8]) {
-  uint32_t count = 0;
-  for (uint32_t lane = 0; lane < 4; ++lane) {
-    if ((set >> lane & 1) == 0) continue;
-    for (uint32_t half = 0; half < 2; ++half) {
-      front[2 * count + half] = 2 * lane + half;
-      back[2 * lane + half] = (2 * count + half) | 0x80000000;
-    }
-    ++count;
-  }
-}
 
 struct LaneOrders {
-  LaneOrder of[16];
+  LaneOrder of[16]{};
+
+  constexpr LaneOrders() {
+    for (uint32_t set = 0; set < 16; ++set) {
+      for (uint32_t half = 0, count = 0; half < 8; ++half) {
+        if ((set >> half / 2 & 1) == 0) continue;
+        of[set].front[count] = half;
+        of[set].back[half] = count++ | 0x80000000;
+      }
+    }
+  }
 };
 
-constexpr LaneOrders lane_orders() {
-  LaneOrders orders{};
-  for (uint32_t set = 0; set < 16; ++set) {
-    fill_lane_order(set, orders.of[set].front, orders.of[set].back);
-    fill_lane_order(15 - set, orders.of[set].others_front, orders.of[set].others_back);
-  }
-  return orders;
-}
-
-inline constexpr LaneOrders orders = lane_orders();
+inline constexpr LaneOrders orders;
 
 NIPREF_INLINE Vector permute(Vector x, __m256i order) {
   return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(x), order));
@@ -207,37 +164,22 @@ NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   store(to, permute(x, load_order(orders.of[wanted].front)));
 }
 
-/// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
-  store(to, permute(x, load_order(orders.of[set].others_front)));
-}
-
 /// Puts sorted[0], sorted[1], ... into the lanes that are not in the set; the others are unspecified.
 NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
-  return permute(load(sorted), load_order(orders.of[set].others_back));
+  return permute(load<Vector>(sorted), load_order(orders.of[other_lanes(set)].back));
 }
 
 /// The same for the lanes wanted, keeping the others.
 NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
   const __m256i order = load_order(orders.of[wanted].back);
-  return _mm256_blendv_pd(others, permute(load(sorted), order), _mm256_castsi256_pd(order));
+  return _mm256_blendv_pd(others, permute(load<Vector>(sorted), order), _mm256_castsi256_pd(order));
 }
 
 #endif
 
-/// The lanes that are not in a set.
-NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return set ^ ((1u << lanes) - 1); }
+NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) { compress(to, other_lanes(set), x); }
 
 NIPREF_INLINE uint32_t count_lanes(LaneBits set) { return static_cast<uint32_t>(__builtin_popcount(set)); }
-
-/// c[0] + c[1] x + ... + c[degree] x^degree.
-template <int degree>
-NIPREF_INLINE Vector horner(const double* c, Vector x) {
-  Vector sum = all(c[degree]);
-#pragma GCC unroll 16
-  for (int k = degree - 1; k >= 0; --k) sum = mul_add(sum, x, all(c[k]));
-  return sum;
-}
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
 
@@ -245,9 +187,35 @@ NIPREF_INLINE Vector horner(const double* c, Vector x) {
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Loops over points run in whole vectors of this many.
+using Vector = double;
+
+/// Loops over points run in whole vectors of this many, which the compiler may make.
 inline constexpr int lanes = 8;
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
 
 #endif
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// c[0] + c[1] x + ... + c[degree] x^degree.
+template <int degree, class Number>
+NIPREF_INLINE Number horner(const double* c, Number x) {
+  Number sum = all<Number>(c[degree]);
+#pragma GCC unroll 16
+  for (int k = degree - 1; k >= 0; --k) sum = mul_add(sum, x, all<Number>(c[k]));
+  return sum;
+}
+
+template <class Number>
+NIPREF_INLINE Decomposed<Number> decompose(Number x) {
+  constexpr int scaling = 54;  // makes denormal numbers normal
+  const auto bits = bits_of(x * 0x1p54);
+  // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer, a conversion that compilers
+  // vectorise.
+  const Number biased = from_bits((bits >> 52) | 0x4330000000000000);
+  return {biased - all<Number>(0x1p52 + 1023 + scaling),
+          from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA

@@ -72,11 +72,6 @@ void fill_residues(const std::vector<Complex>& roots, internal::FieldTable& tabl
       table.amplitude[r][f][0] = amplitudes[f].real().convert_to<double>();
       table.amplitude[r][f][1] = amplitudes[f].imag().convert_to<double>();
     }
-    const std::array<Real, 2> parts{Real(z.real()), Real(z.imag())};
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-      table.root[r][p][0] = parts[p].convert_to<double>();
-      table.root[r][p][1] = Real(parts[p] - table.root[r][p][0]).convert_to<double>();
-    }
   }
 }
 

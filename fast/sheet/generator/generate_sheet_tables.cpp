@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -19,69 +18,47 @@ namespace generator = nipref::fast::generator;
 /// Enough for Taylor series of 56 terms about x = 1/8, the most demanding use.
 constexpr int root_count = 1500;
 
-std::string literal(double x) {
+void write(std::ostream& out, double x) {
   char text[40];
   std::snprintf(text, sizeof text, "%a", x);
-  return text;
+  out << text;
 }
 
-void write(std::ostream& out, double x) { out << literal(x) << ",\n"; }
-
-void write(std::ostream& out, std::span<const double> numbers) {
+/// Of numbers or of arrays.
+template <class Entry, std::size_t count>
+void write(std::ostream& out, const Entry (&entries)[count]) {
   out << "{";
-  for (const double x : numbers) out << literal(x) << ",";
-  out << "},\n";
+  for (const Entry& entry : entries) {
+    write(out, entry);
+    out << ",";
+  }
+  out << "}\n";
 }
 
-template <std::size_t rows, std::size_t columns>
-void write(std::ostream& out, const double (&matrix)[rows][columns]) {
-  out << "{\n";
-  for (const auto& row : matrix) write(out, std::span<const double>(row));
-  out << "},\n";
-}
-
-/// Members in the order of the struct's declaration.
-void write(std::ostream& out, const internal::ComponentTable& table) {
-  out << "{\n";
-  write(out, table.power);
-  write(out, table.constant_low);
-  write(out, table.coarse);
-  write(out, table.log_high);
-  write(out, table.log_low);
-  write(out, table.short_log_high);
-  write(out, table.short_log_low);
-  write(out, table.odd);
-  write(out, table.even);
-  write(out, table.limit_high);
-  write(out, table.limit_low);
-  write(out, table.exponential_high);
-  write(out, table.exponential_low);
-  write(out, table.cosine_high);
-  write(out, table.cosine_low);
-  write(out, table.sine);
-  out << "},\n";
-}
-
-void write(std::ostream& out, const internal::CommonTable& table) {
-  out << "{\n";
-  write(out, table.log_reciprocal);
-  write(out, table.short_log_reciprocal);
-  write(out, table.decay_high);
-  write(out, table.decay_low);
-  write(out, table.phase_high);
-  write(out, table.phase_low);
+/// In the order of the struct's declaration.
+template <class... Members>
+void write_members(std::ostream& out, const Members&... members) {
+  out << "{";
+  ((write(out, members), out << ","), ...);
   out << "}";
 }
 
-void write(std::ostream& out, const internal::FieldTable& table) {
-  out << "{\n";
-  write(out, table.rest);
-  out << "{\n";
-  for (const auto& root : table.root) write(out, root);
-  out << "},\n{\n";
-  for (const auto& amplitudes : table.amplitude) write(out, amplitudes);
-  out << "},\n}";
+void write(std::ostream& out, const internal::ComponentTable& t) {
+  write_members(out, t.power, t.constant_low, t.coarse, t.log_high, t.log_low, t.short_log_high,
+                t.short_log_low, t.odd, t.even, t.limit_high, t.limit_low, t.exponential_high,
+                t.exponential_low, t.cosine_high, t.cosine_low, t.sine);
 }
+
+void write(std::ostream& out, const internal::CommonTable& t) {
+  write_members(out, t.log_reciprocal, t.short_log_reciprocal, t.decay_high, t.decay_low, t.phase_high,
+                t.phase_low);
+}
+
+void write(std::ostream& out, const internal::RootTable& t) {
+  write_members(out, t.frequency_high, t.frequency_low, t.decay_high, t.decay_low);
+}
+
+void write(std::ostream& out, const internal::FieldTable& t) { write_members(out, t.rest, t.amplitude); }
 
 void write_source(std::ostream& out) {
   const std::vector<generator::Complex> roots = generator::first_roots(root_count);
@@ -90,9 +67,12 @@ void write_source(std::ostream& out) {
       << "namespace nipref::fast::internal {\nconst ComponentTable component_tables[component_count] = {\n";
   for (int id = 0; id < internal::component_count; ++id) {
     write(out, *generator::tabulate(static_cast<internal::Component>(id), roots));
+    out << ",\n";
   }
   out << "};\nconst CommonTable common_table = ";
   write(out, generator::tabulate_common(roots));
+  out << ";\nconst RootTable root_table = ";
+  write(out, generator::tabulate_roots(roots));
   out << ";\nconst FieldTable field_table = ";
   write(out, *generator::tabulate_field(roots));
   out << ";\n}  // namespace nipref::fast::internal\n";

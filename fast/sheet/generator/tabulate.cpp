@@ -18,14 +18,9 @@ constexpr int local_length = 24;
 
 double rounded(const Real& x) { return x.convert_to<double>(); }
 
-struct TwoDoubles {
-  double high;
-  double low;
-};
-
-TwoDoubles split(const Real& x) {
-  const double high = rounded(x);
-  return {high, rounded(x - high)};
+void split(const Real& x, double& high, double& low) {
+  high = rounded(x);
+  low = rounded(x - high);
 }
 
 Real row_centre(int row) {
@@ -55,9 +50,8 @@ void fill_rows(Component id, const ComponentSeries& component, const Series& abo
         1 / (2 * Real(centre < internal::fine_end ? internal::fine_pieces : internal::coarse_pieces));
     const Series local = local_series(component, about_zero, shape(id) == Shape::odd, centre);
     const Series polynomial = economised(local, -half_width, half_width, internal::piece_degree);
-    const TwoDoubles constant = split(polynomial.front());
     for (std::size_t k = 0; k < polynomial.size(); ++k) table.power[row][k] = rounded(polynomial[k]);
-    table.constant_low[row] = constant.low;
+    split(polynomial.front(), table.power[row][0], table.constant_low[row]);
   }
 }
 
@@ -84,15 +78,12 @@ void fill_coarse_rows(Component id, const ComponentSeries& component, const Seri
   }
 }
 
-/// Nearest multiple of 2^-42.
-Real on_log_grid(const Real& x) { return ldexp(Real(floor(ldexp(x, 42) + Real(1) / 2)), -42); }
-
 Real log_cell_centre(int cell, int cells) { return 1 + (cell + Real(1) / 2) / cells; }
 
+/// The first is a multiple of 2^-42.
 void split_on_log_grid(const Real& x, double& high, double& low) {
-  const Real on_grid = on_log_grid(x);
-  high = rounded(on_grid);
-  low = rounded(x - on_grid);
+  high = rounded(ldexp(Real(floor(ldexp(x, 42) + Real(1) / 2)), -42));
+  low = rounded(x - high);
 }
 
 void fill_logarithm(const Series& about_zero, ComponentTable& table) {
@@ -119,22 +110,16 @@ void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
 }
 
 void fill_residue(const ComponentSeries& component, ComponentTable& table) {
-  const TwoDoubles limit = split(component.limit());
-  table.limit_high = limit.high;
-  table.limit_low = limit.low;
+  split(component.limit(), table.limit_high, table.limit_low);
   const Complex amplitude = component.leading_amplitude();
   const Real size = abs(amplitude);
   const Real phase = atan2(Real(amplitude.imag()), Real(amplitude.real()));
-  for (int j = 0; j < internal::exponential_cells; ++j) {
-    const TwoDoubles cell = split(size * exp2(-Real(j) / internal::exponential_cells));
-    table.exponential_high[j] = cell.high;
-    table.exponential_low[j] = cell.low;
-  }
+  for (int j = 0; j < internal::exponential_cells; ++j)
+    split(size * exp2(-Real(j) / internal::exponential_cells), table.exponential_high[j],
+          table.exponential_low[j]);
   for (int p = 0; p < internal::phase_cells; ++p) {
     const Real angle = phase + 2 * pi() * p / internal::phase_cells;
-    const TwoDoubles cosine = split(cos(angle));
-    table.cosine_high[p] = cosine.high;
-    table.cosine_low[p] = cosine.low;
+    split(cos(angle), table.cosine_high[p], table.cosine_low[p]);
     table.sine[p] = rounded(sin(angle));
   }
 }
@@ -163,13 +148,18 @@ internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
   for (int cell = 0; cell < internal::short_log_cells; ++cell)
     table.short_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::short_log_cells));
   const Complex& z = roots.front();
-  const TwoDoubles decay =
-      split(internal::exponential_cells * z.imag() / boost::math::constants::ln_two<Real>());
-  const TwoDoubles phase = split(internal::phase_cells * z.real() / (2 * pi()));
-  table.decay_high = decay.high;
-  table.decay_low = decay.low;
-  table.phase_high = phase.high;
-  table.phase_low = phase.low;
+  split(internal::exponential_cells * z.imag() / boost::math::constants::ln_two<Real>(), table.decay_high,
+        table.decay_low);
+  split(internal::phase_cells * z.real() / (2 * pi()), table.phase_high, table.phase_low);
+  return table;
+}
+
+internal::RootTable tabulate_roots(const std::vector<Complex>& roots) {
+  internal::RootTable table{};
+  for (std::size_t n = 0; n < internal::tabulated_roots; ++n) {
+    split(Real(roots[n].real()), table.frequency_high[n], table.frequency_low[n]);
+    split(Real(roots[n].imag()), table.decay_high[n], table.decay_low[n]);
+  }
   return table;
 }
 

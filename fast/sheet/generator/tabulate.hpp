@@ -13,4 +13,6 @@ std::unique_ptr<internal::ComponentTable> tabulate(internal::Component component
 /// The numbers that all components share.
 internal::CommonTable tabulate_common(const std::vector<Complex>& roots);
 
+internal::RootTable tabulate_roots(const std::vector<Complex>& roots);
+
 }  // namespace nipref::fast::generator

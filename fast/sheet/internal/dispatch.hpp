@@ -15,11 +15,6 @@ namespace nipref::fast::internal {
 inline constexpr int batch_components = 5;   ///< I1, I3, I4, I5, I7
 inline constexpr int scalar_components = 6;  ///< and eta_part_of_I6
 
-/// z_n = frequency + i decay in two words each.
-struct RootColumns {
-  const double *frequency_high, *frequency_low, *decay_high, *decay_low;
-};
-
 struct SheetCode {
   const char* instruction_set;
   bool (*all_in_domain)(const double*, size_t, Domain);
@@ -29,9 +24,8 @@ struct SheetCode {
   void (*batch_i6[tier_count])(const double*, const double*, double*, size_t);
   /// value[i] = e^(-rate at[i]), 0 <= rate at[i] <= 708.
   void (*decays)(double rate, const double* at, double* value, size_t count);
-  /// e^((i frequency - decay) distance), 1 <= distance <= 500; 0 from e^-708 on.
-  void (*waves)(const RootColumns& roots, double distance_high, double distance_low, double* real,
-                double* imaginary, size_t count);
+  /// e^(i z_n distance) of the first `count` tabulated roots, 0 <= distance <= 500; 0 from e^-708 on.
+  void (*waves)(double distance_high, double distance_low, double* real, double* imaginary, size_t count);
   /// Of a logarithmic component: value[i] = f(x) + ln|x| less the same at 0, less the odd term, at x = from + length at[i],
   /// |x| <= 1/2.
   void (*even_rest)(Component, double from, double length, const double* at, double* value, size_t count);

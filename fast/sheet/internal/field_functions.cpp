@@ -2,29 +2,13 @@
 #include <cmath>
 #include <complex>
 
+#include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
-#include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
 namespace {
 
 constexpr std::array is_odd{true, false, true, false, false, true};
-
-/// The product alpha m in two words.
-struct Product {
-  double high, low;
-
-  Product(double alpha, const double (&m)[2])
-      : high(alpha * m[0]), low(std::fma(alpha, m[0], -high) + alpha * m[1]) {}
-};
-
-/// e^{i alpha z}; the low words matter where alpha is large.
-std::complex<double> wave(double alpha, const double (&root)[2][2]) {
-  const Product angle(alpha, root[0]), decay(alpha, root[1]);
-  const double size = std::exp(-decay.high), cosine = std::cos(angle.high), sine = std::sin(angle.high);
-  const double trimmed = size - size * decay.low;
-  return {trimmed * (cosine - sine * angle.low), trimmed * (sine + cosine * angle.low)};
-}
 
 /// How many terms are at least 1e-18 of the first.
 int terms_at(double alpha) {
@@ -59,12 +43,15 @@ AlongWaves::AlongWaves(double alpha)
     : count(alpha > underflown      ? 0
             : alpha < near_load_end ? field_roots
                                     : terms_at(alpha)) {
-  for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) of[n] = wave(alpha, field_table.root[n]);
+  const auto size = static_cast<std::size_t>(count);
+  std::array<double, field_roots> real, imaginary;
+  sheet_code().waves(alpha, 0, real.data(), imaginary.data(), size);
+  for (std::size_t n = 0; n < size; ++n) of[n] = {real[n], imaginary[n]};
 }
 
 AcrossWaves::AcrossWaves(double depth, int count) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
-    const double a = depth * field_table.root[n][0][0], b = depth * field_table.root[n][1][0];
+    const double a = depth * root_table.frequency_high[n], b = depth * root_table.decay_high[n];
     const double cosine = std::cos(b), sine = std::sin(b), grows = std::cosh(a), rises = std::sinh(a);
     cosh[n] = {grows * cosine, rises * sine};
     sinh[n] = {rises * cosine, grows * sine};

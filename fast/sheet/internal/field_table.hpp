@@ -17,7 +17,6 @@ inline constexpr int field_functions = 6;
 struct FieldTable {
   /// The rest at w, without the half-planes: sum_k rest[f][k] w^2k, times w where the function is odd.
   double rest[field_functions][near_load_terms];
-  double root[field_roots][2][2];                     ///< z_n: real and imaginary part, each in two words
   double amplitude[field_roots][field_functions][2];  ///< a in Re(a e^{i z_n w}), w real
 };
 

@@ -2,6 +2,7 @@
 #include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
+#include <nipref/fast/sheet/internal/theta_shares.hpp>
 
 namespace nipref::fast::internal {
 
@@ -53,10 +54,6 @@ struct FromFace {
 };
 struct FromFaceBeside {
   FromFace normal, shear;
-};
-/// theta1 and theta2 over their sum.
-struct Shares {
-  double theta1, theta2;
 };
 class DisplacementsFromFace {
  public:

@@ -103,7 +103,16 @@ struct CommonTable {
   double phase_low;
 };
 
+inline constexpr int tabulated_roots = 16;
+
+/// z_n = frequency + i decay in two words each: their rounding is multiplied by the distance, which may be some hundreds.
+struct RootTable {
+  double frequency_high[tabulated_roots], frequency_low[tabulated_roots];
+  double decay_high[tabulated_roots], decay_low[tabulated_roots];
+};
+
 extern const ComponentTable component_tables[component_count];
 extern const CommonTable common_table;
+extern const RootTable root_table;
 
 }  // namespace nipref::fast::internal

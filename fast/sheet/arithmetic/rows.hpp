@@ -1,17 +1,21 @@
 #pragma once
 
-// Table rows for a vector of points. Loading rows and transposing them takes half the time of gathering powers.
+// Table rows for a point or a vector of points. Loading rows and transposing them takes half the time of gathering powers.
 
 #include <nipref/fast/sheet/arithmetic/vector.hpp>
-
-#ifdef NIPREF_VECTORS
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
 /// Numbers 0 ... 3 from the offset of each lane, number by number.
+template <class Number>
 struct Columns {
-  Vector number[4];
+  Number number[4];
 };
+
+NIPREF_INLINE Columns<double> columns(const double* table, uint64_t offset) {
+  const double* row = table + offset;
+  return {{row[0], row[1], row[2], row[3]}};
+}
 
 #ifdef __AVX512F__
 
@@ -21,7 +25,7 @@ NIPREF_INLINE __m512d two_rows(const double* table, uint64_t first, uint64_t sec
                             _mm256_load_pd(table + second), 1);
 }
 
-NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
+NIPREF_INLINE Columns<Vector> columns(const double* table, const uint64_t* offset) {
   constexpr int even_lanes = 0x88;
   constexpr int odd_lanes = 0xdd;
   const __m512d rows02 = two_rows(table, offset[0], offset[2]);
@@ -38,7 +42,7 @@ NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
            _mm512_shuffle_f64x2(odd_low, odd_high, odd_lanes)}};
 }
 
-#else
+#elif defined(__AVX2__)
 
 /// Two neighbouring numbers of a table at two offsets, side by side.
 NIPREF_INLINE __m256d two_pairs(const double* table, uint64_t first, uint64_t second) {
@@ -46,7 +50,7 @@ NIPREF_INLINE __m256d two_pairs(const double* table, uint64_t first, uint64_t se
                               1);
 }
 
-NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
+NIPREF_INLINE Columns<Vector> columns(const double* table, const uint64_t* offset) {
   const __m256d pairs02 = two_pairs(table, offset[0], offset[2]);
   const __m256d pairs13 = two_pairs(table, offset[1], offset[3]);
   const __m256d later02 = two_pairs(table + 2, offset[0], offset[2]);
@@ -58,5 +62,3 @@ NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
 #endif
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
-
-#endif
