@@ -75,7 +75,7 @@ TEST_CASE("the audit finds what is wrong in a window, at one point or no number,
   }
 }
 
-TEST_CASE("a density scales a quantity's own number of points, at least one; a given number is absolute") {
+TEST_CASE("a density scales a quantity's own number of points, at least one, a given number is absolute") {
   Quantity quantity = verify::find_quantity("I3");
   quantity.audit_points = 6;
   const auto points = [&](std::size_t absolute, double density) {

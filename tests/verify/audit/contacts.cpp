@@ -48,7 +48,7 @@ TEST_CASE("hard cases of contacts: errors that ref can tell are within what cond
   }
 }
 
-TEST_CASE("a contact without an independent truth gets no verdict; what is not known is a dash and null") {
+TEST_CASE("a contact without an independent truth gets no verdict, what is not known is a dash and null") {
   const verify::ContactAudit alone{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8};
   verify::ContactAudit kept{"line loads, no friction", 30, 0.5, 11, 1e4, {}, 1e-11};
   kept.error = 1e-14;

@@ -133,7 +133,7 @@ TEST_CASE("a folder takes no other run, and a shard no second process") {
   CHECK(text_of_file(folder.path() / "run.json") == fingerprint);
 }
 
-TEST_CASE("audits in shards, merged, are answered as one process answers; what does not fit is refused") {
+TEST_CASE("audits in shards, merged, are answered as one process answers, what does not fit is refused") {
   const ScratchFolder folder;
   const std::string audit = "audit I3 I4 --points 9000 --quiet ",
                     run_folder = "'" + (folder.path() / "run").string() + "'";

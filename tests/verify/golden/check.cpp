@@ -129,7 +129,7 @@ TEST_CASE("any character that is changed in a golden file or its checksum is fou
   CHECK(faults_of(verify::check_golden(folder.file("I2.csv"), {})) == std::vector{GoldenFault::text_changed});
 }
 
-TEST_CASE("files that checksums do not list or that are gone are found; one's own file needs none") {
+TEST_CASE("files that checksums do not list or that are gone are found, one's own file needs none") {
   const verify::GoldenFile file = last_of(golden("I2"), 1);
   const GoldenFolder folder;
   const auto check = [&](const std::string& what) {

@@ -51,7 +51,7 @@ TEST_CASE("a report against itself has changed nothing") {
   CHECK(none.older == "0123456789, 2026-01-02");
 }
 
-TEST_CASE("an older report may lack what this one has, or have it otherwise; a part it lacks is new, once") {
+TEST_CASE("an older report may lack what this one has, or have it otherwise, a part it lacks is new, once") {
   json older = older_json();
   older["claims"] = {{{"id", "C"}}};
   older["audit"] = {3, "rows"};

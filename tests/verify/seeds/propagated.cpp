@@ -62,7 +62,7 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
   CHECK(std::isinf((1 / Propagated(0.5, 0.5)).error()));
 }
 
-TEST_CASE("what is said of a number ends with its error's first digit; the error holds what is left out") {
+TEST_CASE("what is said of a number ends with its error's first digit, the error holds what is left out") {
   CHECK(verify::stated_text({2.4929584293488993, 2.5e-7}) == "2.4929584 +- 2.8e-07");
   CHECK(verify::stated_text({1234567.0, 765.0}) == "1.2346e+06 +- 8.0e+02");
   CHECK(verify::stated_text({3e-5, 1e-3}) == "0 +- 1.1e-03");
