@@ -38,7 +38,7 @@ inline constexpr int coarse_degree = 3;
 inline constexpr Tier tier_works[tier_count] = {
     {1e-3, true, 2, 0, 0, 2, 1, 1, 2, false},
     {5e-7, true, coarse_degree, 0, 0, 4, 2, 3, 4, false},
-    {1e-11, false, 4, 0, 6, 5, 3, 5, 4, false},
+    {1e-9, false, 4, 0, 6, 5, 3, 5, 4, false},
     {5e-13, false, 6, 0, 8, 7, 5, 7, 6, true},
     {0x1p-51, false, piece_degree, 6, 10, even_degree, 6, 7, 8, true},
 };
