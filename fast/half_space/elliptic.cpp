@@ -27,12 +27,8 @@ struct Ellipse {
   Direction major;
 };
 
-/// A symmetric 2x2 matrix.
-struct Symmetric {
-  double e11, e12, e22;
-
-  [[nodiscard]] double norm() const { return std::sqrt(e11 * e11 + 2 * e12 * e12 + e22 * e22); }
-};
+/// The entries 11, 12 and 22 of a symmetric 2x2 matrix.
+using Symmetric = Eigen::Vector3d;
 
 /// The integrals over all directions psi that decide the shape, for m the unit vector along L^T n, |L^T n| = w.
 struct Balance {
@@ -41,11 +37,10 @@ struct Balance {
 
   [[nodiscard]] double sum() const { return sums[0] + 2 * sums[2] + sums[4]; }  ///< int K/w dpsi
   /// The function of the ellipse that is concave in L L^T and stationary where int K n n/w^3 dpsi = curvatures.
-  [[nodiscard]] double objective() const { return -2 * sum() - curvatures.e11 - curvatures.e22; }
+  [[nodiscard]] double objective() const { return -2 * sum() - curvatures[0] - curvatures[2]; }
   /// Its gradient.
   [[nodiscard]] Symmetric gradient() const {
-    return {sums[0] + sums[2] - curvatures.e11, sums[1] + sums[3] - curvatures.e12,
-            sums[2] + sums[4] - curvatures.e22};
+    return Symmetric(sums[0] + sums[2], sums[1] + sums[3], sums[2] + sums[4]) - curvatures;
   }
 };
 
@@ -149,27 +144,21 @@ Eigen::Matrix3d curvature_of(const Balance& at) {
 }
 
 /// The change E that Newton's method asks for.
-Symmetric newton_step(const Balance& at) {
-  const auto [g11, g12, g22] = at.gradient();
-  const Eigen::Vector3d step = curvature_of(at).partialPivLu().solve(Eigen::Vector3d(g11, g12, g22));
-  return {step[0], step[1], step[2]};
-}
+Symmetric newton_step(const Balance& at) { return curvature_of(at).partialPivLu().solve(at.gradient()); }
 
 /// The ellipse of L (1 + E/2). Its minor axis is computed from the determinant, where nothing cancels.
 Ellipse moved(const Ellipse& from, const Symmetric& change) {
-  const double b11 = from.a * (1 + change.e11 / 2), b12 = from.a * change.e12 / 2;
-  const double b21 = from.b * change.e12 / 2, b22 = from.b * (1 + change.e22 / 2);
+  const double e11 = change[0], e12 = change[1], e22 = change[2];
+  const double b11 = from.a * (1 + e11 / 2), b12 = from.a * e12 / 2;
+  const double b21 = from.b * e12 / 2, b22 = from.b * (1 + e22 / 2);
   const double m11 = b11 * b11 + b12 * b12, m12 = b11 * b21 + b12 * b22, m22 = b21 * b21 + b22 * b22;
   const double a = std::sqrt((m11 + m22) / 2 + std::hypot((m11 - m22) / 2, m12));
-  const double determinant =
-      from.a * from.b * ((1 + change.e11 / 2) * (1 + change.e22 / 2) - change.e12 * change.e12 / 4);
+  const double determinant = from.a * from.b * ((1 + e11 / 2) * (1 + e22 / 2) - e12 * e12 / 4);
   const double angle = std::atan2(2 * m12, m11 - m22) / 2;
   return {a, std::min(a, std::fabs(determinant) / a), Direction::of_angle(angle).turned(from.major)};
 }
 
-double contraction(const Symmetric& a, const Symmetric& b) {
-  return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
-}
+double contraction(const Symmetric& a, const Symmetric& b) { return a.dot(b) + a[1] * b[1]; }
 
 /// Improves `ellipse` by Newton's method and returns the length of the first step, or infinity if the method has not
 /// converged. `balance_at` gives the Balance of an ellipse.
@@ -180,14 +169,14 @@ double solve(Ellipse& ellipse, const BalanceAt& balance_at) {
   double first = 0;
   for (int count = 0; count < most_steps; ++count) {
     const Symmetric step = newton_step(here);
-    const double length = step.norm(), slope = contraction(here.gradient(), step);
+    const double length = std::sqrt(contraction(step, step)), slope = contraction(here.gradient(), step);
     if (count == 0) first = length;
     if (length < 1e-7) {  // convergence is quadratic: after this step the error is rounding
       ellipse = moved(ellipse, step);
       return first;
     }
     for (double part = std::min(1.0, 1 / length);; part /= 2) {
-      const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
+      const Ellipse there = moved(ellipse, part * step);
       const Balance next = balance_at(there);
       const double rounding = 1e-13 * std::fabs(here.objective());
       if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
@@ -213,12 +202,9 @@ constexpr double few_roundings = 0x1p-50;
 /// curvatures can cause.
 Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
   const auto of_pair = [&](std::size_t j) { return mesh.integral[j].error + mesh.integral[j + 2].error; };
-  const auto& [c11, c12, c22] = at.curvatures;
-  const Eigen::Vector3d gradient(of_pair(0) + few_roundings * std::fabs(c11),
-                                 of_pair(1) + few_roundings * std::fabs(c12),
-                                 of_pair(2) + few_roundings * std::fabs(c22));
-  const Eigen::Vector3d error = curvature_of(at).inverse().cwiseAbs() * gradient;
-  return {error[0], error[1], error[2]};
+  const Symmetric gradient =
+      Symmetric(of_pair(0), of_pair(1), of_pair(2)) + few_roundings * at.curvatures.cwiseAbs();
+  return curvature_of(at).inverse().cwiseAbs() * gradient;
 }
 
 /// The first approximation: axes along those of the body, and within a few per cent Hertz's axis ratio.
@@ -231,7 +217,7 @@ Ellipse first_shape(const Indenter& body) {
 /// The ellipse of this shape for which the traces of int K n n/w^3 dpsi and of the curvatures agree in its frame.
 Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& mesh) {
   const Symmetric curvatures = scaled_curvatures(shape, body);
-  const double scale = std::cbrt(sum_of(mesh).value / (curvatures.e11 + curvatures.e22));
+  const double scale = std::cbrt(sum_of(mesh).value / (curvatures[0] + curvatures[2]));
   return {shape.a * scale, shape.b * scale, shape.major};
 }
 
@@ -277,8 +263,8 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   major_ = backwards ? ellipse.major.turned({-1, 0}) : ellipse.major;
   const Balance found = balance(ellipse, body, exact, mesh.panels);
   sum_ = found.sum();
-  const auto [e11, e12, e22] = error_of_change(found, mesh);
-  set_errors(e11 + change, e12 + change, e22 + change);
+  const Symmetric error = error_of_change(found, mesh).array() + change;
+  set_errors(error[0], error[1], error[2]);
   const auto share = [&](std::size_t j) { return std::fabs(found.sums[j] + found.sums[j + 2]) / sum_; };
   sum_error_ =
       sum_of(mesh).error / sum_ + share(0) * major_error_ + share(2) * minor_error_ + share(1) * twist_error_;

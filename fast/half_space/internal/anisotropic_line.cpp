@@ -33,19 +33,14 @@ Two root_between(const Function& f, Two low, Two high) {
 
 Square<Two, 3> block(const data::Stiffness::Voigt& voigt, std::size_t j, std::size_t l, double unit) {
   constexpr std::size_t index[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
-  Square<Two, 3> result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = Two{voigt[index[i][j]][index[k][l]] * unit};
-  return result;
+  return matrix_of<Two>(
+      [&](std::size_t i, std::size_t k) { return Two{voigt[index[i][j]][index[k][l]] * unit}; });
 }
 
 /// C_i1k2 + C_i2k1
 Square<Two, 3> mixed_block(const data::Stiffness::Voigt& voigt, double unit) {
   const Square<Two, 3> c12 = block(voigt, 0, 1, unit), c21 = block(voigt, 1, 0, unit);
-  Square<Two, 3> result;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = c12[i][k] + c21[i][k];
-  return result;
+  return matrix_of<Two>([&](std::size_t i, std::size_t k) { return c12[i][k] + c21[i][k]; });
 }
 
 }  // namespace
@@ -65,14 +60,11 @@ StrohBlocks AnisotropicLine::blocks(Direction psi) const {
   const Two c = cosine_of(psi), s = sine_of(psi);
   const Two cc = square(c) / length2, ss = square(s) / length2, cs = c * s / length2;
   const Two c1 = c / length, s1 = s / length;
-  StrohBlocks result{.q = {}, .r = {}, .t_inverse = t_inverse_};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.q[i][k] = cc * c11_[i][k] + cs * c12_[i][k] + ss * c22_[i][k];
-      result.r[i][k] = c1 * c13_[i][k] + s1 * c23_[i][k];
-    }
-  }
-  return result;
+  return {matrix_of<Two>([&](std::size_t i, std::size_t k) {
+            return cc * c11_[i][k] + cs * c12_[i][k] + ss * c22_[i][k];
+          }),
+          matrix_of<Two>([&](std::size_t i, std::size_t k) { return c1 * c13_[i][k] + s1 * c23_[i][k]; }),
+          t_inverse_};
 }
 
 std::optional<AnisotropicAnswers> AnisotropicLine::at(Direction psi, const Motion& motion) const {

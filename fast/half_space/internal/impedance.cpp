@@ -84,28 +84,20 @@ Number number_of(Two x) {
 
 template <class Number>
 Square<Number, 3> product(const Square<Number, 3>& a, const Square<Number, 3>& b) {
-  Square<Number, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      result[i][k] = a[i][0] * b[0][k] + a[i][1] * b[1][k] + a[i][2] * b[2][k];
-  }
-  return result;
+  return matrix_of<Number>([&](std::size_t i, std::size_t k) {
+    return a[i][0] * b[0][k] + a[i][1] * b[1][k] + a[i][2] * b[2][k];
+  });
 }
 
 template <class Number>
 std::optional<Impedance<Number>> by_sign_function(const StrohBlocks& blocks, Number X) {
-  Square<Number, 3> q, r, t;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      q[i][k] = number_of<Number>(blocks.q[i][k]);
-      r[i][k] = number_of<Number>(blocks.r[i][k]);
-      t[i][k] = number_of<Number>(blocks.t_inverse[i][k]);
-    }
-    q[i][i] = q[i][i] - X;
-  }
-  Square<Number, 3> transposed{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) transposed[i][k] = r[k][i];
+  const auto of = [](const Square<Two, 3>& block) {
+    return matrix_of<Number>([&](std::size_t i, std::size_t k) { return number_of<Number>(block[i][k]); });
+  };
+  Square<Number, 3> q = of(blocks.q);
+  const Square<Number, 3> r = of(blocks.r), t = of(blocks.t_inverse);
+  for (std::size_t i = 0; i < 3; ++i) q[i][i] = q[i][i] - X;
+  const auto transposed = matrix_of<Number>([&](std::size_t i, std::size_t k) { return r[k][i]; });
   const Square<Number, 3> tr = product(t, transposed), rtr = product(r, tr);  // T^-1 R^T, R T^-1 R^T
   Square<Number, 6> n{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -118,13 +110,8 @@ std::optional<Impedance<Number>> by_sign_function(const StrohBlocks& blocks, Num
   }
   const auto sign = sign_of<Number>(n);
   if (!sign) return std::nullopt;
-  Square<Number, 3> s, h;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      s[i][k] = (*sign)[i][k];
-      h[i][k] = (*sign)[i][k + 3];
-    }
-  }
+  const auto s = matrix_of<Number>([&](std::size_t i, std::size_t k) { return (*sign)[i][k]; });
+  auto h = matrix_of<Number>([&](std::size_t i, std::size_t k) { return (*sign)[i][k + 3]; });
   if (!invert_in_place(h)) return std::nullopt;
   return Impedance<Number>{h, product(h, s)};
 }
@@ -148,9 +135,8 @@ struct Residual {
   Square<Two, 3> re, im;
 
   Residual(const Impedance<Two>& m, const StrohBlocks& blocks, Two X) {
-    Square<Two, 3> im_of_p = m.im;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) im_of_p[i][k] = im_of_p[i][k] + blocks.r[k][i];
+    const auto im_of_p =
+        matrix_of<Two>([&](std::size_t i, std::size_t k) { return m.im[i][k] + blocks.r[k][i]; });
     re = product(blocks.t_inverse, m.re);
     im = product(blocks.t_inverse, im_of_p);
     const auto dot = [](const Square<Two, 3>& a, std::size_t i, const Square<Two, 3>& b, std::size_t k) {

@@ -10,6 +10,15 @@ namespace nipref::fast::internal {
 template <class Number, std::size_t size>
 using Square = std::array<std::array<Number, size>, size>;
 
+/// The matrix with the entries entry(i, k).
+template <class Number, class Entry>
+Square<Number, 3> matrix_of(const Entry& entry) {
+  Square<Number, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = entry(i, k);
+  return result;
+}
+
 /// The inverse of a matrix that has one.
 Square<Two, 3> inverse(Square<Two, 3> matrix);
 
