@@ -30,9 +30,10 @@ Direction of_small_angle(Two angle) {
 Direction Direction::of_degrees(double degrees) {
   internal::check_finite("degrees", degrees);
   const double within_a_turn = std::fmod(degrees, 360), quarters = std::round(within_a_turn / 90);
-  constexpr Direction of_quarters[]{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  return of_small_angle((within_a_turn - 90 * quarters) * degree)
-      .turned(of_quarters[static_cast<int>(quarters + 4) % 4]);
+  Direction result = of_small_angle((within_a_turn - 90 * quarters) * degree);
+  for (int turns = static_cast<int>(quarters + 4) % 4; turns > 0; --turns)
+    result = {-result.sine, result.cosine, -result.sine_low, result.cosine_low};
+  return result;
 }
 
 Direction Direction::turned(Direction from) const {

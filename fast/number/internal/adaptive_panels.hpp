@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -44,9 +45,10 @@ struct PanelSum {
   PanelSum(Integrand& integrand, Subinterval over) : panel(over) {
     visit_nodes(panel, [&](double x, double weight) {
       const std::array<double, count> terms = integrand(x);
-      const Eigen::Map<const Components<count>> term(terms.data());
-      value += weight * term;
-      magnitude += weight * term.abs();
+      for (int i = 0; i < value.size(); ++i) {
+        value[i] += weight * terms.data()[i];
+        magnitude[i] += weight * std::fabs(terms.data()[i]);
+      }
     });
   }
 };
