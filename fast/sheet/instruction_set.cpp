@@ -9,14 +9,13 @@ std::string_view instruction_set() { return internal::sheet_code().instruction_s
 void use_instruction_set(std::string_view name) {
   std::string known;
   for (int number = 0; number < internal::instruction_set_count; ++number) {
-    const internal::SheetCode* const code = internal::sheet_code_for(number);
-    if (code == nullptr) continue;
-    if (name == code->instruction_set) {
-      internal::best_sheet_code = code;
+    if (!internal::has_instruction_set(number)) continue;
+    const char* const known_name = internal::sheet_codes[number]->instruction_set;
+    if (name == known_name) {
       internal::chosen_instruction_set = number;
       return;
     }
-    known += (known.empty() ? "" : " or ") + std::string(code->instruction_set);
+    known += (known.empty() ? "" : " or ") + std::string(known_name);
   }
   throw data::BadInput("isa", name, "must be what this processor has: " + known);
 }

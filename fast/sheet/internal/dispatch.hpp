@@ -41,12 +41,8 @@ namespace v4 {
 extern const SheetCode code;
 }
 
-/// The code for an instruction set, or null where this processor does not have it.
-const SheetCode* sheet_code_for(int instruction_set);
-
-/// The code for the best instruction set of this processor. Before this library's static objects are
-/// initialised it may be the baseline's, so that calls need no guard.
-extern constinit const SheetCode* best_sheet_code;
-inline const SheetCode& sheet_code() { return *best_sheet_code; }
+/// The code for each instruction set; null where none was compiled.
+extern const SheetCode* const sheet_codes[instruction_set_count];
+inline const SheetCode& sheet_code() { return *sheet_codes[chosen_instruction_set]; }
 
 }  // namespace nipref::fast::internal
