@@ -40,14 +40,14 @@ Stiff stiffness_of(const Modulus& m) {
   return {part * second, m.spring * part, m.viscosity / both, 0};
 }
 
-/// Its reciprocal at_once + fluidity/(rate + z).
+/// Its reciprocal at_once + 1/(viscosity (rate + z)).
 struct Compliant {
-  double at_once, fluidity, rate;
+  double at_once, viscosity, rate;
 };
 Compliant compliance_of(const Modulus& m) {
-  if (m.model == SpringModel::elastic) return {1 / m.spring, 0, 0};
-  if (m.model == SpringModel::kelvin_voigt) return {0, 1 / m.viscosity, m.spring / m.viscosity};
-  return {1 / m.spring, 1 / m.viscosity, second_spring(m) / m.viscosity};
+  if (m.model == SpringModel::elastic) return {1 / m.spring, HUGE_VAL, 0};
+  if (m.model == SpringModel::kelvin_voigt) return {0, m.viscosity, m.spring / m.viscosity};
+  return {1 / m.spring, m.viscosity, second_spring(m) / m.viscosity};
 }
 
 /// x^2/(1 + x^2) and x/(1 + x^2)
@@ -71,8 +71,8 @@ Fading relaxation(const Modulus& m, double t) {
 
 double creep(const Modulus& m, double t) {
   check_not_negative("t", t);
-  const auto [at_once, fluidity, rate] = compliance_of(m);
-  return at_once + gone(rate, t) * fluidity;
+  const auto [at_once, viscosity, rate] = compliance_of(m);
+  return at_once + gone(rate, t) / viscosity;
 }
 
 double storage(const Modulus& m, double omega) {
@@ -101,8 +101,8 @@ std::complex<double> modulus_at(const Modulus& m, double p, double omega) {
 
 Fading theta1(const Modulus& shear, double t) {
   check_not_negative("t", t);
-  const auto [at_once, fluidity, rate] = compliance_of(shear);
-  return faded(fluidity / 2, rate * t);
+  const auto [at_once, viscosity, rate] = compliance_of(shear);
+  return faded(1 / (2 * viscosity), rate * t);
 }
 
 // 6K + 2G = c - sum k_i/(p + s_i), so that 3/(6K + 2G) = (3/c) [1 + v . (p + M)^-1 v] with v_i^2 = k_i/c and

@@ -37,16 +37,17 @@ bool has_instruction_set(int instruction_set) {
   return instruction_set == 0;
 }
 
-int best_instruction_set() {
-  int best = instruction_set_count - 1;
-  while (!has_instruction_set(best)) --best;
-  return best;
-}
-
 constinit int chosen_instruction_set = 0;
 
 namespace {
-[[maybe_unused]] const bool upgraded = (chosen_instruction_set = best_instruction_set()) > 0;
-}
+
+[[maybe_unused]] const bool upgraded = [] {
+  int best = instruction_set_count - 1;
+  while (!has_instruction_set(best)) --best;
+  chosen_instruction_set = best;
+  return best > 0;
+}();
+
+}  // namespace
 
 }  // namespace nipref::fast::internal

@@ -11,9 +11,6 @@ inline constexpr int instruction_set_count = 3;
 /// Whether this processor has the whole instruction set, and code for it was compiled.
 bool has_instruction_set(int instruction_set);
 
-/// The best instruction set of this processor.
-int best_instruction_set();
-
 /// The instruction set whose code runs: the best one, unless use_instruction_set() was called. It may be 0 before this
 /// library's static objects are initialised, so that calls need no guard.
 extern constinit int chosen_instruction_set;
