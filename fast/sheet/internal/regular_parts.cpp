@@ -23,21 +23,15 @@ void regular_part(Component component, const KernelOf& kernel, std::span<const d
   rest(place, rest_there);
   const double constant = there[0] + std::log(place[0]) - rest_there[0];
 
-  std::vector<std::size_t> far;
-  std::vector<double> far_alpha;
-  for (std::size_t i = 0; i < alpha.size(); ++i) {
-    if (std::fabs(alpha[i]) < near_end) continue;
-    far.push_back(i);
-    far_alpha.push_back(alpha[i]);
-  }
-  if (far.size() < alpha.size()) rest(alpha, value);
-  for (double& v : value) v += constant;
-  std::vector<double> far_value(far.size());
-  kernel(far_alpha, far_value);
-  const auto count = static_cast<Eigen::Index>(far.size());
-  Eigen::Map<Eigen::ArrayXd>(far_value.data(), count) +=
-      Eigen::Map<const Eigen::ArrayXd>(far_alpha.data(), count).abs().log();
-  for (std::size_t i = 0; i < far.size(); ++i) value[far[i]] = far_value[i];
+  // The kernel is computed near 0, too, but at near_end.
+  const auto count = static_cast<Eigen::Index>(alpha.size());
+  const auto span_of = [&](Eigen::ArrayXd& numbers) { return std::span(numbers.data(), alpha.size()); };
+  const Eigen::Map<const Eigen::ArrayXd> at(alpha.data(), count);
+  Eigen::ArrayXd far = at.abs().max(near_end), near_value(count), far_value(count);
+  rest(alpha, span_of(near_value));
+  kernel(span_of(far), span_of(far_value));
+  Eigen::Map<Eigen::ArrayXd>(value.data(), count) =
+      (at.abs() < near_end).select(near_value + constant, far_value + far.log());
 }
 
 }  // namespace
