@@ -11,32 +11,6 @@
 namespace nipref::fast::internal {
 namespace {
 
-using Extended = long double;
-
-constexpr double gone = 400;
-
-/// C_n of each kernel.
-using Amplitudes = std::array<Complex, kernel_count>;
-
-Amplitudes amplitudes_of(std::complex<Extended> z) {
-  const std::complex<Extended> c = std::cosh(z), s = std::sinh(z);
-  const Extended half_turn = std::numbers::pi_v<Extended>;
-  const std::complex<Extended> amplitude_I1 = std::complex<Extended>(0, half_turn) * (s * s) / (c * c) / z;
-  return {Complex(amplitude_I1), Complex(half_turn / (c * c)), Complex(half_turn * s / (z * c * c)),
-          Complex(half_turn / c)};
-}
-
-const std::array<Amplitudes, most_waves>& amplitudes() {
-  static const std::array<Amplitudes, most_waves> all = [] {
-    std::array<Amplitudes, most_waves> first;
-    for (std::size_t n = 0; n < most_waves; ++n)
-      first[n] = amplitudes_of({Extended{root_table.frequency_high[n]} + root_table.frequency_low[n],
-                                Extended{root_table.decay_high[n]} + root_table.decay_low[n]});
-    return first;
-  }();
-  return all;
-}
-
 /// How many waves reach the tolerance: at a distance x the n-th is about e^(-pi (n - 1) x) of the first.
 int wave_count(double distance, double tolerance) {
   return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, most_waves);
@@ -47,10 +21,9 @@ int wave_count(double distance, double tolerance) {
 template <typename Rate, typename Transform>
 Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   Rate sum = 0;
-  const auto& all_amplitudes = amplitudes();
+  const auto& amplitude = component_tables[static_cast<int>(kernel)].amplitude;
   for (int n = at.count - 1; n >= 0; --n) {
-    const Amplitudes& amplitude = all_amplitudes[static_cast<std::size_t>(n)];
-    const Complex term = amplitude[static_cast<std::size_t>(kernel)] * at.value(n);
+    const Complex term = Complex{amplitude[n][0], amplitude[n][1]} * at.value(n);
     const Complex exponent{-root_table.decay_high[n], root_table.frequency_high[n]};
     if constexpr (std::is_same_v<Rate, double>) {
       sum += (term * transform(n, exponent)).real();
@@ -66,7 +39,7 @@ Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
 Waves waves(Two distance, double tolerance) {
   if (distance.high < 0) distance = -distance;
   // From this distance on even the first wave is below the least double.
-  if (distance.high > gone) distance = {gone, 0};
+  if (distance.high > underflown) distance = {underflown, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
   sheet_code().waves(distance.high, distance.low, at.real.data(), at.imaginary.data(),
@@ -80,11 +53,13 @@ double faded_kernel(Kernel kernel, const Waves& at) {
 
 template <typename Rate>
 Rate memory_of_waves(Kernel kernel, const Waves& at, Rate rate, Side side, int order) {
-  const double sign = side == Side::ahead ? -1 : 1;
-  const auto integral = [&](Complex exponent) { return inverse(rate + sign * exponent); };
-  if (order == 0)
-    return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return integral(exponent); });
-  return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return exponent * integral(exponent); });
+  const auto sum_of = [&](auto integral) {
+    if (order == 0)
+      return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return integral(exponent); });
+    return sum_over<Rate>(kernel, at, [&](int, Complex exponent) { return exponent * integral(exponent); });
+  };
+  if (side == Side::ahead) return sum_of([&](Complex exponent) { return inverse(rate - exponent); });
+  return sum_of([&](Complex exponent) { return inverse(rate + exponent); });
 }
 
 template <typename Rate>

@@ -61,8 +61,6 @@ Complex ComponentSeries::amplitude(const Complex& root) const {
   return shape(component_) == Shape::odd ? c : Complex(-c.imag(), c.real());
 }
 
-Complex ComponentSeries::leading_amplitude() const { return amplitudes_.front(); }
-
 Series ComponentSeries::about(const Real& centre, int length) const {
   const Real negligible("1e-70");
   Series result(static_cast<std::size_t>(length), Real(0));

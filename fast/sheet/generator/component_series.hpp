@@ -13,8 +13,8 @@ class ComponentSeries {
   /// Value at infinity: pi/4 for the odd components, 0 for the others.
   [[nodiscard]] Real limit() const;
 
-  /// Complex amplitude A of the leading residue: f(x) ~ limit + Re(A e^(i z_1 x)).
-  [[nodiscard]] Complex leading_amplitude() const;
+  /// The complex amplitudes A_n.
+  [[nodiscard]] const std::vector<Complex>& amplitudes() const { return amplitudes_; }
 
   /// Taylor coefficients about centre > 0, the first `length` of them.
   [[nodiscard]] Series about(const Real& centre, int length) const;

@@ -46,7 +46,7 @@ void write_members(std::ostream& out, const Members&... members) {
 void write(std::ostream& out, const internal::ComponentTable& t) {
   write_members(out, t.power, t.constant_low, t.coarse, t.log_high, t.log_low, t.short_log_high,
                 t.short_log_low, t.odd, t.even, t.limit_high, t.limit_low, t.exponential_high,
-                t.exponential_low, t.cosine_high, t.cosine_low, t.sine);
+                t.exponential_low, t.cosine_high, t.cosine_low, t.sine, t.amplitude);
 }
 
 void write(std::ostream& out, const internal::CommonTable& t) {

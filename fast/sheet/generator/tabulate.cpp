@@ -111,7 +111,11 @@ void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
 
 void fill_residue(const ComponentSeries& component, ComponentTable& table) {
   split(component.limit(), table.limit_high, table.limit_low);
-  const Complex amplitude = component.leading_amplitude();
+  for (std::size_t n = 0; n < internal::tabulated_roots; ++n) {
+    table.amplitude[n][0] = rounded(component.amplitudes()[n].real());
+    table.amplitude[n][1] = rounded(component.amplitudes()[n].imag());
+  }
+  const Complex amplitude = component.amplitudes().front();
   const Real size = abs(amplitude);
   const Real phase = atan2(Real(amplitude.imag()), Real(amplitude.real()));
   for (int j = 0; j < internal::exponential_cells; ++j)

@@ -60,6 +60,7 @@ inline constexpr int log_cells = 128;
 inline constexpr int short_log_cells = 16;  ///< few enough for two vector registers
 inline constexpr int exponential_cells = 32;
 inline constexpr int phase_cells = 64;
+inline constexpr int tabulated_roots = 16;
 
 /// The numbers of one component f. "low" words continue their "high" ones to about 106 bits.
 struct ComponentTable {
@@ -91,6 +92,8 @@ struct ComponentTable {
   double cosine_high[phase_cells];  ///< cos(2 pi p/64 + phase of the residue)
   double cosine_low[phase_cells];
   double sine[phase_cells];
+
+  double amplitude[tabulated_roots][2];  ///< A_n, real and imaginary, in f = limit + Re sum A_n e^(i z_n x)
 };
 
 /// What all components share.
@@ -102,8 +105,6 @@ struct CommonTable {
   double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x
   double phase_low;
 };
-
-inline constexpr int tabulated_roots = 16;
 
 /// z_n = frequency + i decay in two words each: their rounding is multiplied by the distance, which may be some hundreds.
 struct RootTable {
