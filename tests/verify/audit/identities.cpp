@@ -1,3 +1,5 @@
+#include <ranges>
+
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 
 #include "support/test.hpp"
@@ -16,9 +18,8 @@ std::map<std::string, verify::Variant> variants_of(const verify::DrawnScene& dra
 }
 
 std::set<std::string> names_of(const std::map<std::string, verify::Variant>& variants) {
-  std::set<std::string> names;
-  for (const auto& [name, variant] : variants) names.insert(name);
-  return names;
+  const auto names = std::views::keys(variants);
+  return {names.begin(), names.end()};
 }
 
 /// Every number of every variant is that of the scene itself, to `part` of it or of the largest of its kind.
