@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/partial_slip/internal/slip_solution.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Zones = Row<SlipZone>;
+
+constexpr int most_steps = 40, most_corrections = 8;
+/// Digits of the grid on which zones are first sought, and of both grids beyond those asked for.
+constexpr int first_digits = 6, coarse_guard = 2, fine_guard = 4;
+/// A relative change of a zone's length: its square is as small as the rounding of double.
+constexpr double step_of_lengths = 1e-8;
+/// Of a zone's length in a step of Newton's method, as a logarithm.
+constexpr double most_change = 0.7;
+/// A residual that is so much smaller after a step: the slopes are renewed if it is not.
+constexpr double slow_convergence = 0.01;
+
+Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
+  Eigen::VectorXd result(x.size());
+  for (Index i = 0; i < x.size(); ++i) result(i) = static_cast<double>(Float(x(i) / unit));
+  return result;
+}
+
+Float length_of(const Zones& zones) {
+  Float sum = 0;
+  for (const SlipZone& zone : zones) sum += zone.length;
+  return sum;
+}
+
+/// Appends to the last zone if that has the same sign; between slip of opposite signs there is stick.
+void add_zone(Zones& zones, int sign, const Float& length) {
+  if (!zones.empty() && zones.back().sign == sign) {
+    zones.back().length += length;
+    return;
+  }
+  if (!zones.empty() && zones.back().sign * sign < 0) zones.push_back({0, std::min(zones.back().length, length) / 8});
+  zones.push_back({sign, length});
+}
+
+/// Newton's method for the unknowns and the logarithms of the zones' lengths together.
+class Newton {
+ public:
+  Newton(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, Zones zones)
+      : problem_(problem), grid_(std::move(grid)), kernels_(kernels), zones_(std::move(zones)) {
+    renew();
+    unknowns_ = Vector(contact_->unknowns());
+    contact_->set(unknowns_);
+  }
+
+  /// The tractions of `near`, or of least squares.
+  void begin(const SlipField* near) {
+    if (near != nullptr) {
+      unknowns_ = contact_->unknowns_of(*near);
+    } else {
+      const Float size = largest_entry(contact_->residual());
+      const Eigen::MatrixXd slopes = contact_->slopes();
+      change_unknowns(slopes.colPivHouseholderQr().solve(in_double(contact_->balanced(contact_->residual()), size)), size);
+    }
+    evaluate();
+  }
+
+  /// Whether it converges. Where a zone vanishes it does not, and the zones are without it.
+  bool converges() {
+    const Float enough = exp(Float(-grid_->nats())) / 100;
+    bool is_new = true;
+    for (int step = 0; step < most_steps; ++step) {
+      const Float size = largest_entry(rest_);
+      if (size < enough) return true;
+      if (is_new) make_slopes();
+      const Eigen::VectorXd change = eliminated_.solve(in_double(rest_, size));
+      if (!change.allFinite()) return false;
+      const auto lengths = zones_.count();
+      const double most = change.tail(lengths).cwiseAbs().maxCoeff() * static_cast<double>(size);
+      const Float part = size * std::min(1.0, most_change / most);
+      change_unknowns(change, part);
+      for (Index i = 0; i < lengths; ++i)
+        zones_[i].length *= exp(Float(-part * change(unknowns_.size() + i)));
+      if (drops_zone()) return false;
+      renew();
+      evaluate();
+      is_new = largest_entry(rest_) > size * slow_convergence;
+    }
+    return false;
+  }
+
+  [[nodiscard]] const Zones& zones() const { return zones_; }
+  [[nodiscard]] std::unique_ptr<const SlipContact> result() { return std::move(contact_); }
+
+ private:
+  void evaluate() {
+    contact_->set(unknowns_);
+    rest_ = contact_->balanced(contact_->residual());
+  }
+
+  void renew() { contact_ = std::make_unique<SlipContact>(problem_, grid_, kernels_, zones_); }
+
+  void change_unknowns(const Eigen::VectorXd& change, const Float& part) {
+    for (Index i = 0; i < unknowns_.size(); ++i) unknowns_(i) -= part * change(i) * contact_->sizes()[i];
+  }
+
+  void make_slopes() {
+    const Index linear = unknowns_.size(), lengths = zones_.count();
+    Eigen::MatrixXd matrix(linear + lengths, linear + lengths);
+    matrix.leftCols(linear) = contact_->slopes();
+    for (Index i = 0; i < lengths; ++i) {
+      Zones longer = zones_;
+      longer[i].length *= 1 + Float(step_of_lengths);
+      SlipContact other(problem_, grid_, kernels_, longer);
+      other.set(unknowns_);
+      matrix.col(linear + i) = in_double(contact_->balanced(other.residual()) - rest_, step_of_lengths);
+    }
+    eliminated_.compute(matrix);
+  }
+
+  /// A zone too short to matter.
+  bool drops_zone() {
+    const Float least = length_of(zones_) * exp(Float(-grid_->nats()));
+    const Zones before = std::exchange(zones_, {});
+    for (const SlipZone& zone : before)
+      if (zone.length > least) add_zone(zones_, zone.sign, zone.length);
+    return zones_.count() != before.count();
+  }
+
+  const SlipProblem& problem_;
+  std::shared_ptr<const ZoneGrid> grid_;
+  SheetKernels& kernels_;
+  Zones zones_;
+  std::unique_ptr<SlipContact> contact_;
+  Vector unknowns_, rest_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> eliminated_;
+};
+
+/// The sign with which the contact slips at a sample by its inequalities; 0 where it sticks. What violates them by less than what
+/// a zone of the least length would, e^-nats of the contact's, whose tractions are as the root of that, is left as it is.
+int corrected_sign(const SlipField& field, const SlipField::Sample& sample) {
+  const SlipContact& contact = field.contact();
+  const Float part = exp(Float(-contact.grid().nats() / 2)), &friction = contact.problem().friction;
+  const int sign = contact.panels()[sample.place.panel].sign;
+  if (sign != 0) return sign * (field.strain(sample.place) - contact.creep()) > part * contact.length() ? 0 : sign;
+  const Float most = friction * (sample.pressure + part * contact.length());
+  return sample.shear > most ? 1 : sample.shear < -most ? -1 : 0;
+}
+
+/// Zones by the inequalities.
+Zones corrected(const SlipField& field) {
+  const SlipContact& contact = field.contact();
+  Zones zones;
+  Float from = 0;
+  int last = 0;
+  const SlipField::Sample* before = nullptr;
+  for (const SlipField::Sample& sample : field.samples()) {
+    const int sign = corrected_sign(field, sample);
+    if (before != nullptr && sign != last) {
+      const auto& panel = contact.panels()[sample.place.panel];
+      const bool is_old = before->place.panel != sample.place.panel;
+      const Float to = is_old ? panel.left : Float((before->e + sample.e) / 2);
+      add_zone(zones, last, to - from);
+      from = to;
+    }
+    last = sign;
+    before = &sample;
+  }
+  add_zone(zones, last, contact.length() - from);
+  return zones;
+}
+
+bool are_alike(const Zones& a, const Zones& b) {
+  return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
+}
+
+/// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
+std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones, int digits,
+                                        const SlipField* near) {
+  std::unique_ptr<const SlipField> field;
+  for (int correction = 0; correction < most_corrections; ++correction) {
+    const double longest = std::min(longest_panel, static_cast<double>(length_of(zones)));
+    Newton newton(problem, std::make_shared<ZoneGrid>(digits * std::numbers::ln10, longest), kernels, zones);
+    newton.begin(field != nullptr ? field.get() : near);
+    const bool converges = newton.converges();
+    if (!converges && are_alike(newton.zones(), zones)) return nullptr;
+    zones = newton.zones();
+    if (!converges) continue;
+    field = std::make_unique<SlipField>(newton.result());
+    Zones better = corrected(*field);
+    if (are_alike(better, zones)) return field;
+    zones = std::move(better);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
+  const auto first = solved(problem, kernels, zones, first_digits, nullptr);
+  if (!first) return {};
+  auto coarse = solved(problem, kernels, zones, digits + coarse_guard, first.get());
+  if (!coarse) return {};
+  auto fine = solved(problem, kernels, zones, digits + fine_guard, coarse.get());
+  if (!fine) return {};
+  return {std::move(coarse), std::move(fine)};
+}
+
+int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
+
+/// Remainders next to a panel's end are known to as many digits as they are small: twice.
+int working_digits_of_slip(int digits) { return 2 * (digits + fine_guard) + 16; }
+
+}  // namespace nipref::ref

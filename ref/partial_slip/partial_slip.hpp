@@ -1,0 +1,64 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/ref/number/estimate.hpp>
+
+namespace nipref::ref {
+
+/// Steady rolling of an elastic sheet between two rigid cylinders with Coulomb friction: where the sheet sticks to the rollers
+/// its surface strains by the creep ratio xi; where it slips the shear is the coefficient of friction times the pressure, against
+/// the slip. ref/partial_slip/README.md has the equations. It goes beyond the thesis, whose Cases A and B are the limits.
+///
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit of
+/// length; finite, for strains and displacements within 450 sheet thicknesses of the contact; otherwise BadInput. Shear acts on
+/// the sheet along +Y. All errors are estimated, about 10^-digits of the largest value of the result's kind.
+///
+/// One object must not be used by two threads at once.
+class PartialSlipNip {
+ public:
+  PartialSlipNip(PartialSlipNip&&) noexcept;
+  ~PartialSlipNip();
+
+  [[nodiscard]] Estimate contact_length() const;         ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimate leading_length() const;         ///< L1, on the entry side
+  [[nodiscard]] Estimate trailing_length() const;        ///< L2, on the exit side
+  [[nodiscard]] Estimate load() const;                   ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;            ///< d0, unit of length
+  [[nodiscard]] Estimate leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimate trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R)
+  [[nodiscard]] Estimate traction() const;               ///< T = int q dY, force per unit width
+  [[nodiscard]] Estimate creep_ratio() const;            ///< xi, dimensionless
+  [[nodiscard]] Estimate rolling_resistance() const;     ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimate dissipation() const;            ///< int |q slip| dY, power per width over the speed
+  [[nodiscard]] Estimate peak_pressure() const;          ///< unit of stress
+  [[nodiscard]] Estimate peak_pressure_position() const;  ///< its Y
+  [[nodiscard]] Estimate peak_shear() const;              ///< largest |q|, unit of stress
+  [[nodiscard]] Estimate peak_shear_position() const;     ///< its Y
+  [[nodiscard]] Estimate pressure(double y) const;        ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Estimate shear(double y) const;           ///< the same
+  [[nodiscard]] Estimate surface_strain(double y) const;  ///< v', dimensionless
+  [[nodiscard]] Estimate slip(double y) const;            ///< v' - xi: the sheet's velocity along -Y from the roller's, over the speed
+  [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
+  [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  /// Y of the zones' boundaries from the leading to the trailing end of the contact, both included. Zones shorter than
+  /// 10^-digits of it are left out.
+  [[nodiscard]] std::vector<Estimate> zone_boundaries() const;
+  /// Of each zone the sign of its shear where it slips, 0 where it sticks.
+  [[nodiscard]] std::vector<int> zone_signs() const;
+
+  struct Parts;
+  explicit PartialSlipNip(std::unique_ptr<const Parts> parts);
+
+ private:
+  std::unique_ptr<const Parts> parts_;
+};
+
+/// The contact of a given length: > 0, L <= R and 1e-8 <= L/B <= 10; digits: 16 to 30; the friction coefficient is > 0 and finite,
+/// a traction that is given smaller than this times the load. BadInput otherwise, and where the zones are not found.
+PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits);
+/// The contact that carries `load` per unit width, > 0 and finite, with a length as above; BadInput otherwise.
+PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, int digits);
+
+}  // namespace nipref::ref
