@@ -1,10 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
@@ -17,7 +17,6 @@ namespace {
 
 using data::BadInput;
 
-constexpr std::size_t pressure_part = 0, shear_part = 1;
 /// L/B.
 constexpr double shortest_slip = 1e-8, longest_slip = 10;
 /// The distance from the contact at which strains and displacements are computed, half-thicknesses.
@@ -27,7 +26,12 @@ NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
   nip.nip.check();
   if (!(std::isfinite(nip.friction_coefficient) && nip.friction_coefficient > 0))
     throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
-  const NipTask task{nip.nip.roller_radius, nip.nip.sheet_thickness, "a contact with partial slip", 30, shortest_slip, digits};
+  const NipTask task{nip.nip.roller_radius,
+                     nip.nip.sheet_thickness,
+                     "a contact with partial slip",
+                     30,
+                     shortest_slip,
+                     digits};
   task.check_digits();
   return task;
 }
@@ -37,8 +41,9 @@ bool is_allowed_length(const NipTask& task, double contact_length) {
 }
 
 std::string allowed_lengths() {
-  return fmt::format("must be at most the roller's radius and from {:g} to {:g} sheet thicknesses for a contact with partial slip",
-                     shortest_slip, longest_slip);
+  return fmt::format(
+      "must be at most the roller's radius and from {:g} to {:g} sheet thicknesses for a contact with partial slip",
+      shortest_slip, longest_slip);
 }
 
 }  // namespace
@@ -57,14 +62,19 @@ struct PartialSlipNip::Parts {
   [[nodiscard]] Float mean_pressure() const { return fine().contact().integral(pressure_part) / size(); }
   [[nodiscard]] Float in_length(double y) const { return Float(y) / to_float(Exact(units.length)); }
   /// Of Y, from the leading end.
-  [[nodiscard]] static Float behind(const SlipField& of, const Float& y) { return of.contact().leading() - y; }
+  [[nodiscard]] static Float behind(const SlipField& of, const Float& y) {
+    return of.contact().leading() - y;
+  }
 
   /// What both solutions have in common is as wrong as the largest of their differences; the finer is surer than their
   /// difference, and zones left out count for a hundredth of the last digit.
-  [[nodiscard]] Estimate estimated(const mpq_class& unit, const Functional& functional, const std::function<Float()>& scale) const {
+  [[nodiscard]] Estimate estimated(const mpq_class& unit, const Functional& functional,
+                                   const std::function<Float()>& scale) const {
     const WorkingDigits working(working_digits_of_slip(digits));
-    const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value), in_unit = to_float(Exact(unit));
-    return {value * in_unit, (2 * apart + abs(scale()) * (difference + pow(Float(10), -digits - 2))) * in_unit, digits};
+    const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value),
+                in_unit = to_float(Exact(unit));
+    return {value * in_unit,
+            (2 * apart + abs(scale()) * (difference + pow(Float(10), -digits - 2))) * in_unit, digits};
   }
 
   void measure() {
@@ -93,7 +103,8 @@ struct PartialSlipNip::Parts {
     return estimated(units.slope, functional, [this]() -> Float { return size() + mean_pressure(); });
   }
   [[nodiscard]] Estimate of_displacement(const Functional& functional) const {
-    return estimated(units.displacement, functional, [this]() -> Float { return size() * (size() + mean_pressure()); });
+    return estimated(units.displacement, functional,
+                     [this]() -> Float { return size() * (size() + mean_pressure()); });
   }
   [[nodiscard]] Estimate of_pressure(const Functional& functional) const {
     return estimated(units.pressure, functional, [this] { return mean_pressure(); });
@@ -105,7 +116,7 @@ struct PartialSlipNip::Parts {
 
 namespace {
 
-using Parts = PartialSlipNip::Parts;
+using SlipParts = PartialSlipNip::Parts;
 
 /// The problem but for what is given: of Y, q and T change their signs.
 SlipProblem problem_of(const data::PartialSlipNip& nip, const NipUnits& units) {
@@ -114,9 +125,12 @@ SlipProblem problem_of(const data::PartialSlipNip& nip, const NipUnits& units) {
   problem.beta = to_float(Exact(mpq_class((1 - 2 * poisson) / (2 * (1 - poisson)))));
   problem.friction = nip.friction_coefficient;
   if (const auto* creep = std::get_if<data::GivenCreep>(&nip.drive))
-    problem.creep = to_float(Exact(mpq_class(mpq_class(Exact(creep->creep_ratio, "creep_ratio").value()) / units.slope)));
+    problem.creep =
+        to_float(Exact(mpq_class(mpq_class(Exact(creep->creep_ratio, "creep_ratio").value()) / units.slope)));
   else
-    problem.shear = -to_float(Exact(mpq_class(Exact(std::get<data::GivenTraction>(nip.drive).force_per_length, "force_per_length").value() / units.force)));
+    problem.shear = -to_float(Exact(mpq_class(
+        Exact(std::get<data::GivenTraction>(nip.drive).force_per_length, "force_per_length").value() /
+        units.force)));
   return problem;
 }
 
@@ -126,26 +140,31 @@ void refuse_traction(const data::PartialSlipNip& nip) {
 }
 
 /// A traction that is given must be less than what full sliding transmits.
-void check_traction(const data::PartialSlipNip& nip, const SlipProblem& problem, SheetKernels& kernels, double guess) {
+void check_traction(const data::PartialSlipNip& nip, const SlipProblem& problem, SheetKernels& kernels,
+                    double guess) {
   if (problem.creep) return;
   Float load = problem.load;
   if (problem.length) {
     SlipProblem sliding = problem;
-    sliding.creep = Float(problem.shear < 0 ? 1 : -1) * 1000 * (1 + problem.friction) * *problem.length;
-    const SolvedSlip slid = solved_slip(sliding, kernels, Row<SlipZone>{{problem.shear < 0 ? -1 : 1, Float(guess)}}, 16);
+    sliding.creep = Float(problem.shear < 0 ? -1000 : 1000) * (1 + problem.friction) * *problem.length;
+    const SolvedSlip slid =
+        solved_slip(sliding, kernels, Row<SlipZone>{{problem.shear < 0 ? -1 : 1, Float(guess)}}, 16);
     if (slid.fine) load = slid.fine->contact().integral(pressure_part);
   }
   if (!(abs(problem.shear) < problem.friction * load)) refuse_traction(nip);
 }
 
-std::unique_ptr<Parts> solved_parts(const data::PartialSlipNip& nip, const NipUnits& units, SlipProblem problem, double guess, int digits) {
-  auto parts = std::make_unique<Parts>(Parts{units, digits, std::make_unique<SheetKernels>(kernel_digits_of_slip(digits)), {}});
+std::unique_ptr<SlipParts> solved_parts(const data::PartialSlipNip& nip, const NipUnits& units,
+                                        SlipProblem problem, double guess, int digits) {
+  auto parts = std::make_unique<SlipParts>(
+      SlipParts{units, digits, std::make_unique<SheetKernels>(kernel_digits_of_slip(digits)), {}});
   problem.unit = guess;
   check_traction(nip, problem, *parts->kernels, guess);
   const Row<SlipZone> zones = plain_zones(problem, *parts->kernels, guess);
   parts->solved = solved_slip(problem, *parts->kernels, zones, digits);
   if (!parts->solved.fine)
-    throw BadInput("friction_coefficient", nip.friction_coefficient, "gives zones of stick and slip that are not found on the reference path");
+    throw BadInput("friction_coefficient", nip.friction_coefficient,
+                   "gives zones of stick and slip that are not found on the reference path");
   parts->measure();
   return parts;
 }
@@ -159,7 +178,8 @@ NipUnits slip_units(const data::ElasticNip& nip) {
 
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits) {
   const NipTask task = slip_task(nip, digits);
-  if (!is_allowed_length(task, contact_length)) throw BadInput("contact_length", contact_length, allowed_lengths());
+  if (!is_allowed_length(task, contact_length))
+    throw BadInput("contact_length", contact_length, allowed_lengths());
   const WorkingDigits working(working_digits_of_slip(digits));
   const NipUnits units = slip_units(nip.nip);
   SlipProblem problem = problem_of(nip, units);
@@ -177,7 +197,9 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   problem.load = to_float(Exact(mpq_class(mpq_class(load) / units.force)));
   // The guess is good to a few tens of per cent.
   const double guess = 2 * guessed_half_length(static_cast<double>(problem.load), [](double) { return 1; });
-  const auto refuse = [&] { throw BadInput("load", load, "gives a contact whose length " + allowed_lengths()); };
+  const auto refuse = [&] {
+    throw BadInput("load", load, "gives a contact whose length " + allowed_lengths());
+  };
   if (!(guess > shortest_slip && guess < 4 * longest_slip)) refuse();
   auto parts = solved_parts(nip, units, std::move(problem), guess, digits);
   if (!is_allowed_length(task, static_cast<double>(parts->size()) * nip.nip.half_thickness())) refuse();
@@ -197,7 +219,8 @@ Estimate PartialSlipNip::leading_length() const {
 }
 
 Estimate PartialSlipNip::trailing_length() const {
-  return parts_->of_length([](const SlipField& of) -> Float { return of.contact().length() - of.contact().leading(); });
+  return parts_->of_length(
+      [](const SlipField& of) -> Float { return of.contact().length() - of.contact().leading(); });
 }
 
 Estimate PartialSlipNip::load() const {
@@ -216,7 +239,8 @@ Estimate PartialSlipNip::leading_displacement() const {
 }
 
 Estimate PartialSlipNip::trailing_displacement() const {
-  return parts_->of_displacement([](const SlipField& of) { return of.displacement(of.contact().length()).normal; });
+  return parts_->of_displacement(
+      [](const SlipField& of) { return of.displacement(of.contact().length()).normal; });
 }
 
 Estimate PartialSlipNip::traction() const {
@@ -228,61 +252,80 @@ Estimate PartialSlipNip::creep_ratio() const {
 }
 
 Estimate PartialSlipNip::rolling_resistance() const {
-  return parts_->of_slope([](const SlipField& of) -> Float { return 2 * of.moment() / of.contact().integral(pressure_part); });
+  return parts_->of_slope(
+      [](const SlipField& of) -> Float { return 2 * of.moment() / of.contact().integral(pressure_part); });
 }
 
 Estimate PartialSlipNip::dissipation() const {
-  return parts_->estimated(parts_->units.force * parts_->units.slope, [](const SlipField& of) { return of.dissipation(); }, [this]() -> Float {
-    const Float size = parts_->size(), pressure = parts_->mean_pressure();
-    return parts_->fine().contact().problem().friction * pressure * size * (size + pressure);
-  });
+  return parts_->estimated(
+      parts_->units.force * parts_->units.slope, [](const SlipField& of) { return of.dissipation(); },
+      [this]() -> Float {
+        const Float size = parts_->size(), pressure = parts_->mean_pressure();
+        return parts_->fine().contact().problem().friction * pressure * size * (size + pressure);
+      });
 }
 
 Estimate PartialSlipNip::peak_pressure() const {
-  return parts_->of_pressure([](const SlipField& of) { return of.traction(pressure_part, of.place_of_largest(pressure_part)); });
+  return parts_->of_pressure(
+      [](const SlipField& of) { return of.traction(pressure_part, of.place_of_largest(pressure_part)); });
 }
 
 Estimate PartialSlipNip::peak_pressure_position() const {
-  return parts_->of_length([](const SlipField& of) -> Float { return of.contact().leading() - of.place_of_largest(pressure_part); });
+  return parts_->of_length([](const SlipField& of) -> Float {
+    return of.contact().leading() - of.place_of_largest(pressure_part);
+  });
 }
 
 Estimate PartialSlipNip::peak_shear() const {
-  return parts_->of_pressure([](const SlipField& of) -> Float { return abs(of.traction(shear_part, of.place_of_largest(shear_part))); });
+  return parts_->of_pressure([](const SlipField& of) -> Float {
+    return abs(of.traction(shear_part, of.place_of_largest(shear_part)));
+  });
 }
 
 Estimate PartialSlipNip::peak_shear_position() const {
-  return parts_->of_length([](const SlipField& of) -> Float { return of.contact().leading() - of.place_of_largest(shear_part); });
+  return parts_->of_length(
+      [](const SlipField& of) -> Float { return of.contact().leading() - of.place_of_largest(shear_part); });
 }
 
 Estimate PartialSlipNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  return parts_->of_pressure([&](const SlipField& of) { return of.traction(pressure_part, Parts::behind(of, parts_->in_length(y))); });
+  return parts_->of_pressure([&](const SlipField& of) {
+    return of.traction(pressure_part, SlipParts::behind(of, parts_->in_length(y)));
+  });
 }
 
 Estimate PartialSlipNip::shear(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  return parts_->of_pressure([&](const SlipField& of) -> Float { return -of.traction(shear_part, Parts::behind(of, parts_->in_length(y))); });
+  return parts_->of_pressure([&](const SlipField& of) -> Float {
+    return -of.traction(shear_part, SlipParts::behind(of, parts_->in_length(y)));
+  });
 }
 
 Estimate PartialSlipNip::surface_strain(double y) const {
   parts_->check_place(y);
-  return parts_->of_slope([&](const SlipField& of) { return of.strain(Parts::behind(of, parts_->in_length(y))); });
+  return parts_->of_slope(
+      [&](const SlipField& of) { return of.strain(SlipParts::behind(of, parts_->in_length(y))); });
 }
 
 Estimate PartialSlipNip::slip(double y) const {
   parts_->check_place(y);
-  return parts_->of_slope([&](const SlipField& of) -> Float { return of.strain(Parts::behind(of, parts_->in_length(y))) - of.contact().creep(); });
+  return parts_->of_slope([&](const SlipField& of) -> Float {
+    return of.strain(SlipParts::behind(of, parts_->in_length(y))) - of.contact().creep();
+  });
 }
 
 Estimate PartialSlipNip::normal_displacement(double y) const {
   parts_->check_place(y);
-  return parts_->of_displacement([&](const SlipField& of) { return of.displacement(Parts::behind(of, parts_->in_length(y))).normal; });
+  return parts_->of_displacement([&](const SlipField& of) {
+    return of.displacement(SlipParts::behind(of, parts_->in_length(y))).normal;
+  });
 }
 
 Estimate PartialSlipNip::tangential_displacement(double y) const {
   parts_->check_place(y);
   return parts_->of_displacement([&](const SlipField& of) -> Float {
-    return of.displacement(of.contact().leading()).tangential - of.displacement(Parts::behind(of, parts_->in_length(y))).tangential;
+    return of.displacement(of.contact().leading()).tangential -
+           of.displacement(SlipParts::behind(of, parts_->in_length(y))).tangential;
   });
 }
 
@@ -291,7 +334,8 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   for (Index i = 0; i <= parts_->fine().contact().zones().count(); ++i) {
     boundaries.push_back(parts_->of_length([&](const SlipField& of) -> Float {
       Float place = of.contact().leading();
-      for (Index zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone) place -= of.contact().zones()[zone].length;
+      for (Index zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone)
+        place -= of.contact().zones()[zone].length;
       return place;
     }));
   }

@@ -21,25 +21,26 @@ class PartialSlipNip {
   PartialSlipNip(PartialSlipNip&&) noexcept;
   ~PartialSlipNip();
 
-  [[nodiscard]] Estimate contact_length() const;         ///< L = L1 + L2, unit of length
-  [[nodiscard]] Estimate leading_length() const;         ///< L1, on the entry side
-  [[nodiscard]] Estimate trailing_length() const;        ///< L2, on the exit side
-  [[nodiscard]] Estimate load() const;                   ///< W, force per unit width
-  [[nodiscard]] Estimate indentation() const;            ///< d0, unit of length
-  [[nodiscard]] Estimate leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
-  [[nodiscard]] Estimate trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R)
-  [[nodiscard]] Estimate traction() const;               ///< T = int q dY, force per unit width
-  [[nodiscard]] Estimate creep_ratio() const;            ///< xi, dimensionless
-  [[nodiscard]] Estimate rolling_resistance() const;     ///< int p Y dY/(W R), dimensionless
-  [[nodiscard]] Estimate dissipation() const;            ///< int |q slip| dY, power per width over the speed
-  [[nodiscard]] Estimate peak_pressure() const;          ///< unit of stress
+  [[nodiscard]] Estimate contact_length() const;          ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimate leading_length() const;          ///< L1, on the entry side
+  [[nodiscard]] Estimate trailing_length() const;         ///< L2, on the exit side
+  [[nodiscard]] Estimate load() const;                    ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;             ///< d0, unit of length
+  [[nodiscard]] Estimate leading_displacement() const;    ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimate trailing_displacement() const;   ///< d2 = d0 - L2^2/(2R)
+  [[nodiscard]] Estimate traction() const;                ///< T = int q dY, force per unit width
+  [[nodiscard]] Estimate creep_ratio() const;             ///< xi, dimensionless
+  [[nodiscard]] Estimate rolling_resistance() const;      ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimate dissipation() const;             ///< int |q slip| dY, power per width over the speed
+  [[nodiscard]] Estimate peak_pressure() const;           ///< unit of stress
   [[nodiscard]] Estimate peak_pressure_position() const;  ///< its Y
   [[nodiscard]] Estimate peak_shear() const;              ///< largest |q|, unit of stress
   [[nodiscard]] Estimate peak_shear_position() const;     ///< its Y
   [[nodiscard]] Estimate pressure(double y) const;        ///< unit of stress; 0 outside the contact
   [[nodiscard]] Estimate shear(double y) const;           ///< the same
   [[nodiscard]] Estimate surface_strain(double y) const;  ///< v', dimensionless
-  [[nodiscard]] Estimate slip(double y) const;            ///< v' - xi: the sheet's velocity along -Y from the roller's, over the speed
+  [[nodiscard]] Estimate slip(
+      double y) const;  ///< v' - xi: the sheet's velocity along -Y from the roller's, over the speed
   [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
   /// Y of the zones' boundaries from the leading to the trailing end of the contact, both included. Zones shorter than

@@ -38,6 +38,8 @@ class PlainContact {
     }
   }
   [[nodiscard]] double load() const { return element_ * pressure_.sum(); }
+  /// Of the shear at the trailing end, where no sheet sticks.
+  [[nodiscard]] int trailing_sign() const { return shear_(elements - 1) < 0 ? -1 : 1; }
 
  private:
   using Rows = Eigen::MatrixXd;
@@ -52,8 +54,10 @@ class PlainContact {
       const int way = i < edge ? edge - i - 1 : i - edge;
       const double sign = i < edge ? 1 : -1;
       const double local = i == edge || i == edge - 1 ? beta / 2 : 0;
-      row(i) = element_ * (is_normal ? sign * kernels_.normal(way) : kernels_.coupling(way)) - (is_normal ? 0 : local);
-      row(elements + i) = element_ * (is_normal ? -kernels_.coupling(way) : sign * kernels_.tangential(way)) + (is_normal ? local : 0);
+      row(i) = element_ * (is_normal ? sign * kernels_.normal(way) : kernels_.coupling(way)) -
+               (is_normal ? 0 : local);
+      row(elements + i) = element_ * (is_normal ? -kernels_.coupling(way) : sign * kernels_.tangential(way)) +
+                          (is_normal ? local : 0);
     }
     row(is_normal ? leading : creep) = is_normal ? -2 : -1;
     return row;
@@ -120,9 +124,11 @@ class PlainContact {
 
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length) {
   Row<int> signs(Index{elements});
+  int trailing = 0;
   for (int i = 0; i < most_lengths; ++i) {
     PlainContact contact(problem, kernels, length);
     contact.settle(signs);
+    trailing = contact.trailing_sign();
     if (problem.length) break;
     // Loads grow like the second to third power of the length.
     const double change = std::pow(static_cast<double>(problem.load) / contact.load(), 0.4);
@@ -134,6 +140,10 @@ Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, dou
     if (!zones.empty() && sign * zones.back().sign < 0) zones.push_back({0, length / elements});
     if (zones.empty() || zones.back().sign != sign) zones.push_back({sign, 0});
     zones.back().length += length / elements;
+  }
+  if (zones.back().sign == 0) {
+    zones.back().length -= length / (2 * elements);
+    zones.push_back({trailing, length / (2 * elements)});
   }
   return zones;
 }

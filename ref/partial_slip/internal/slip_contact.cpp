@@ -11,7 +11,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t pressure = 0, shear = 1;
 Complex in_double(const ComplexFloat& x) { return {static_cast<double>(x.re), static_cast<double>(x.im)}; }
 
 /// Points whose interpolation of kernels with poles at the height 2 is good to e^-nats, even so that 1/2 is none.
@@ -43,7 +42,8 @@ Row<ComplexFloat> lagrange(const Row<PanelPoint>& points, const PanelPoint& x) {
   ComplexFloat sum;
   for (Index i = 0; i < points.count(); ++i) {
     const bool is_left = 2 * i < points.count();
-    const ComplexFloat way = is_left ? x.from_left - points[i].from_left : points[i].from_right - x.from_right;
+    const ComplexFloat way =
+        is_left ? x.from_left - points[i].from_left : points[i].from_right - x.from_right;
     const Float weight = (i % 2 == 0 ? 1 : -1) * (i == 0 || i + 1 == points.count() ? Float(0.5) : Float(1));
     values.push_back(reciprocal(way) * weight);
     sum = sum + values.back();
@@ -53,8 +53,8 @@ Row<ComplexFloat> lagrange(const Row<PanelPoint>& points, const PanelPoint& x) {
   return values;
 }
 
-SlipContact::SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels,
-                         Row<SlipZone> zones)
+SlipContact::SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid,
+                         SheetKernels& kernels, Row<SlipZone> zones)
     : problem_(problem), grid_(std::move(grid)), kernels_(kernels), zones_(std::move(zones)) {
   divide();
   count_unknowns();
@@ -64,7 +64,8 @@ SlipContact::SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneG
 void SlipContact::divide() {
   Float left = 0;
   for (Index zone = 0; zone < zones_.count(); ++zone) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(static_cast<double>(zones_[zone].length) / longest_panel)));
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(static_cast<double>(zones_[zone].length) / longest_panel)));
     const Float length = zones_[zone].length / parts;
     const Row<PanelPoint> points = extreme_points(points_for(static_cast<double>(length), grid_->nats()));
     for (int part = 0; part < parts; ++part) {
@@ -79,26 +80,31 @@ void SlipContact::divide() {
 void SlipContact::count_unknowns() {
   const Index nodes = grid_->nodes();
   for (Panel& panel : panels_) {
-    for (std::size_t of : {pressure, shear}) {
+    for (std::size_t of : {pressure_part, shear_part}) {
       panel.values[of].grow(nodes + 2);
       panel.sources[of].grow(nodes + 2);
-      const bool is_own = of == pressure || panel.sign == 0;
+      const bool is_own = of == pressure_part || panel.sign == 0;
       for (Index i = 0; i < nodes; ++i)
-        panel.sources[of][i] = is_own ? Source{columns_++} : Source{panel.sources[pressure][i].column, panel.sign * problem_.friction};
+        panel.sources[of][i] =
+            is_own ? Source{columns_++}
+                   : Source{panel.sources[pressure_part][i].column, panel.sign * problem_.friction};
     }
   }
   for (Index right = 1; right < panels_.count(); ++right) {
     Panel &before = panels_[right - 1], &after = panels_[right];
     const Source value{columns_++};
     const int sign = before.sign + after.sign;
-    const Source sheared = before.zone == after.zone && sign == 0 ? Source{columns_++} : Source{value.column, (before.zone == after.zone ? before.sign : sign) * problem_.friction};
-    before.sources[pressure][nodes + 1] = after.sources[pressure][nodes] = value;
-    before.sources[shear][nodes + 1] = after.sources[shear][nodes] = sheared;
+    const Source sheared =
+        before.zone == after.zone && sign == 0
+            ? Source{columns_++}
+            : Source{value.column, (before.zone == after.zone ? before.sign : sign) * problem_.friction};
+    before.sources[pressure_part][nodes + 1] = after.sources[pressure_part][nodes] = value;
+    before.sources[shear_part][nodes + 1] = after.sources[shear_part][nodes] = sheared;
   }
   sizes_.grow(columns_ + 2);
   std::ranges::fill(sizes_, Float(1));
   for (const Panel& panel : panels_)
-    for (std::size_t of : {pressure, shear})
+    for (std::size_t of : {pressure_part, shear_part})
       for (Index i = 0; i < nodes; ++i)
         sizes_[panel.sources[of][i].column] = sqrt(grid_->from_left()[i] * grid_->from_right()[i]);
   leading_column_ = columns_++;
@@ -151,10 +157,11 @@ void SlipContact::set(const Vector& unknowns) {
   const auto count = places_.count();
   moments_ = {Vector(count), Vector(count)};
   for (Panel& panel : panels_) {
-    for (std::size_t of : {pressure, shear}) {
+    for (std::size_t of : {pressure_part, shear_part}) {
       for (Index i = 0; i < panel.values[of].count(); ++i) {
         const Source& source = panel.sources[of][i];
-        panel.values[of][i] = source.column < 0 ? Float(0) : Float(source.factor * unknowns(source.column) * problem_.unit);
+        panel.values[of][i] =
+            source.column < 0 ? Float(0) : Float(source.factor * unknowns(source.column) * problem_.unit);
       }
       Float product = 0;
       for (Index a = 0; a < panel.moments.rows(); ++a)
@@ -162,8 +169,8 @@ void SlipContact::set(const Vector& unknowns) {
           add_product(moments_[of](panel.first_place + a), product, panel.moments(a, i), panel.values[of][i]);
     }
   }
-  normal_ = smooth_[0] * moments_[pressure] - smooth_[1] * moments_[shear];
-  tangential_ = smooth_[1] * moments_[pressure] + smooth_[2] * moments_[shear];
+  normal_ = smooth_[0] * moments_[pressure_part] - smooth_[1] * moments_[shear_part];
+  tangential_ = smooth_[1] * moments_[pressure_part] + smooth_[2] * moments_[shear_part];
 }
 
 Vector SlipContact::unknowns_of(const SlipField& other) const {
@@ -173,13 +180,15 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
     if (source.column >= 0) unknowns(source.column) = value / (source.factor * problem_.unit);
   };
   for (const Panel& panel : panels_) {
-    for (std::size_t of : {shear, pressure}) {
-      const Float right = panel.left + panel.length, at_left = other.traction(of, panel.left), at_right = other.traction(of, right);
+    for (std::size_t of : {shear_part, pressure_part}) {
+      const Float right = panel.left + panel.length, at_left = other.traction(of, panel.left),
+                  at_right = other.traction(of, right);
       put(panel.sources[of][nodes], at_left);
       put(panel.sources[of][nodes + 1], at_right);
       for (Index i = 0; i < nodes; ++i) {
         const Float &from_left = grid_->from_left()[i], &from_right = grid_->from_right()[i];
-        const Float e = from_left < from_right ? panel.left + panel.length * from_left : right - panel.length * from_right;
+        const Float e = from_left < from_right ? panel.left + panel.length * from_left
+                                               : right - panel.length * from_right;
         put(panel.sources[of][i], other.traction(of, e) - from_right * at_left - from_left * at_right);
       }
     }
@@ -189,11 +198,14 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
   return unknowns;
 }
 
-Float SlipContact::shift(int sign) const { return atan(Float(problem_.beta * problem_.friction * sign)) / pi(); }
+Float SlipContact::shift(int sign) const {
+  return atan(Float(problem_.beta * problem_.friction * sign)) / pi();
+}
 
 ComplexFloat SlipContact::collocation(const Panel& panel, Index row) const {
   const Float middle = row - Float(1) / 2;
-  return panel.sign == 0 ? ComplexFloat(middle, -atanh(problem_.beta) / pi()) : ComplexFloat(middle + shift(panel.sign));
+  return panel.sign == 0 ? ComplexFloat(middle, -atanh(problem_.beta) / pi())
+                         : ComplexFloat(middle + shift(panel.sign));
 }
 
 Float SlipContact::gap(Index from, Index to) const {
@@ -207,7 +219,8 @@ void SlipContact::add_outer(Index source, const ComplexFloat& way, bool is_ahead
                             Row<ComplexFloat>& sums) const {
   const Index nodes = grid_->nodes();
   const Float over_pi = 1 / pi();
-  const Row<Float>&near = is_ahead ? grid_->from_left() : grid_->from_right(), &far = is_ahead ? grid_->from_right() : grid_->from_left();
+  const Row<Float>&near = is_ahead ? grid_->from_left() : grid_->from_right(),
+        &far = is_ahead ? grid_->from_right() : grid_->from_left();
   ComplexFloat* const values = &sums[source * (nodes + 2)];
   ComplexFloat &at_near = values[nodes + (is_ahead ? 0 : 1)], &at_far = values[nodes + (is_ahead ? 1 : 0)];
   const Float sign = (is_ahead ? 1 : -1) * over_pi;
@@ -232,13 +245,15 @@ void SlipContact::cauchy(Index panel, const PanelPoint& at, Row<ComplexFloat>& s
   for (Index source = 0; source < panels_.count(); ++source) {
     if (source == panel) continue;
     const bool is_ahead = source > panel;
-    const ComplexFloat way = (is_ahead ? at.from_right : at.from_left) * length + ComplexFloat(gap(panel, source));
+    const ComplexFloat way =
+        (is_ahead ? at.from_right : at.from_left) * length + ComplexFloat(gap(panel, source));
     add_outer(source, way / panels_[source].length, is_ahead, sums);
   }
   ComplexFloat* const values = &sums[panel * (nodes + 2)];
   const bool is_left = at.from_left.re < at.from_right.re;
   for (Index i = 0; i < nodes; ++i) {
-    const ComplexFloat way = is_left ? ComplexFloat(grid_->from_left()[i]) - at.from_left : at.from_right - ComplexFloat(grid_->from_right()[i]);
+    const ComplexFloat way = is_left ? ComplexFloat(grid_->from_left()[i]) - at.from_left
+                                     : at.from_right - ComplexFloat(grid_->from_right()[i]);
     values[i] = reciprocal(way) * Float(over_pi * grid_->weight()[i]);
   }
   const ComplexFloat angle = log(at.from_right / at.from_left);
@@ -252,7 +267,8 @@ PointSums SlipContact::add_up(const Row<ComplexFloat>& cauchy) const {
   Index i = 0;
   for (const Panel& source : panels_) {
     for (Index value = 0; value < source.values[0].count(); ++value, ++i) {
-      for (auto [sum, of] : {std::pair(&sums.normal, pressure), std::pair(&sums.tangential, shear)}) {
+      for (auto [sum, of] :
+           {std::pair(&sums.normal, pressure_part), std::pair(&sums.tangential, shear_part)}) {
         add_product(sum->re, product, cauchy[i].re, source.values[of][value]);
         if (!cauchy[i].is_real()) add_product(sum->im, product, cauchy[i].im, source.values[of][value]);
       }
@@ -267,9 +283,11 @@ PointSums SlipContact::sums(Index number, const PanelPoint& at) const {
   thread_local Row<ComplexFloat> coefficients;
   cauchy(number, at, coefficients);
   PointSums sums = add_up(coefficients);
-  const auto linear = [&](std::size_t of) { return at.from_right * panel.values[of][nodes] + at.from_left * panel.values[of][nodes + 1]; };
-  sums.normal = sums.normal + linear(shear) * problem_.beta;
-  sums.tangential = sums.tangential - linear(pressure) * problem_.beta;
+  const auto linear = [&](std::size_t of) {
+    return at.from_right * panel.values[of][nodes] + at.from_left * panel.values[of][nodes + 1];
+  };
+  sums.normal = sums.normal + linear(shear_part) * problem_.beta;
+  sums.tangential = sums.tangential - linear(pressure_part) * problem_.beta;
   const auto weights = lagrange(panel.chebyshev, at);
   for (Index a = 0; a < weights.count(); ++a) {
     sums.normal = sums.normal + weights[a] * normal_(panel.first_place + a);
@@ -288,8 +306,9 @@ PointSums SlipContact::sums_outside(const Float& e) const {
   }
   PointSums sums = add_up(coefficients);
   for (Index i = 0; i < places_.count(); ++i) {
-    const Float alpha = e - places_[i], normal = kernels_.smooth_normal_slope(alpha), coupling = kernels_.coupling_slope(alpha);
-    const Float &pressed = moments_[pressure](i), &sheared = moments_[shear](i);
+    const Float alpha = e - places_[i], normal = kernels_.smooth_normal_slope(alpha),
+                coupling = kernels_.coupling_slope(alpha);
+    const Float &pressed = moments_[pressure_part](i), &sheared = moments_[shear_part](i);
     sums.normal.re += (normal * pressed - coupling * sheared) / pi();
     sums.tangential.re += (coupling * pressed + (normal - kernels_.coupling(alpha)) * sheared) / pi();
   }
@@ -319,11 +338,12 @@ Vector SlipContact::residual() const {
     if (!enters_stick(number)) continue;
     const auto& values = panels_[number].values;
     const int sign = panels_[number - 1].sign;
-    rest(row++) = (values[shear][0] - sign * problem_.friction * values[pressure][0]) /
+    rest(row++) = (values[shear_part][0] - sign * problem_.friction * values[pressure_part][0]) /
                   (unit * pow(grid_->from_left()[0], Float(Float(1) / 2 + shift(sign))));
   }
-  rest(row++) = problem_.length ? Float((length() - *problem_.length) / unit) : Float((integral(pressure) - problem_.load) / (unit * unit));
-  if (!problem_.creep) rest(row++) = (integral(shear) - problem_.shear) / (unit * unit);
+  rest(row++) = problem_.length ? Float((length() - *problem_.length) / unit)
+                                : Float((integral(pressure_part) - problem_.load) / (unit * unit));
+  if (!problem_.creep) rest(row++) = (integral(shear_part) - problem_.shear) / (unit * unit);
   return rest;
 }
 
@@ -354,7 +374,8 @@ Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
   Row<ComplexFloat> last;
   const auto store = [&](Index row, const Row<ComplexFloat>& of, const Row<ComplexFloat>& less) {
     const Float scale = row_scale(panel, row);
-    for (Index i = 0; i < of.count(); ++i) rows(row, i) = in_double((less.empty() ? of[i] : of[i] - less[i]) * scale);
+    for (Index i = 0; i < of.count(); ++i)
+      rows(row, i) = in_double((less.empty() ? of[i] : of[i] - less[i]) * scale);
   };
   for (Index row = 0; row <= nodes; ++row) {
     Row<ComplexFloat> now = terms(number, grid_->at(collocation(panel, row)));
@@ -373,7 +394,10 @@ Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
   for (Index source = 0; source < panels_.count(); ++source) {
     const Eigen::MatrixXd moments = panels_[source].moments.cast<double>();
     const auto between = [&](std::size_t kernel) -> Eigen::MatrixXd {
-      return smooth_[kernel].block(panel.first_place, panels_[source].first_place, points, moments.rows()).cast<double>() * moments;
+      return smooth_[kernel]
+                 .block(panel.first_place, panels_[source].first_place, points, moments.rows())
+                 .cast<double>() *
+             moments;
     };
     const Eigen::MatrixXd normal = between(0), coupling = between(1), tangential = between(2);
     const Index first = source * block;
@@ -399,7 +423,8 @@ Eigen::RowVectorXcd SlipContact::joint_slopes(Index number) const {
   const Complex turn(0, 1);
   Eigen::RowVectorXcd slopes(2 * all);
   for (Index i = 0; i < all; ++i) {
-    const ComplexFloat pressed = right[i] - left[i], sheared = (panel.sign == 0 ? right[i] : ComplexFloat()) - (before.sign == 0 ? left[i] : ComplexFloat());
+    const ComplexFloat pressed = right[i] - left[i], sheared = (panel.sign == 0 ? right[i] : ComplexFloat()) -
+                                                               (before.sign == 0 ? left[i] : ComplexFloat());
     slopes(i) = in_double(pressed * scale);
     slopes(all + i) = turn * in_double(sheared * scale);
   }
@@ -443,8 +468,9 @@ DenseMatrix<double> SlipContact::slopes() const {
   };
   const auto for_values = [&](const auto& use) {
     for (Index number = 0; number < panels_.count(); ++number)
-      for (std::size_t of : {pressure, shear})
-        for (Index i = 0; i < block; ++i) use(panels_[number], of, i, (of == pressure ? 0 : all) + number * block + i);
+      for (std::size_t of : {pressure_part, shear_part})
+        for (Index i = 0; i < block; ++i)
+          use(panels_[number], of, i, (of == pressure_part ? 0 : all) + number * block + i);
   };
   for (Index number = 0; number < panels_.count(); ++number) {
     const Eigen::MatrixXcd inside = panel_slopes(number);
@@ -466,20 +492,27 @@ DenseMatrix<double> SlipContact::slopes() const {
     if (!enters_stick(number)) continue;
     const int sign = panels_[number - 1].sign;
     const auto scale = static_cast<double>(pow(grid_->from_left()[0], Float(-Float(1) / 2 - shift(sign))));
-    add(row, panels_[number].sources[shear][0], scale);
-    add(row, panels_[number].sources[pressure][0], -sign * scale * static_cast<double>(problem_.friction));
+    add(row, panels_[number].sources[shear_part][0], scale);
+    add(row, panels_[number].sources[pressure_part][0],
+        -sign * scale * static_cast<double>(problem_.friction));
     ++row;
   }
   const auto add_integral = [&](std::size_t of) {
     for_values([&](const Panel& panel, std::size_t part, Index value, Index) {
       const Float weight = value < nodes ? grid_->weight()[value] : Float(0.5);
-      if (part == of) add(row, panel.sources[part][value], static_cast<double>(Float(panel.length / problem_.unit * weight)));
+      if (part == of)
+        add(row, panel.sources[part][value],
+            static_cast<double>(Float(panel.length / problem_.unit * weight)));
     });
     ++row;
   };
-  if (problem_.length) ++row; else add_integral(pressure);
-  if (!problem_.creep) add_integral(shear);
-  for (Index column = 0; column < columns_; ++column) matrix.col(column) *= static_cast<double>(sizes_[column]);
+  if (problem_.length)
+    ++row;
+  else
+    add_integral(pressure_part);
+  if (!problem_.creep) add_integral(shear_part);
+  for (Index column = 0; column < columns_; ++column)
+    matrix.col(column) *= static_cast<double>(sizes_[column]);
   return matrix;
 }
 

@@ -19,7 +19,7 @@ struct SlipProblem {
   Float load = 0;               ///< int p de
   std::optional<Float> creep;   ///< xi; where it is not given
   Float shear = 0;              ///< int q de
-  Float unit = 1;               ///< of lengths, creeps and tractions as unknowns: about the length of the contact
+  Float unit = 1;  ///< of lengths, creeps and tractions as unknowns: about the length of the contact
 };
 
 /// A part of the contact in which q = sign friction p, or the surface sticks if sign = 0.
@@ -27,6 +27,9 @@ struct SlipZone {
   int sign;
   Float length;
 };
+
+/// Of what there are two: p and q.
+inline constexpr std::size_t pressure_part = 0, shear_part = 1;
 
 /// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
 inline constexpr double longest_panel = 3;
@@ -51,15 +54,17 @@ class SlipContact {
     Index zone;
     int sign;
     Float left, length;
-    Index first_place;        ///< of its Chebyshev points among those of all panels
+    Index first_place;  ///< of its Chebyshev points among those of all panels
     Row<PanelPoint> chebyshev;
-    Matrix moments;                 ///< what makes integrals against Lagrange's polynomials of the nodes' values
-    std::array<Row<Source>, 2> sources;  ///< of p and q: remainders at the nodes, values at the left and right end
+    Matrix moments;  ///< what makes integrals against Lagrange's polynomials of the nodes' values
+    std::array<Row<Source>, 2>
+        sources;  ///< of p and q: remainders at the nodes, values at the left and right end
     std::array<Row<Float>, 2> values;
   };
 
   /// zones are not empty, and next to one that slips is one of another sign.
-  SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, Row<SlipZone> zones);
+  SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels,
+              Row<SlipZone> zones);
 
   [[nodiscard]] Index unknowns() const { return columns_; }
   /// Those that make the tractions, L1 and creep of another contact.
@@ -121,10 +126,10 @@ class SlipContact {
   Row<SlipZone> zones_;
   Row<Panel> panels_;
   Row<Float> sizes_;
-  Row<Float> places_;        ///< Chebyshev points of all panels, as e
-  std::array<Matrix, 3> smooth_;     ///< U + 1/(pi alpha), V and S + 1/(pi alpha) between them
-  std::array<Vector, 2> moments_;    ///< of p and q
-  Vector normal_, tangential_;       ///< what these make of the tractions there
+  Row<Float> places_;              ///< Chebyshev points of all panels, as e
+  std::array<Matrix, 3> smooth_;   ///< U + 1/(pi alpha), V and S + 1/(pi alpha) between them
+  std::array<Vector, 2> moments_;  ///< of p and q
+  Vector normal_, tangential_;     ///< what these make of the tractions there
   Float leading_ = 0, creep_ = 0;
   Index columns_ = 0, leading_column_ = 0, creep_column_ = -1;
 };

@@ -49,11 +49,12 @@ class SlipField {
 
  private:
   struct Remainder {
-    Float first;                              ///< the place of the first value, in steps; the others follow by halves
+    Float first;  ///< the place of the first value, in steps; the others follow by halves
     std::array<Row<Float>, 2> values;
   };
   [[nodiscard]] Float remainder(std::size_t of, const Place& place) const;
-  void add_displacement(const Float& e, const Float& from, const Float& load, const Float& sheared, Displacement& sum) const;
+  void add_displacement(const Float& e, const Float& from, const Float& load, const Float& sheared,
+                        Displacement& sum) const;
 
   std::unique_ptr<const SlipContact> contact_;
   Row<Remainder> remainders_;

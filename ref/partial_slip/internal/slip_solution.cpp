@@ -10,7 +10,7 @@ namespace {
 
 using Zones = Row<SlipZone>;
 
-constexpr int most_steps = 40, most_corrections = 8;
+constexpr int most_newton_steps = 40, most_corrections = 8;
 /// Digits of the grid on which zones are first sought, and of both grids beyond those asked for.
 constexpr int first_digits = 6, coarse_guard = 2, fine_guard = 4;
 /// A relative change of a zone's length: its square is as small as the rounding of double.
@@ -38,7 +38,8 @@ void add_zone(Zones& zones, int sign, const Float& length) {
     zones.back().length += length;
     return;
   }
-  if (!zones.empty() && zones.back().sign * sign < 0) zones.push_back({0, std::min(zones.back().length, length) / 8});
+  if (!zones.empty() && zones.back().sign * sign < 0)
+    zones.push_back({0, std::min(zones.back().length, length) / 8});
   zones.push_back({sign, length});
 }
 
@@ -59,16 +60,19 @@ class Newton {
     } else {
       const Float size = largest_entry(contact_->residual());
       const Eigen::MatrixXd slopes = contact_->slopes();
-      change_unknowns(slopes.colPivHouseholderQr().solve(in_double(contact_->balanced(contact_->residual()), size)), size);
+      change_unknowns(
+          slopes.colPivHouseholderQr().solve(in_double(contact_->balanced(contact_->residual()), size)),
+          size);
     }
     evaluate();
   }
 
   /// Whether it converges. Where a zone vanishes it does not, and the zones are without it.
   bool converges() {
+    if (contact_->equations() != unknowns_.size() + zones_.count()) return false;
     const Float enough = exp(Float(-grid_->nats())) / 100;
     bool is_new = true;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_newton_steps; ++step) {
       const Float size = largest_entry(rest_);
       if (size < enough) return true;
       if (is_new) make_slopes();
@@ -141,7 +145,8 @@ int corrected_sign(const SlipField& field, const SlipField::Sample& sample) {
   const SlipContact& contact = field.contact();
   const Float part = exp(Float(-contact.grid().nats() / 2)), &friction = contact.problem().friction;
   const int sign = contact.panels()[sample.place.panel].sign;
-  if (sign != 0) return sign * (field.strain(sample.place) - contact.creep()) > part * contact.length() ? 0 : sign;
+  if (sign != 0)
+    return sign * (field.strain(sample.place) - contact.creep()) > part * contact.length() ? 0 : sign;
   const Float most = friction * (sample.pressure + part * contact.length());
   return sample.shear > most ? 1 : sample.shear < -most ? -1 : 0;
 }
@@ -174,8 +179,8 @@ bool are_alike(const Zones& a, const Zones& b) {
 }
 
 /// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
-std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones, int digits,
-                                        const SlipField* near) {
+std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones,
+                                        int digits, const SlipField* near) {
   std::unique_ptr<const SlipField> field;
   for (int correction = 0; correction < most_corrections; ++correction) {
     const double longest = std::min(longest_panel, static_cast<double>(length_of(zones)));

@@ -1,7 +1,6 @@
 #pragma once
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 #include <nipref/ref/number/internal/complex_float.hpp>
 
@@ -19,7 +18,9 @@ struct Row : std::vector<Element> {
   void grow(Index count) { Base::resize(static_cast<typename Base::size_type>(count)); }
   [[nodiscard]] Index count() const { return static_cast<Index>(Base::size()); }
   Element& operator[](Index i) { return Base::operator[](static_cast<typename Base::size_type>(i)); }
-  const Element& operator[](Index i) const { return Base::operator[](static_cast<typename Base::size_type>(i)); }
+  const Element& operator[](Index i) const {
+    return Base::operator[](static_cast<typename Base::size_type>(i));
+  }
 };
 
 /// A place in a panel: its distances from both ends over the panel's length, each exact where it is small.

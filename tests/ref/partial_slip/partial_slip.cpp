@@ -1,0 +1,139 @@
+// The contact with partial slip in multiprecision: against closed limits, its own inequalities and balances.
+#include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/partial_slip/partial_slip.hpp>
+
+#include "support/reference_values.hpp"
+#include "support/test.hpp"
+
+using namespace nipref;
+using data::GivenCreep;
+using data::GivenTraction;
+using ref::Estimate;
+using ref::Float;
+using ref::partial_slip_for_length;
+using ref::partial_slip_for_load;
+using ref::PartialSlipNip;
+
+namespace {
+
+/// All units of the dimensionless contact are powers of two: b = 1, b/(2R) = 2^-10, N = 1.
+constexpr double slope = 0x1p-10;
+
+data::PartialSlipNip slipping_nip(double poisson, double friction, const data::Drive& drive) {
+  data::ElasticNip nip = data::seed::nip(2);
+  nip.roller_radius = 512;
+  nip.material.poisson = poisson;
+  nip.material.young = 2 * (1 - poisson) * (1 + poisson);
+  return {nip, friction, drive};
+}
+
+Float apart(const Float& a, const Float& b) { return abs(a - b); }
+
+/// The power lost is what traction and load bring in.
+void check_balance(const PartialSlipNip& nip) {
+  CHECK(meet(nip.load() * nip.rolling_resistance() - nip.creep_ratio() * nip.traction(), nip.dissipation()));
+}
+
+void check_inequalities(const PartialSlipNip& nip, double friction) {
+  const std::vector<Estimate> ends = nip.zone_boundaries();
+  const std::vector<int> signs = nip.zone_signs();
+  REQUIRE(ends.size() == signs.size() + 1);
+  for (std::size_t zone = 0; zone < signs.size(); ++zone) {
+    for (double part : {0.03, 0.4, 0.9}) {
+      const double y = (1 - part) * ends[zone].to_double() + part * ends[zone + 1].to_double();
+      const Estimate pressure = nip.pressure(y), shear = nip.shear(y), slip = nip.slip(y);
+      CAPTURE(y, signs[zone], pressure.to_double(), shear.to_double(), slip.to_double());
+      CHECK(pressure.value > 0);
+      if (signs[zone] == 0) {
+        CHECK(abs(shear.value) < friction * pressure.value);
+        CHECK(slip.value == 0);
+      } else {
+        CHECK(apart(shear.value, signs[zone] * Float(friction) * pressure.value) <= shear.error);
+        CHECK(signs[zone] * slip.value > 0);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("ref partial slip: a small contact without coupling is Carter's") {
+  constexpr double friction = 0.3;
+  const ref::WorkingDigits working(60);
+  const Float a = Float(0x1p-26), load = ref::pi() * a * a;
+  const double traction = 0.4375 * friction * static_cast<double>(load) * slope;
+  const PartialSlipNip nip = partial_slip_for_length(slipping_nip(0.5, friction, GivenTraction{traction}),
+                                                     2 * static_cast<double>(a), 18);
+  // Of the thin sheet: corrections are a^2 of it, but for the strain under the whole load.
+  const Float coupling = ref::SheetKernels(30).coupling_slope(0) / ref::pi();
+  const Float carried = nip.load().value / slope,
+              stick = sqrt(1 - traction / (friction * carried * slope)) * a,
+              creep = -2 * friction * (a - stick) + kernels.coupling_slope(0) / ref::pi() * load,
+              least = a * a;
+  CHECK(nip.zone_signs() == std::vector<int>{0, 1});
+  CHECK(apart(carried, load) < load * least);
+  CHECK(apart(nip.leading_length().value, a + coupling * traction / slope / 2) < a * least);
+  CHECK(apart(nip.zone_boundaries()[1].value, nip.leading_length().value - 2 * stick) < a * least);
+  CHECK(apart(nip.creep_ratio().value / slope, creep) < 4 * a * least);
+  CHECK(apart(nip.pressure(0).value / slope, 2 * a) < 2 * a * least);
+  CHECK(nip.creep_ratio().error < a * slope * 1e-16);
+  check_balance(nip);
+}
+
+TEST_CASE(
+    "ref partial slip: what is lost is what traction and load bring in, and slip is opposed everywhere") {
+  constexpr double friction = 0.3;
+  const double load = 0x1p-5 * slope;
+  const PartialSlipNip nip =
+      partial_slip_for_load(slipping_nip(0.25, friction, GivenTraction{-0.5 * friction * load}), load, 16);
+  CHECK(nip.zone_signs() == std::vector<int>{1, 0, -1});
+  CHECK(apart(nip.load().value, load) <= nip.load().error);
+  check_balance(nip);
+  CHECK(nip.dissipation().value > 0);
+  check_inequalities(nip, friction);
+  const Float d0 = nip.indentation().value, trailing = nip.trailing_length().value;
+  CHECK(apart(nip.trailing_displacement().value, d0 - trailing * trailing * slope) <=
+        4 * nip.indentation().error);
+  for (double part : {-0.8, 0.3, 0.97}) {
+    const double y = part * nip.leading_length().to_double();
+    CHECK(apart(nip.normal_displacement(y).value, d0 - Float(y) * y * slope) <= 4 * nip.indentation().error);
+  }
+  // Where it sticks the surface is stretched by the creep.
+  const double y = 0.5 * nip.leading_length().to_double();
+  CHECK(apart(nip.tangential_displacement(y).value - nip.tangential_displacement(y / 2).value,
+              nip.creep_ratio().value * y / 2) <= 4 * nip.tangential_displacement(y).error);
+  for (double y : {-0.02, 0., 0.003}) CHECK(nip.pressure(y).value < nip.peak_pressure().value);
+  SUBCASE("a contact of that creep and length has that traction") {
+    const PartialSlipNip same =
+        partial_slip_for_length(slipping_nip(0.25, friction, GivenCreep{nip.creep_ratio().to_double()}),
+                                nip.contact_length().to_double(), 16);
+    // Doubles are near to 2^-53 of themselves.
+    CHECK(apart(same.traction().value, nip.traction().value) < 0x1p-48 * load);
+    CHECK(apart(same.load().value, load) < 0x1p-50 * load);
+    CHECK(same.zone_signs() == nip.zone_signs());
+  }
+}
+
+TEST_CASE("ref partial slip: what is no contact with partial slip is refused") {
+  const auto nip = slipping_nip(0.5, 0.25, GivenTraction{0x1p-30});
+  const auto sliding = slipping_nip(0.5, 0.25, GivenTraction{0x1p-22});
+  CHECK_REFUSED(partial_slip_for_load(sliding, 0x1p-20, 16), "force_per_length = ");
+  CHECK_REFUSED(partial_slip_for_load(nip, -1, 16), "load = -1");
+  CHECK_REFUSED(partial_slip_for_load(nip, 1e9, 16), "load = 1000000000");
+  CHECK_REFUSED(partial_slip_for_length(nip, 21, 16), "contact_length = 21");
+  CHECK_REFUSED(partial_slip_for_length(nip, 1e-9, 16), "contact_length = 1e-09");
+  CHECK_REFUSED(partial_slip_for_length(nip, 1, 31), "digits = 31");
+  CHECK_REFUSED(partial_slip_for_length(slipping_nip(0.5, 0, GivenCreep{0}), 1, 16),
+                "friction_coefficient = 0");
+  CHECK_REFUSED(partial_slip_for_length(slipping_nip(0.5, 1, GivenCreep{HUGE_VAL}), 1, 16),
+                "creep_ratio = inf");
+}
+
+TEST_CASE("ref partial slip: without slip that is opposed all of a fast roller's contact slides") {
+  const PartialSlipNip nip = partial_slip_for_length(slipping_nip(0.3, 0.25, GivenCreep{-1}), 0x1p-4, 16);
+  CHECK(nip.zone_signs() == std::vector<int>{1});
+  CHECK(apart(nip.traction().value, Float(0.25) * nip.load().value) <= nip.load().error);
+  check_balance(nip);
+  check_inequalities(nip, 0.25);
+}
