@@ -65,12 +65,11 @@ TEST_CASE("ref partial slip: a small contact without coupling is Carter's") {
   const double traction = 0.4375 * friction * static_cast<double>(load) * slope;
   const PartialSlipNip nip = partial_slip_for_length(slipping_nip(0.5, friction, GivenTraction{traction}),
                                                      2 * static_cast<double>(a), 18);
-  // Of the thin sheet: corrections are a^2 of it, but for the strain under the whole load.
+  // Corrections are a^2 of it, but for the strain under the whole load.
   const Float coupling = ref::SheetKernels(30).coupling_slope(0) / ref::pi();
   const Float carried = nip.load().value / slope,
               stick = sqrt(1 - traction / (friction * carried * slope)) * a,
-              creep = -2 * friction * (a - stick) + kernels.coupling_slope(0) / ref::pi() * load,
-              least = a * a;
+              creep = -2 * friction * (a - stick) + coupling * load, least = a * a;
   CHECK(nip.zone_signs() == std::vector<int>{0, 1});
   CHECK(apart(carried, load) < load * least);
   CHECK(apart(nip.leading_length().value, a + coupling * traction / slope / 2) < a * least);
@@ -95,24 +94,23 @@ TEST_CASE(
   const Float d0 = nip.indentation().value, trailing = nip.trailing_length().value;
   CHECK(apart(nip.trailing_displacement().value, d0 - trailing * trailing * slope) <=
         4 * nip.indentation().error);
-  for (double part : {-0.8, 0.3, 0.97}) {
-    const double y = part * nip.leading_length().to_double();
-    CHECK(apart(nip.normal_displacement(y).value, d0 - Float(y) * y * slope) <= 4 * nip.indentation().error);
+  for (double place : {-0.05, 0.0957}) {
+    CHECK(apart(nip.normal_displacement(place).value, d0 - Float(place) * place * slope) <=
+          4 * nip.indentation().error);
   }
   // Where it sticks the surface is stretched by the creep.
   const double y = 0.5 * nip.leading_length().to_double();
   CHECK(apart(nip.tangential_displacement(y).value - nip.tangential_displacement(y / 2).value,
               nip.creep_ratio().value * y / 2) <= 4 * nip.tangential_displacement(y).error);
-  for (double y : {-0.02, 0., 0.003}) CHECK(nip.pressure(y).value < nip.peak_pressure().value);
-  SUBCASE("a contact of that creep and length has that traction") {
-    const PartialSlipNip same =
-        partial_slip_for_length(slipping_nip(0.25, friction, GivenCreep{nip.creep_ratio().to_double()}),
-                                nip.contact_length().to_double(), 16);
-    // Doubles are near to 2^-53 of themselves.
-    CHECK(apart(same.traction().value, nip.traction().value) < 0x1p-48 * load);
-    CHECK(apart(same.load().value, load) < 0x1p-50 * load);
-    CHECK(same.zone_signs() == nip.zone_signs());
-  }
+  for (double place : {-0.02, 0., 0.003}) CHECK(nip.pressure(place).value < nip.peak_pressure().value);
+  // A contact of that creep and length has that traction.
+  const PartialSlipNip same =
+      partial_slip_for_length(slipping_nip(0.25, friction, GivenCreep{nip.creep_ratio().to_double()}),
+                              nip.contact_length().to_double(), 16);
+  // Doubles are near to 2^-53 of themselves.
+  CHECK(apart(same.traction().value, nip.traction().value) < 0x1p-48 * load);
+  CHECK(apart(same.load().value, load) < 0x1p-50 * load);
+  CHECK(same.zone_signs() == nip.zone_signs());
 }
 
 TEST_CASE("ref partial slip: what is no contact with partial slip is refused") {
