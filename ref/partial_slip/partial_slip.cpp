@@ -87,7 +87,8 @@ struct PartialSlipNip::Parts {
     count((a.integral(pressure_part) - load) / load);
     count((a.integral(shear_part) - b.integral(shear_part)) / load);
     if (a.zones().count() != b.zones().count()) return;
-    for (Index i = 0; i < a.zones().count(); ++i) count((a.zones()[i].length - b.zones()[i].length) / length);
+    for (GridIndex i = 0; i < a.zones().count(); ++i)
+      count((a.zones()[i].length - b.zones()[i].length) / length);
   }
 
   void check_place(double y) const {
@@ -331,10 +332,10 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> boundaries;
-  for (Index i = 0; i <= parts_->fine().contact().zones().count(); ++i) {
+  for (GridIndex i = 0; i <= parts_->fine().contact().zones().count(); ++i) {
     boundaries.push_back(parts_->of_length([&](const SlipField& of) -> Float {
       Float place = of.contact().leading();
-      for (Index zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone)
+      for (GridIndex zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone)
         place -= of.contact().zones()[zone].length;
       return place;
     }));

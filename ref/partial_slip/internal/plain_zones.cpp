@@ -123,7 +123,7 @@ class PlainContact {
 }  // namespace
 
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length) {
-  Row<int> signs(Index{elements});
+  Row<int> signs(GridIndex{elements});
   int trailing = 0;
   for (int i = 0; i < most_lengths; ++i) {
     PlainContact contact(problem, kernels, length);

@@ -29,7 +29,7 @@ ComplexFloat reciprocal(const ComplexFloat& x) {
 
 Row<PanelPoint> extreme_points(int count) {
   Row<PanelPoint> points;
-  for (Index i = 0; i < count; ++i) {
+  for (GridIndex i = 0; i < count; ++i) {
     const Float angle = pi() * i / (2 * (count - 1)), other = pi() * (count - 1 - i) / (2 * (count - 1));
     const Float left = sin(angle), right = sin(other);
     points.push_back({Float(left * left), Float(right * right)});
@@ -40,7 +40,7 @@ Row<PanelPoint> extreme_points(int count) {
 Row<ComplexFloat> lagrange(const Row<PanelPoint>& points, const PanelPoint& x) {
   Row<ComplexFloat> values;
   ComplexFloat sum;
-  for (Index i = 0; i < points.count(); ++i) {
+  for (GridIndex i = 0; i < points.count(); ++i) {
     const bool is_left = 2 * i < points.count();
     const ComplexFloat way =
         is_left ? x.from_left - points[i].from_left : points[i].from_right - x.from_right;
@@ -63,7 +63,7 @@ SlipContact::SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneG
 
 void SlipContact::divide() {
   Float left = 0;
-  for (Index zone = 0; zone < zones_.count(); ++zone) {
+  for (GridIndex zone = 0; zone < zones_.count(); ++zone) {
     const int parts =
         std::max(1, static_cast<int>(std::ceil(static_cast<double>(zones_[zone].length) / longest_panel)));
     const Float length = zones_[zone].length / parts;
@@ -78,19 +78,19 @@ void SlipContact::divide() {
 }
 
 void SlipContact::count_unknowns() {
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   for (Panel& panel : panels_) {
     for (std::size_t of : {pressure_part, shear_part}) {
       panel.values[of].grow(nodes + 2);
       panel.sources[of].grow(nodes + 2);
       const bool is_own = of == pressure_part || panel.sign == 0;
-      for (Index i = 0; i < nodes; ++i)
+      for (GridIndex i = 0; i < nodes; ++i)
         panel.sources[of][i] =
             is_own ? Source{columns_++}
                    : Source{panel.sources[pressure_part][i].column, panel.sign * problem_.friction};
     }
   }
-  for (Index right = 1; right < panels_.count(); ++right) {
+  for (GridIndex right = 1; right < panels_.count(); ++right) {
     Panel &before = panels_[right - 1], &after = panels_[right];
     const Source value{columns_++};
     const int sign = before.sign + after.sign;
@@ -105,7 +105,7 @@ void SlipContact::count_unknowns() {
   std::ranges::fill(sizes_, Float(1));
   for (const Panel& panel : panels_)
     for (std::size_t of : {pressure_part, shear_part})
-      for (Index i = 0; i < nodes; ++i)
+      for (GridIndex i = 0; i < nodes; ++i)
         sizes_[panel.sources[of][i].column] = sqrt(grid_->from_left()[i] * grid_->from_right()[i]);
   leading_column_ = columns_++;
   if (!problem_.creep) creep_column_ = columns_++;
@@ -115,8 +115,8 @@ void SlipContact::make_smooth_kernels() {
   const auto count = places_.count();
   for (Matrix& kernel : smooth_) kernel = Matrix(count, count);
   const Float over_pi = 1 / pi();
-  for (Index i = 0; i < count; ++i) {
-    for (Index j = 0; j <= i; ++j) {
+  for (GridIndex i = 0; i < count; ++i) {
+    for (GridIndex j = 0; j <= i; ++j) {
       const Float alpha = places_[i] - places_[j], normal = over_pi * kernels_.smooth_normal_slope(alpha);
       smooth_[0](i, j) = normal;
       smooth_[1](i, j) = smooth_[1](j, i) = over_pi * kernels_.coupling_slope(alpha);
@@ -125,12 +125,12 @@ void SlipContact::make_smooth_kernels() {
       smooth_[2](j, i) = -smooth_[2](i, j);
     }
   }
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   for (Panel& panel : panels_) {
     panel.moments = Matrix(panel.chebyshev.count(), nodes + 2);
-    for (Index i = 0; i < nodes; ++i) {
+    for (GridIndex i = 0; i < nodes; ++i) {
       const auto at_node = lagrange(panel.chebyshev, {grid_->from_left()[i], grid_->from_right()[i]});
-      for (Index a = 0; a < at_node.count(); ++a) {
+      for (GridIndex a = 0; a < at_node.count(); ++a) {
         const Float moment = panel.length * grid_->weight()[i] * at_node[a].re;
         panel.moments(a, i) = moment;
         panel.moments(a, nodes) += moment * grid_->from_right()[i];
@@ -140,13 +140,13 @@ void SlipContact::make_smooth_kernels() {
   }
 }
 
-bool SlipContact::enters_stick(Index panel) const {
+bool SlipContact::enters_stick(GridIndex panel) const {
   return panel > 0 && panels_[panel].sign == 0 && panels_[panel - 1].sign != 0;
 }
 
-Index SlipContact::equations() const {
-  Index count = problem_.creep ? 1 : 2;
-  for (Index panel = 0; panel < panels_.count(); ++panel)
+GridIndex SlipContact::equations() const {
+  GridIndex count = problem_.creep ? 1 : 2;
+  for (GridIndex panel = 0; panel < panels_.count(); ++panel)
     count += (panels_[panel].sign == 0 ? 2 : 1) * (grid_->nodes() + 1) + (enters_stick(panel) ? 1 : 0);
   return count;
 }
@@ -158,14 +158,14 @@ void SlipContact::set(const Vector& unknowns) {
   moments_ = {Vector(count), Vector(count)};
   for (Panel& panel : panels_) {
     for (std::size_t of : {pressure_part, shear_part}) {
-      for (Index i = 0; i < panel.values[of].count(); ++i) {
+      for (GridIndex i = 0; i < panel.values[of].count(); ++i) {
         const Source& source = panel.sources[of][i];
         panel.values[of][i] =
             source.column < 0 ? Float(0) : Float(source.factor * unknowns(source.column) * problem_.unit);
       }
       Float product = 0;
-      for (Index a = 0; a < panel.moments.rows(); ++a)
-        for (Index i = 0; i < panel.moments.cols(); ++i)
+      for (GridIndex a = 0; a < panel.moments.rows(); ++a)
+        for (GridIndex i = 0; i < panel.moments.cols(); ++i)
           add_product(moments_[of](panel.first_place + a), product, panel.moments(a, i), panel.values[of][i]);
     }
   }
@@ -175,7 +175,7 @@ void SlipContact::set(const Vector& unknowns) {
 
 Vector SlipContact::unknowns_of(const SlipField& other) const {
   Vector unknowns(columns_);
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   const auto put = [&](const Source& source, const Float& value) {
     if (source.column >= 0) unknowns(source.column) = value / (source.factor * problem_.unit);
   };
@@ -185,7 +185,7 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
                   at_right = other.traction(of, right);
       put(panel.sources[of][nodes], at_left);
       put(panel.sources[of][nodes + 1], at_right);
-      for (Index i = 0; i < nodes; ++i) {
+      for (GridIndex i = 0; i < nodes; ++i) {
         const Float &from_left = grid_->from_left()[i], &from_right = grid_->from_right()[i];
         const Float e = from_left < from_right ? panel.left + panel.length * from_left
                                                : right - panel.length * from_right;
@@ -202,22 +202,22 @@ Float SlipContact::shift(int sign) const {
   return atan(Float(problem_.beta * problem_.friction * sign)) / pi();
 }
 
-ComplexFloat SlipContact::collocation(const Panel& panel, Index row) const {
+ComplexFloat SlipContact::collocation(const Panel& panel, GridIndex row) const {
   const Float middle = row - Float(1) / 2;
   return panel.sign == 0 ? ComplexFloat(middle, -atanh(problem_.beta) / pi())
                          : ComplexFloat(middle + shift(panel.sign));
 }
 
-Float SlipContact::gap(Index from, Index to) const {
+Float SlipContact::gap(GridIndex from, GridIndex to) const {
   Float sum = 0;
-  for (Index i = std::min(from, to) + 1; i < std::max(from, to); ++i) sum += panels_[i].length;
+  for (GridIndex i = std::min(from, to) + 1; i < std::max(from, to); ++i) sum += panels_[i].length;
   return sum;
 }
 
 /// Of a panel from beyond one of its ends; `way` is the distance from that over its length.
-void SlipContact::add_outer(Index source, const ComplexFloat& way, bool is_ahead,
+void SlipContact::add_outer(GridIndex source, const ComplexFloat& way, bool is_ahead,
                             Row<ComplexFloat>& sums) const {
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   const Float over_pi = 1 / pi();
   const Row<Float>&near = is_ahead ? grid_->from_left() : grid_->from_right(),
         &far = is_ahead ? grid_->from_right() : grid_->from_left();
@@ -226,7 +226,7 @@ void SlipContact::add_outer(Index source, const ComplexFloat& way, bool is_ahead
   const Float sign = (is_ahead ? 1 : -1) * over_pi;
   at_near = at_far = ComplexFloat();
   const bool is_near = abs(way) < 1;
-  for (Index i = 0; i < nodes; ++i) {
+  for (GridIndex i = 0; i < nodes; ++i) {
     values[i] = reciprocal(way + ComplexFloat(near[i])) * Float(sign * grid_->weight()[i]);
     if (is_near) continue;
     at_near = at_near + values[i] * far[i];
@@ -238,11 +238,11 @@ void SlipContact::add_outer(Index source, const ComplexFloat& way, bool is_ahead
   at_far = (ComplexFloat(1) - way * angle) * sign;
 }
 
-void SlipContact::cauchy(Index panel, const PanelPoint& at, Row<ComplexFloat>& sums) const {
-  const Index nodes = grid_->nodes();
+void SlipContact::cauchy(GridIndex panel, const PanelPoint& at, Row<ComplexFloat>& sums) const {
+  const GridIndex nodes = grid_->nodes();
   sums.grow(panels_.count() * (nodes + 2));
   const Float over_pi = 1 / pi(), &length = panels_[panel].length;
-  for (Index source = 0; source < panels_.count(); ++source) {
+  for (GridIndex source = 0; source < panels_.count(); ++source) {
     if (source == panel) continue;
     const bool is_ahead = source > panel;
     const ComplexFloat way =
@@ -251,7 +251,7 @@ void SlipContact::cauchy(Index panel, const PanelPoint& at, Row<ComplexFloat>& s
   }
   ComplexFloat* const values = &sums[panel * (nodes + 2)];
   const bool is_left = at.from_left.re < at.from_right.re;
-  for (Index i = 0; i < nodes; ++i) {
+  for (GridIndex i = 0; i < nodes; ++i) {
     const ComplexFloat way = is_left ? ComplexFloat(grid_->from_left()[i]) - at.from_left
                                      : at.from_right - ComplexFloat(grid_->from_right()[i]);
     values[i] = reciprocal(way) * Float(over_pi * grid_->weight()[i]);
@@ -264,9 +264,9 @@ void SlipContact::cauchy(Index panel, const PanelPoint& at, Row<ComplexFloat>& s
 PointSums SlipContact::add_up(const Row<ComplexFloat>& cauchy) const {
   PointSums sums;
   Float product = 0;
-  Index i = 0;
+  GridIndex i = 0;
   for (const Panel& source : panels_) {
-    for (Index value = 0; value < source.values[0].count(); ++value, ++i) {
+    for (GridIndex value = 0; value < source.values[0].count(); ++value, ++i) {
       for (auto [sum, of] :
            {std::pair(&sums.normal, pressure_part), std::pair(&sums.tangential, shear_part)}) {
         add_product(sum->re, product, cauchy[i].re, source.values[of][value]);
@@ -277,9 +277,9 @@ PointSums SlipContact::add_up(const Row<ComplexFloat>& cauchy) const {
   return sums;
 }
 
-PointSums SlipContact::sums(Index number, const PanelPoint& at) const {
+PointSums SlipContact::sums(GridIndex number, const PanelPoint& at) const {
   const Panel& panel = panels_[number];
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   thread_local Row<ComplexFloat> coefficients;
   cauchy(number, at, coefficients);
   PointSums sums = add_up(coefficients);
@@ -289,7 +289,7 @@ PointSums SlipContact::sums(Index number, const PanelPoint& at) const {
   sums.normal = sums.normal + linear(shear_part) * problem_.beta;
   sums.tangential = sums.tangential - linear(pressure_part) * problem_.beta;
   const auto weights = lagrange(panel.chebyshev, at);
-  for (Index a = 0; a < weights.count(); ++a) {
+  for (GridIndex a = 0; a < weights.count(); ++a) {
     sums.normal = sums.normal + weights[a] * normal_(panel.first_place + a);
     sums.tangential = sums.tangential + weights[a] * tangential_(panel.first_place + a);
   }
@@ -299,13 +299,13 @@ PointSums SlipContact::sums(Index number, const PanelPoint& at) const {
 PointSums SlipContact::sums_outside(const Float& e) const {
   thread_local Row<ComplexFloat> coefficients;
   coefficients.grow(panels_.count() * (grid_->nodes() + 2));
-  for (Index source = 0; source < panels_.count(); ++source) {
+  for (GridIndex source = 0; source < panels_.count(); ++source) {
     const Panel& of = panels_[source];
     const Float way = e < 0 ? of.left - e : e - of.left - of.length;
     add_outer(source, way / of.length, e < 0, coefficients);
   }
   PointSums sums = add_up(coefficients);
-  for (Index i = 0; i < places_.count(); ++i) {
+  for (GridIndex i = 0; i < places_.count(); ++i) {
     const Float alpha = e - places_[i], normal = kernels_.smooth_normal_slope(alpha),
                 coupling = kernels_.coupling_slope(alpha);
     const Float &pressed = moments_[pressure_part](i), &sheared = moments_[shear_part](i);
@@ -317,11 +317,11 @@ PointSums SlipContact::sums_outside(const Float& e) const {
 
 Vector SlipContact::residual() const {
   Vector rest(equations());
-  Index row = 0;
+  GridIndex row = 0;
   const Float& unit = problem_.unit;
-  for (Index number = 0; number < panels_.count(); ++number) {
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
     const Panel& panel = panels_[number];
-    for (Index i = 0; i <= grid_->nodes(); ++i) {
+    for (GridIndex i = 0; i <= grid_->nodes(); ++i) {
       const PanelPoint at = grid_->at(collocation(panel, i));
       const PointSums of = sums(number, at);
       const ComplexFloat behind = ComplexFloat(panel.left - leading_) + at.from_left * panel.length;
@@ -334,7 +334,7 @@ Vector SlipContact::residual() const {
       }
     }
   }
-  for (Index number = 0; number < panels_.count(); ++number) {
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
     if (!enters_stick(number)) continue;
     const auto& values = panels_[number].values;
     const int sign = panels_[number - 1].sign;
@@ -349,11 +349,11 @@ Vector SlipContact::residual() const {
 
 /// What a row has of the traction of Cauchy's integrals, of the panel's own ends and of the smooth kernels. The values at a joint
 /// are those of the panel before it, as one unknown is in both: their logarithms cancel there.
-Row<ComplexFloat> SlipContact::terms(Index number, const PanelPoint& at) const {
+Row<ComplexFloat> SlipContact::terms(GridIndex number, const PanelPoint& at) const {
   Row<ComplexFloat> terms;
   cauchy(number, at, terms);
-  const Index nodes = grid_->nodes(), block = nodes + 2;
-  for (Index left = block + nodes; left < terms.count(); left += block) {
+  const GridIndex nodes = grid_->nodes(), block = nodes + 2;
+  for (GridIndex left = block + nodes; left < terms.count(); left += block) {
     terms[left - nodes - 1] = terms[left - nodes - 1] + terms[left];
     terms[left] = ComplexFloat();
   }
@@ -364,20 +364,20 @@ Row<ComplexFloat> SlipContact::terms(Index number, const PanelPoint& at) const {
 }
 
 /// Rows by values of p, then of q.
-Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
+Eigen::MatrixXcd SlipContact::panel_slopes(GridIndex number) const {
   const Panel& panel = panels_[number];
-  const Index nodes = grid_->nodes(), block = nodes + 2, all = panels_.count() * block;
+  const GridIndex nodes = grid_->nodes(), block = nodes + 2, all = panels_.count() * block;
   const auto points = panel.chebyshev.count();
   const Complex turn(0, panel.sign == 0 ? 1 : 0);
   const auto beta = static_cast<double>(problem_.beta);
   Eigen::MatrixXcd rows(nodes + 1, all + 2 + points);
   Row<ComplexFloat> last;
-  const auto store = [&](Index row, const Row<ComplexFloat>& of, const Row<ComplexFloat>& less) {
+  const auto store = [&](GridIndex row, const Row<ComplexFloat>& of, const Row<ComplexFloat>& less) {
     const Float scale = row_scale(panel, row);
-    for (Index i = 0; i < of.count(); ++i)
+    for (GridIndex i = 0; i < of.count(); ++i)
       rows(row, i) = in_double((less.empty() ? of[i] : of[i] - less[i]) * scale);
   };
-  for (Index row = 0; row <= nodes; ++row) {
+  for (GridIndex row = 0; row <= nodes; ++row) {
     Row<ComplexFloat> now = terms(number, grid_->at(collocation(panel, row)));
     if (row > 0 && 2 * row <= nodes) store(row - 1, last, now);
     if (2 * row == nodes) store(row, now, {});
@@ -388,10 +388,10 @@ Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
   slopes << rows.leftCols(all), turn * rows.leftCols(all);
   const auto ends = rows.middleCols(all, 2);
   const Eigen::MatrixXcd interpolation = rows.rightCols(points);
-  const Index own = number * block + nodes;
+  const GridIndex own = number * block + nodes;
   slopes.middleCols(own, 2) -= turn * beta * ends;
   slopes.middleCols(all + own, 2) += beta * ends;
-  for (Index source = 0; source < panels_.count(); ++source) {
+  for (GridIndex source = 0; source < panels_.count(); ++source) {
     const Eigen::MatrixXd moments = panels_[source].moments.cast<double>();
     const auto between = [&](std::size_t kernel) -> Eigen::MatrixXd {
       return smooth_[kernel]
@@ -400,7 +400,7 @@ Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
              moments;
     };
     const Eigen::MatrixXd normal = between(0), coupling = between(1), tangential = between(2);
-    const Index first = source * block;
+    const GridIndex first = source * block;
     slopes.middleCols(first, block) += interpolation * (normal + turn * coupling);
     slopes.middleCols(all + first, block) += interpolation * (turn * tangential - coupling);
   }
@@ -408,21 +408,21 @@ Eigen::MatrixXcd SlipContact::panel_slopes(Index number) const {
 }
 
 /// Of a row of an equation, over the root of the distance from the nearer end of the panel.
-Float SlipContact::row_scale(const Panel& panel, Index row) const {
+Float SlipContact::row_scale(const Panel& panel, GridIndex row) const {
   const PanelPoint at = grid_->at(ComplexFloat(collocation(panel, row).re));
   return 1 / sqrt(at.from_left.re * at.from_right.re);
 }
 
 /// Across the joint with the panel before, where the smooth kernels and the linear parts go on.
-Eigen::RowVectorXcd SlipContact::joint_slopes(Index number) const {
+Eigen::RowVectorXcd SlipContact::joint_slopes(GridIndex number) const {
   const Panel &before = panels_[number - 1], &panel = panels_[number];
-  const Index all = panels_.count() * (grid_->nodes() + 2);
+  const GridIndex all = panels_.count() * (grid_->nodes() + 2);
   const auto left = terms(number - 1, grid_->at(collocation(before, grid_->nodes())));
   const auto right = terms(number, grid_->at(collocation(panel, 0)));
   const Float scale = row_scale(panel, 0);
   const Complex turn(0, 1);
   Eigen::RowVectorXcd slopes(2 * all);
-  for (Index i = 0; i < all; ++i) {
+  for (GridIndex i = 0; i < all; ++i) {
     const ComplexFloat pressed = right[i] - left[i], sheared = (panel.sign == 0 ? right[i] : ComplexFloat()) -
                                                                (before.sign == 0 ? left[i] : ComplexFloat());
     slopes(i) = in_double(pressed * scale);
@@ -431,20 +431,20 @@ Eigen::RowVectorXcd SlipContact::joint_slopes(Index number) const {
   return slopes;
 }
 
-bool SlipContact::is_tied(Index number, Index part) const {
+bool SlipContact::is_tied(GridIndex number, GridIndex part) const {
   return number > 0 && (part == 0 || panels_[number - 1].zone == panels_[number].zone);
 }
 
 Vector SlipContact::balanced(const Vector& rest) const {
   Vector result = rest;
-  Index first = 0, last = 0;
-  const Index nodes = grid_->nodes();
-  for (Index number = 0; number < panels_.count(); ++number) {
+  GridIndex first = 0, last = 0;
+  const GridIndex nodes = grid_->nodes();
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
     const Panel& panel = panels_[number];
-    const Index parts = panel.sign == 0 ? 2 : 1;
-    for (Index row = 0; row <= nodes; ++row) {
-      for (Index part = 0; part < parts; ++part) {
-        const Index at = first + parts * row + part;
+    const GridIndex parts = panel.sign == 0 ? 2 : 1;
+    for (GridIndex row = 0; row <= nodes; ++row) {
+      for (GridIndex part = 0; part < parts; ++part) {
+        const GridIndex at = first + parts * row + part;
         Float& value = result(at);
         if (2 * row < nodes) value -= rest(at + parts);
         if (2 * row > nodes) value -= rest(at - parts);
@@ -460,25 +460,25 @@ Vector SlipContact::balanced(const Vector& rest) const {
 }
 
 DenseMatrix<double> SlipContact::slopes() const {
-  const Index nodes = grid_->nodes(), block = nodes + 2, all = panels_.count() * block;
+  const GridIndex nodes = grid_->nodes(), block = nodes + 2, all = panels_.count() * block;
   DenseMatrix<double> matrix(equations(), columns_);
-  Index row = 0;
-  const auto add = [&](Index at, const Source& source, double slope) {
+  GridIndex row = 0;
+  const auto add = [&](GridIndex at, const Source& source, double slope) {
     if (source.column >= 0) matrix(at, source.column) += static_cast<double>(source.factor) * slope;
   };
   const auto for_values = [&](const auto& use) {
-    for (Index number = 0; number < panels_.count(); ++number)
+    for (GridIndex number = 0; number < panels_.count(); ++number)
       for (std::size_t of : {pressure_part, shear_part})
-        for (Index i = 0; i < block; ++i)
+        for (GridIndex i = 0; i < block; ++i)
           use(panels_[number], of, i, (of == pressure_part ? 0 : all) + number * block + i);
   };
-  for (Index number = 0; number < panels_.count(); ++number) {
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
     const Eigen::MatrixXcd inside = panel_slopes(number);
-    for (Index i = 0; i <= nodes; ++i) {
-      for (Index part = 0; part < (panels_[number].sign == 0 ? 2 : 1); ++part, ++row) {
+    for (GridIndex i = 0; i <= nodes; ++i) {
+      for (GridIndex part = 0; part < (panels_[number].sign == 0 ? 2 : 1); ++part, ++row) {
         const bool is_middle = 2 * i == nodes, is_joint = is_middle && is_tied(number, part);
         const Eigen::RowVectorXcd of = is_joint ? joint_slopes(number) : Eigen::RowVectorXcd(inside.row(i));
-        for_values([&](const Panel& panel, std::size_t kind, Index value, Index column) {
+        for_values([&](const Panel& panel, std::size_t kind, GridIndex value, GridIndex column) {
           add(row, panel.sources[kind][value], part == 0 ? of(column).real() : of(column).imag());
         });
         if (!is_middle || is_joint) continue;
@@ -488,7 +488,7 @@ DenseMatrix<double> SlipContact::slopes() const {
       }
     }
   }
-  for (Index number = 0; number < panels_.count(); ++number) {
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
     if (!enters_stick(number)) continue;
     const int sign = panels_[number - 1].sign;
     const auto scale = static_cast<double>(pow(grid_->from_left()[0], Float(-Float(1) / 2 - shift(sign))));
@@ -498,7 +498,7 @@ DenseMatrix<double> SlipContact::slopes() const {
     ++row;
   }
   const auto add_integral = [&](std::size_t of) {
-    for_values([&](const Panel& panel, std::size_t part, Index value, Index) {
+    for_values([&](const Panel& panel, std::size_t part, GridIndex value, GridIndex) {
       const Float weight = value < nodes ? grid_->weight()[value] : Float(0.5);
       if (part == of)
         add(row, panel.sources[part][value],
@@ -511,17 +511,17 @@ DenseMatrix<double> SlipContact::slopes() const {
   else
     add_integral(pressure_part);
   if (!problem_.creep) add_integral(shear_part);
-  for (Index column = 0; column < columns_; ++column)
+  for (GridIndex column = 0; column < columns_; ++column)
     matrix.col(column) *= static_cast<double>(sizes_[column]);
   return matrix;
 }
 
 Float SlipContact::integral(std::size_t of) const {
   Float sum = 0;
-  const Index nodes = grid_->nodes();
+  const GridIndex nodes = grid_->nodes();
   for (const Panel& panel : panels_) {
     Float part = (panel.values[of][nodes] + panel.values[of][nodes + 1]) / 2;
-    for (Index i = 0; i < nodes; ++i) part += grid_->weight()[i] * panel.values[of][i];
+    for (GridIndex i = 0; i < nodes; ++i) part += grid_->weight()[i] * panel.values[of][i];
     sum += panel.length * part;
   }
   return sum;

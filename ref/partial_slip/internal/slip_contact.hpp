@@ -47,14 +47,14 @@ class SlipContact {
  public:
   /// Which unknown a value is, times a factor; none where it is 0.
   struct Source {
-    Index column = -1;
+    GridIndex column = -1;
     Float factor = 1;
   };
   struct Panel {
-    Index zone;
+    GridIndex zone;
     int sign;
     Float left, length;
-    Index first_place;  ///< of its Chebyshev points among those of all panels
+    GridIndex first_place;  ///< of its Chebyshev points among those of all panels
     Row<PanelPoint> chebyshev;
     Matrix moments;  ///< what makes integrals against Lagrange's polynomials of the nodes' values
     std::array<Row<Source>, 2>
@@ -66,11 +66,11 @@ class SlipContact {
   SlipContact(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels,
               Row<SlipZone> zones);
 
-  [[nodiscard]] Index unknowns() const { return columns_; }
+  [[nodiscard]] GridIndex unknowns() const { return columns_; }
   /// Those that make the tractions, L1 and creep of another contact.
   [[nodiscard]] Vector unknowns_of(const SlipField& other) const;
   /// One for each unknown and zone.
-  [[nodiscard]] Index equations() const;
+  [[nodiscard]] GridIndex equations() const;
   void set(const Vector& unknowns);
   [[nodiscard]] Vector residual() const;
   /// The derivatives of the balanced residual by the unknowns over their sizes.
@@ -92,7 +92,7 @@ class SlipContact {
   [[nodiscard]] const std::array<Vector, 2>& moments() const { return moments_; }
   [[nodiscard]] const Float& leading() const { return leading_; }
   [[nodiscard]] const Float& creep() const { return creep_; }
-  [[nodiscard]] PointSums sums(Index panel, const PanelPoint& at) const;
+  [[nodiscard]] PointSums sums(GridIndex panel, const PanelPoint& at) const;
   /// The same at e < 0 or e > L.
   [[nodiscard]] PointSums sums_outside(const Float& e) const;
   /// arctan(beta sign friction)/pi.
@@ -105,20 +105,20 @@ class SlipContact {
   void divide();
   void count_unknowns();
   void make_smooth_kernels();
-  [[nodiscard]] ComplexFloat collocation(const Panel& panel, Index row) const;
+  [[nodiscard]] ComplexFloat collocation(const Panel& panel, GridIndex row) const;
   /// Cauchy's integrals over pi of all values, with the panel and place of the point.
-  void cauchy(Index panel, const PanelPoint& at, Row<ComplexFloat>& sums) const;
-  void add_outer(Index source, const ComplexFloat& way, bool is_ahead, Row<ComplexFloat>& sums) const;
-  [[nodiscard]] Row<ComplexFloat> terms(Index panel, const PanelPoint& at) const;
-  [[nodiscard]] Eigen::MatrixXcd panel_slopes(Index panel) const;
-  [[nodiscard]] Eigen::RowVectorXcd joint_slopes(Index panel) const;
+  void cauchy(GridIndex panel, const PanelPoint& at, Row<ComplexFloat>& sums) const;
+  void add_outer(GridIndex source, const ComplexFloat& way, bool is_ahead, Row<ComplexFloat>& sums) const;
+  [[nodiscard]] Row<ComplexFloat> terms(GridIndex panel, const PanelPoint& at) const;
+  [[nodiscard]] Eigen::MatrixXcd panel_slopes(GridIndex panel) const;
+  [[nodiscard]] Eigen::RowVectorXcd joint_slopes(GridIndex panel) const;
   /// Whether an equation's part goes on from the panel before.
-  [[nodiscard]] bool is_tied(Index panel, Index part) const;
-  [[nodiscard]] Float row_scale(const Panel& panel, Index row) const;
-  [[nodiscard]] Float gap(Index from, Index to) const;
+  [[nodiscard]] bool is_tied(GridIndex panel, GridIndex part) const;
+  [[nodiscard]] Float row_scale(const Panel& panel, GridIndex row) const;
+  [[nodiscard]] Float gap(GridIndex from, GridIndex to) const;
   [[nodiscard]] PointSums add_up(const Row<ComplexFloat>& cauchy) const;
   /// Slip, then stick.
-  [[nodiscard]] bool enters_stick(Index panel) const;
+  [[nodiscard]] bool enters_stick(GridIndex panel) const;
 
   SlipProblem problem_;
   std::shared_ptr<const ZoneGrid> grid_;
@@ -131,7 +131,7 @@ class SlipContact {
   std::array<Vector, 2> moments_;  ///< of p and q
   Vector normal_, tangential_;     ///< what these make of the tractions there
   Float leading_ = 0, creep_ = 0;
-  Index columns_ = 0, leading_column_ = 0, creep_column_ = -1;
+  GridIndex columns_ = 0, leading_column_ = 0, creep_column_ = -1;
 };
 
 /// Chebyshev's extreme points: sin^2 of equal angles, with both ends, so that interpolations of neighbouring panels meet.

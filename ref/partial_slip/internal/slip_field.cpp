@@ -15,11 +15,11 @@ Float cotangent(const Float& place) { return 1 / tan(Float(pi() * place)); }
 
 SlipField::SlipField(std::unique_ptr<const SlipContact> contact) : contact_(std::move(contact)) {
   const SlipProblem& problem = contact_->problem();
-  const Index nodes = contact_->grid().nodes();
-  for (Index number = 0; number < contact_->panels().count(); ++number) {
+  const GridIndex nodes = contact_->grid().nodes();
+  for (GridIndex number = 0; number < contact_->panels().count(); ++number) {
     const auto& panel = contact_->panels()[number];
     Remainder remainder{contact_->shift(panel.sign) - Float(3) / 4, {}};
-    for (Index i = 0; i < 2 * nodes + 2; ++i) {
+    for (GridIndex i = 0; i < 2 * nodes + 2; ++i) {
       const Place place{number, remainder.first + Float(i) / 2};
       const PanelPoint at = contact_->grid().at(place.step);
       const PointSums sums = contact_->sums(number, at);
@@ -34,7 +34,7 @@ SlipField::SlipField(std::unique_ptr<const SlipContact> contact) : contact_(std:
       remainder.values[shear_part].push_back(panel.sign != 0 ? Float(slipping * value.re) : value.im);
     }
     remainders_.push_back(std::move(remainder));
-    for (Index i = 0; i < 2 * nodes + 2; ++i) {
+    for (GridIndex i = 0; i < 2 * nodes + 2; ++i) {
       const Place place{number, remainders_.back().first + Float(i) / 2};
       samples_.push_back({place, e_of(place), traction(pressure_part, place), traction(shear_part, place),
                           panel.length * contact_->grid().slope_at(place.step) / 2});
@@ -44,7 +44,7 @@ SlipField::SlipField(std::unique_ptr<const SlipContact> contact) : contact_(std:
 
 SlipField::Place SlipField::place_of(const Float& e) const {
   const auto& panels = contact_->panels();
-  Index number = 0;
+  GridIndex number = 0;
   while (number + 1 < panels.count() && e >= panels[number + 1].left) ++number;
   const Float from_left = (e - panels[number].left) / panels[number].length;
   const Float nearest = exp(Float(-2 * contact_->grid().nats()));
@@ -61,7 +61,7 @@ Float SlipField::remainder(std::size_t of, const Place& place) const {
   const Remainder& remainder = remainders_[place.panel];
   const Row<Float>& values = remainder.values[of];
   Float sum = 0;
-  for (Index i = 0; i < values.count(); ++i) {
+  for (GridIndex i = 0; i < values.count(); ++i) {
     const Float way = place.step - remainder.first - Float(i) / 2;
     if (way == 0) return values[i];
     sum += (i % 2 == 0 ? values[i] : -values[i]) / way;
@@ -80,7 +80,7 @@ Float SlipField::slope(std::size_t of, const Place& place) const {
   const Remainder& remainder = remainders_[place.panel];
   const Row<Float>& values = remainder.values[of];
   Float sum = 0, squares = 0;
-  for (Index i = 0; i < values.count(); ++i) {
+  for (GridIndex i = 0; i < values.count(); ++i) {
     const Float way = place.step - remainder.first - Float(i) / 2,
                 value = (i % 2 == 0 ? values[i] : -values[i]) / way;
     sum += value;
@@ -120,7 +120,7 @@ void SlipField::add_displacement(const Float& e, const Float& from, const Float&
 SlipField::Displacement SlipField::displacement(const Float& e) const {
   Displacement sum{0, 0};
   SheetKernels& kernels = contact_->kernels();
-  for (Index i = 0; i < contact_->places().count(); ++i) {
+  for (GridIndex i = 0; i < contact_->places().count(); ++i) {
     const Float alpha = e - contact_->places()[i], normal = kernels.smooth_normal(alpha),
                 coupling = kernels.coupling(alpha);
     const Float &load = contact_->moments()[pressure_part](i), &sheared = contact_->moments()[shear_part](i);
@@ -128,15 +128,15 @@ SlipField::Displacement SlipField::displacement(const Float& e) const {
     sum.tangential += (coupling * load + (normal + kernels.stretch(alpha)) * sheared) / pi();
   }
   const ZoneGrid& grid = contact_->grid();
-  const Index nodes = grid.nodes();
+  const GridIndex nodes = grid.nodes();
   for (const auto& panel : contact_->panels()) {
     const Float right = panel.left + panel.length;
     // Where e is inside, of both parts: the logarithm is then at an end.
     Row<Float> ends{panel.left, right};
     if (e > panel.left && e < right) ends.insert(ends.begin() + 1, e);
-    for (Index part = 1; part < ends.count(); ++part) {
+    for (GridIndex part = 1; part < ends.count(); ++part) {
       const Float length = ends[part] - ends[part - 1];
-      for (Index i = 0; i < nodes; ++i) {
+      for (GridIndex i = 0; i < nodes; ++i) {
         const Float from = ends[part - 1] + length * grid.from_left()[i], weight = length * grid.weight()[i];
         if (from == e) continue;
         Float load, sheared;
@@ -172,11 +172,11 @@ Float SlipField::dissipation() const {
 }
 
 Float SlipField::place_of_largest(std::size_t of) const {
-  const auto size = [&](Index i) -> Float {
+  const auto size = [&](GridIndex i) -> Float {
     return abs(of == pressure_part ? samples_[i].pressure : samples_[i].shear);
   };
-  Index best = 0;
-  for (Index i = 1; i < samples_.count(); ++i)
+  GridIndex best = 0;
+  for (GridIndex i = 1; i < samples_.count(); ++i)
     if (size(i) > size(best)) best = i;
   const Place& near = samples_[best].place;
   const Float value = of == pressure_part ? samples_[best].pressure : samples_[best].shear;

@@ -14,7 +14,7 @@ class SlipField {
 
   /// A place in a panel, in steps of the grid.
   struct Place {
-    Index panel;
+    GridIndex panel;
     Float step;
   };
   /// Twice as many places as nodes, by rising e, where tractions and strain are known best.

@@ -22,7 +22,7 @@ constexpr double slow_convergence = 0.01;
 
 Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
   Eigen::VectorXd result(x.size());
-  for (Index i = 0; i < x.size(); ++i) result(i) = static_cast<double>(Float(x(i) / unit));
+  for (GridIndex i = 0; i < x.size(); ++i) result(i) = static_cast<double>(Float(x(i) / unit));
   return result;
 }
 
@@ -82,7 +82,7 @@ class Newton {
       const double most = change.tail(lengths).cwiseAbs().maxCoeff() * static_cast<double>(size);
       const Float part = size * std::min(1.0, most_change / most);
       change_unknowns(change, part);
-      for (Index i = 0; i < lengths; ++i)
+      for (GridIndex i = 0; i < lengths; ++i)
         zones_[i].length *= exp(Float(-part * change(unknowns_.size() + i)));
       if (drops_zone()) return false;
       renew();
@@ -104,14 +104,14 @@ class Newton {
   void renew() { contact_ = std::make_unique<SlipContact>(problem_, grid_, kernels_, zones_); }
 
   void change_unknowns(const Eigen::VectorXd& change, const Float& part) {
-    for (Index i = 0; i < unknowns_.size(); ++i) unknowns_(i) -= part * change(i) * contact_->sizes()[i];
+    for (GridIndex i = 0; i < unknowns_.size(); ++i) unknowns_(i) -= part * change(i) * contact_->sizes()[i];
   }
 
   void make_slopes() {
-    const Index linear = unknowns_.size(), lengths = zones_.count();
+    const GridIndex linear = unknowns_.size(), lengths = zones_.count();
     Eigen::MatrixXd matrix(linear + lengths, linear + lengths);
     matrix.leftCols(linear) = contact_->slopes();
-    for (Index i = 0; i < lengths; ++i) {
+    for (GridIndex i = 0; i < lengths; ++i) {
       Zones longer = zones_;
       longer[i].length *= 1 + Float(step_of_lengths);
       SlipContact other(problem_, grid_, kernels_, longer);

@@ -6,19 +6,19 @@
 
 namespace nipref::ref {
 
-using Index = Eigen::Index;
+using GridIndex = Eigen::Index;
 
 /// A vector whose elements are counted like Eigen's.
 template <class Element>
 struct Row : std::vector<Element> {
   using Base = std::vector<Element>;
   using Base::Base;
-  explicit Row(Index count) { grow(count); }
+  explicit Row(GridIndex count) { grow(count); }
   Row() = default;
-  void grow(Index count) { Base::resize(static_cast<typename Base::size_type>(count)); }
-  [[nodiscard]] Index count() const { return static_cast<Index>(Base::size()); }
-  Element& operator[](Index i) { return Base::operator[](static_cast<typename Base::size_type>(i)); }
-  const Element& operator[](Index i) const {
+  void grow(GridIndex count) { Base::resize(static_cast<typename Base::size_type>(count)); }
+  [[nodiscard]] GridIndex count() const { return static_cast<GridIndex>(Base::size()); }
+  Element& operator[](GridIndex i) { return Base::operator[](static_cast<typename Base::size_type>(i)); }
+  const Element& operator[](GridIndex i) const {
     return Base::operator[](static_cast<typename Base::size_type>(i));
   }
 };
@@ -36,7 +36,7 @@ class ZoneGrid {
   ZoneGrid(double nats, double longest);
 
   [[nodiscard]] double nats() const { return nats_; }
-  [[nodiscard]] Index nodes() const { return from_left_.count(); }
+  [[nodiscard]] GridIndex nodes() const { return from_left_.count(); }
   [[nodiscard]] const Row<Float>& from_left() const { return from_left_; }
   [[nodiscard]] const Row<Float>& from_right() const { return from_right_; }
   /// dx/dc at the nodes, which are the rule's weights.
