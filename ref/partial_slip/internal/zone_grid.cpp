@@ -13,14 +13,18 @@ constexpr double pi_as_double = std::numbers::pi;
 /// pi, the angle of what lies beyond its ends.
 double free_angle(double length) { return 2 * std::atan(4 / length); }
 
+/// The least of x/2 + 1/(2 sqrt(x^2 + 1/4)): the part of the exponent that is left where it is least.
+constexpr double least_part = 0.9296;
+
 }  // namespace
 
 ZoneGrid::ZoneGrid(double nats, double longest) : nats_(nats) {
   const double angle = free_angle(longest), reach = std::asinh(4 * pi_as_double / angle);
-  const double wanted_step = 4 * pi_as_double * pi_as_double / (nats * nats);
+  const double exponent = nats / least_part;
+  const double wanted_step = 4 * pi_as_double * pi_as_double / (exponent * exponent);
   const int nodes = 2 * std::max(2, static_cast<int>(std::ceil(reach / wanted_step)));
   step_ = 2 * reach / nodes;
-  steepness_ = angle * nats / (2 * pi_as_double);
+  steepness_ = angle * exponent / (2 * pi_as_double);
   middle_ = Float(nodes - 1) / 2;
   for (int i = 0; i < nodes; ++i) {
     const PanelPoint point = at(Float(i));
