@@ -13,7 +13,8 @@ namespace nipref::ref {
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit of
 /// length; finite, for strains and displacements within 450 sheet thicknesses of the contact; otherwise BadInput. Shear acts on
-/// the sheet along +Y. All errors are estimated, about 10^-digits of the largest value of the result's kind.
+/// the sheet along +Y. All errors are estimated: from 10^-digits of the largest value of the result's kind to
+/// a thousand times as much in contacts of several half-thicknesses.
 ///
 /// One object must not be used by two threads at once.
 class PartialSlipNip {
@@ -57,7 +58,8 @@ class PartialSlipNip {
 };
 
 /// The contact of a given length: > 0, L <= R and 1e-8 <= L/B <= 10; digits: 16 to 30; the friction coefficient is > 0 and finite,
-/// a traction that is given smaller than this times the load. BadInput otherwise, and where the zones are not found.
+/// a traction that is given smaller than this times the load. BadInput otherwise, and where the zones are not
+/// found, as of some long contacts that stick nearly everywhere.
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits);
 /// The contact that carries `load` per unit width, > 0 and finite, with a length as above; BadInput otherwise.
 PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, int digits);

@@ -25,6 +25,22 @@ ComplexFloat reciprocal(const ComplexFloat& x) {
   return {x.re / square, -x.im / square};
 }
 
+/// value = weight/x in place, as this is most of the work.
+void set_quotient(ComplexFloat& value, const Float& weight, const ComplexFloat& x, ComplexFloat& scratch) {
+  if (x.is_real()) {
+    mpfr_div(raw(value.re), raw(weight), raw(x.re), MPFR_RNDN);
+    mpfr_set_zero(raw(value.im), 1);
+    return;
+  }
+  mpfr_sqr(raw(scratch.re), raw(x.re), MPFR_RNDN);
+  mpfr_sqr(raw(scratch.im), raw(x.im), MPFR_RNDN);
+  mpfr_add(raw(scratch.re), raw(scratch.re), raw(scratch.im), MPFR_RNDN);
+  mpfr_div(raw(scratch.im), raw(weight), raw(scratch.re), MPFR_RNDN);
+  mpfr_mul(raw(value.re), raw(scratch.im), raw(x.re), MPFR_RNDN);
+  mpfr_mul(raw(value.im), raw(scratch.im), raw(x.im), MPFR_RNDN);
+  mpfr_neg(raw(value.im), raw(value.im), MPFR_RNDN);
+}
+
 }  // namespace
 
 Row<PanelPoint> extreme_points(int count) {
@@ -115,6 +131,10 @@ void SlipContact::make_smooth_kernels() {
   const auto count = places_.count();
   for (Matrix& kernel : smooth_) kernel = Matrix(count, count);
   const Float over_pi = 1 / pi();
+  for (const Float& weight : grid_->weight()) {
+    weights_.push_back(over_pi * weight);
+    minus_weights_.push_back(-weights_.back());
+  }
   for (GridIndex i = 0; i < count; ++i) {
     for (GridIndex j = 0; j <= i; ++j) {
       const Float alpha = places_[i] - places_[j], normal = over_pi * kernels_.smooth_normal_slope(alpha);
@@ -226,8 +246,10 @@ void SlipContact::add_outer(GridIndex source, const ComplexFloat& way, bool is_a
   const Float sign = (is_ahead ? 1 : -1) * over_pi;
   at_near = at_far = ComplexFloat();
   const bool is_near = abs(way) < 1;
+  ComplexFloat scratch, distance = way;
   for (GridIndex i = 0; i < nodes; ++i) {
-    values[i] = reciprocal(way + ComplexFloat(near[i])) * Float(sign * grid_->weight()[i]);
+    mpfr_add(raw(distance.re), raw(way.re), raw(near[i]), MPFR_RNDN);
+    set_quotient(values[i], is_ahead ? weights_[i] : minus_weights_[i], distance, scratch);
     if (is_near) continue;
     at_near = at_near + values[i] * far[i];
     at_far = at_far + values[i] * near[i];
@@ -251,10 +273,13 @@ void SlipContact::cauchy(GridIndex panel, const PanelPoint& at, Row<ComplexFloat
   }
   ComplexFloat* const values = &sums[panel * (nodes + 2)];
   const bool is_left = at.from_left.re < at.from_right.re;
+  ComplexFloat scratch, way = is_left ? -at.from_left : at.from_right;
   for (GridIndex i = 0; i < nodes; ++i) {
-    const ComplexFloat way = is_left ? ComplexFloat(grid_->from_left()[i]) - at.from_left
-                                     : at.from_right - ComplexFloat(grid_->from_right()[i]);
-    values[i] = reciprocal(way) * Float(over_pi * grid_->weight()[i]);
+    if (is_left)
+      mpfr_sub(raw(way.re), raw(grid_->from_left()[i]), raw(at.from_left.re), MPFR_RNDN);
+    else
+      mpfr_sub(raw(way.re), raw(at.from_right.re), raw(grid_->from_right()[i]), MPFR_RNDN);
+    set_quotient(values[i], weights_[i], way, scratch);
   }
   const ComplexFloat angle = log(at.from_right / at.from_left);
   values[nodes] = (at.from_right * angle - ComplexFloat(1)) * over_pi;
@@ -264,15 +289,23 @@ void SlipContact::cauchy(GridIndex panel, const PanelPoint& at, Row<ComplexFloat
 PointSums SlipContact::add_up(const Row<ComplexFloat>& cauchy) const {
   PointSums sums;
   Float product = 0;
-  GridIndex i = 0;
+  GridIndex first = 0;
   for (const Panel& source : panels_) {
-    for (GridIndex value = 0; value < source.values[0].count(); ++value, ++i) {
-      for (auto [sum, of] :
-           {std::pair(&sums.normal, pressure_part), std::pair(&sums.tangential, shear_part)}) {
-        add_product(sum->re, product, cauchy[i].re, source.values[of][value]);
-        if (!cauchy[i].is_real()) add_product(sum->im, product, cauchy[i].im, source.values[of][value]);
+    const GridIndex count = source.values[pressure_part].count();
+    const auto sum_of = [&](std::size_t of) {
+      ComplexFloat sum;
+      for (GridIndex i = 0; i < count; ++i) {
+        const ComplexFloat& factor = cauchy[first + i];
+        add_product(sum.re, product, factor.re, source.values[of][i]);
+        if (!factor.is_real()) add_product(sum.im, product, factor.im, source.values[of][i]);
       }
-    }
+      return sum;
+    };
+    const ComplexFloat pressed = sum_of(pressure_part);
+    sums.normal = sums.normal + pressed;
+    sums.tangential = sums.tangential + (source.sign == 0 ? sum_of(shear_part)
+                                                          : pressed * Float(source.sign * problem_.friction));
+    first += count;
   }
   return sums;
 }
@@ -280,7 +313,7 @@ PointSums SlipContact::add_up(const Row<ComplexFloat>& cauchy) const {
 PointSums SlipContact::sums(GridIndex number, const PanelPoint& at) const {
   const Panel& panel = panels_[number];
   const GridIndex nodes = grid_->nodes();
-  thread_local Row<ComplexFloat> coefficients;
+  Row<ComplexFloat> coefficients;
   cauchy(number, at, coefficients);
   PointSums sums = add_up(coefficients);
   const auto linear = [&](std::size_t of) {
@@ -297,7 +330,7 @@ PointSums SlipContact::sums(GridIndex number, const PanelPoint& at) const {
 }
 
 PointSums SlipContact::sums_outside(const Float& e) const {
-  thread_local Row<ComplexFloat> coefficients;
+  Row<ComplexFloat> coefficients;
   coefficients.grow(panels_.count() * (grid_->nodes() + 2));
   for (GridIndex source = 0; source < panels_.count(); ++source) {
     const Panel& of = panels_[source];

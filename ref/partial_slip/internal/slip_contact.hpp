@@ -125,6 +125,7 @@ class SlipContact {
   SheetKernels& kernels_;
   Row<SlipZone> zones_;
   Row<Panel> panels_;
+  Row<Float> weights_, minus_weights_;  ///< of the rule over pi
   Row<Float> sizes_;
   Row<Float> places_;              ///< Chebyshev points of all panels, as e
   std::array<Matrix, 3> smooth_;   ///< U + 1/(pi alpha), V and S + 1/(pi alpha) between them

@@ -183,7 +183,9 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
                                         int digits, const SlipField* near) {
   std::unique_ptr<const SlipField> field;
   for (int correction = 0; correction < most_corrections; ++correction) {
-    const double longest = std::min(longest_panel, static_cast<double>(length_of(zones)));
+    double longest = 0;
+    for (const SlipZone& zone : zones)
+      longest = std::max(longest, std::min(longest_panel, static_cast<double>(zone.length)));
     Newton newton(problem, std::make_shared<ZoneGrid>(digits * std::numbers::ln10, longest), kernels, zones);
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
