@@ -65,6 +65,26 @@ std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
+Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
+  traction.allow(SceneKind::nip, KeyOwner::partial_slip);
+  if (traction.has("force_per_length") == traction.has("creep_ratio"))
+    origin.refuse("traction", "(its keys)", "must have force_per_length or creep_ratio, one of the two");
+  if (traction.has("creep_ratio")) return GivenCreep{traction.number("creep_ratio")};
+  return GivenTraction{traction.number("force_per_length")};
+}
+
+PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& origin) {
+  const TomlTable friction = file.table("friction");
+  friction.allow(SceneKind::nip, KeyOwner::partial_slip);
+  PartialSlipProblem problem{
+      .nip = {read_nip(file), friction.number("coefficient"), read_drive(file.table("traction"), origin)},
+      .given = read_given(file, origin)};
+  if (!is_converged(file.table("method")))
+    origin.refuse("method.kind", "line-loads", "must be converged with Coulomb's friction");
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
+  return problem;
+}
+
 ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
   read_friction(file.table("friction"), problem);
@@ -115,6 +135,8 @@ decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& or
   file.allow(SceneKind::nip);
   const bool is_elastic = material_model(file.table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
+  if (file.table("friction").choice("model", SceneKind::nip) == "coulomb")
+    return read_partial_slip(file, origin);
   return read_elastic_nip(file, origin);
 }
 

@@ -22,8 +22,9 @@ constexpr std::array<std::string_view, 6> types{"text", "texts", "choice", "numb
 constexpr std::array<std::string_view, 6> allowed_types{
     "must be a text in quotes", "must be a list of texts in quotes", "must be a text in quotes",
     "must be a number",         "must be a list of numbers",         "must be a whole number"};
-constexpr std::array<std::string_view, 13> owners{"nip",
+constexpr std::array<std::string_view, 14> owners{"nip",
                                                   "elastic-nip",
+                                                  "partial-slip",
                                                   "elastic-solid",
                                                   "one-relaxation-time",
                                                   "six-constants",

@@ -23,6 +23,7 @@ enum class KeyType { text, texts, choice, number, numbers, whole };
 enum class KeyOwner {
   nip,
   elastic_nip,
+  partial_slip,
   elastic_solid,
   one_relaxation_time,
   six_constants,

@@ -19,6 +19,7 @@ enum class Needs {
   inside_all,       ///< the converged method: the largest stress inside the sheet
   shear,            ///< full friction: without it there is none
   line_load_creep,  ///< line loads with full friction
+  partial_slip,     ///< Coulomb's friction
 };
 
 /// How many numbers a result is.
@@ -37,6 +38,7 @@ enum class Shape {
 enum class Scale {
   itself,
   half_contact,
+  load,
   half_contact_times_load,
   hundred_half_contacts,
   roller_rise,
@@ -75,6 +77,10 @@ enum class ResultId {
   leading_moment,
   trailing_moment,
   creep_ratio,
+  traction,
+  dissipation,
+  zone_boundaries,
+  zone_signs,
   creep_range,
   peak_pressure,
   peak_pressure_position,

@@ -140,6 +140,17 @@ struct SystemCheck {
     std::visit(MethodCheck{problem.given, Friction::none, problem.profile, origin}, problem.method);
     check_viscoelastic_line_loads(problem, origin);
   }
+  void operator()(const PartialSlipProblem& problem) const {
+    check_nip(problem.nip, origin);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
+    check_domain(problem.nip.friction_coefficient, origin, "friction.coefficient");
+    if (const auto* const creep = std::get_if<GivenCreep>(&problem.nip.drive))
+      check_domain(creep->creep_ratio, origin, "traction.creep_ratio");
+    else
+      check_domain(std::get<GivenTraction>(problem.nip.drive).force_per_length, origin,
+                   "traction.force_per_length");
+    if (problem.profile) check_profile(*problem.profile, origin);
+  }
   void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
 };
 

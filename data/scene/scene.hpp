@@ -9,6 +9,7 @@
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/half_space.hpp>
 #include <nipref/data/problem/line_loads.hpp>
+#include <nipref/data/problem/partial_slip.hpp>
 #include <nipref/data/problem/profile.hpp>
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/data/scene/origin.hpp>
@@ -70,12 +71,23 @@ struct ViscoelasticNipProblem {
   std::optional<FieldPlaces> field = {};
 };
 
+/// An elastic sheet that rolls between two cylinders with Coulomb's friction.
+struct PartialSlipProblem {
+  PartialSlipNip nip;
+  Given given;
+  std::variant<ConvergedMethod> method = {};
+  /// Needed if a profile is wanted.
+  std::optional<Profile> profile = {};
+  /// As above.
+  std::optional<FieldPlaces> field = {};
+};
+
 struct Scene {
   std::string title;
   std::vector<ResultId> wanted;  ///< at least one, none twice
   /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
   double accuracy = 1e-10;
-  std::variant<ElasticNipProblem, ViscoelasticNipProblem, HalfSpaceProblem> system;
+  std::variant<ElasticNipProblem, ViscoelasticNipProblem, PartialSlipProblem, HalfSpaceProblem> system;
   SceneOrigin origin;
 
   [[nodiscard]] SceneKind kind() const;

@@ -23,11 +23,11 @@ constexpr double shortest_slip = 1e-8, longest_slip = 10;
 constexpr double farthest_slip = 900;
 
 NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
-  nip.nip.check();
+  nip.check();
   if (!(std::isfinite(nip.friction_coefficient) && nip.friction_coefficient > 0))
     throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
-  const NipTask task{nip.nip.roller_radius,
-                     nip.nip.sheet_thickness,
+  const NipTask task{nip.roller_radius,
+                     nip.sheet_thickness,
                      "a contact with partial slip",
                      30,
                      shortest_slip,
@@ -122,7 +122,7 @@ using SlipParts = PartialSlipNip::Parts;
 /// The problem but for what is given: of Y, q and T change their signs.
 SlipProblem problem_of(const data::PartialSlipNip& nip, const NipUnits& units) {
   SlipProblem problem;
-  const mpq_class poisson = nip.nip.material.poisson;
+  const mpq_class poisson = nip.material.poisson;
   problem.beta = to_float(Exact(mpq_class((1 - 2 * poisson) / (2 * (1 - poisson)))));
   problem.friction = nip.friction_coefficient;
   if (const auto* creep = std::get_if<data::GivenCreep>(&nip.drive))
@@ -182,7 +182,7 @@ PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double c
   if (!is_allowed_length(task, contact_length))
     throw BadInput("contact_length", contact_length, allowed_lengths());
   const WorkingDigits working(working_digits_of_slip(digits));
-  const NipUnits units = slip_units(nip.nip);
+  const NipUnits units = slip_units(nip);
   SlipProblem problem = problem_of(nip, units);
   problem.length = to_float(Exact(mpq_class(mpq_class(contact_length) / units.length)));
   const auto guess = static_cast<double>(*problem.length);
@@ -193,7 +193,7 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   const NipTask task = slip_task(nip, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   const WorkingDigits working(working_digits_of_slip(digits));
-  const NipUnits units = slip_units(nip.nip);
+  const NipUnits units = slip_units(nip);
   SlipProblem problem = problem_of(nip, units);
   problem.load = to_float(Exact(mpq_class(mpq_class(load) / units.force)));
   // The guess is good to a few tens of per cent.
@@ -203,7 +203,7 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   };
   if (!(guess > shortest_slip && guess < 4 * longest_slip)) refuse();
   auto parts = solved_parts(nip, units, std::move(problem), guess, digits);
-  if (!is_allowed_length(task, static_cast<double>(parts->size()) * nip.nip.half_thickness())) refuse();
+  if (!is_allowed_length(task, static_cast<double>(parts->size()) * nip.half_thickness())) refuse();
   return PartialSlipNip(std::move(parts));
 }
 
@@ -348,5 +348,7 @@ std::vector<int> PartialSlipNip::zone_signs() const {
   for (const SlipZone& zone : parts_->fine().contact().zones()) signs.push_back(-zone.sign);
   return signs;
 }
+
+int PartialSlipNip::unknowns() const { return static_cast<int>(parts_->fine().contact().unknowns()); }
 
 }  // namespace nipref::ref

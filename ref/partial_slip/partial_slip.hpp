@@ -49,6 +49,7 @@ class PartialSlipNip {
   [[nodiscard]] std::vector<Estimate> zone_boundaries() const;
   /// Of each zone the sign of its shear where it slips, 0 where it sticks.
   [[nodiscard]] std::vector<int> zone_signs() const;
+  [[nodiscard]] int unknowns() const;  ///< of the finer solution
 
   struct Parts;
   explicit PartialSlipNip(std::unique_ptr<const Parts> parts);

@@ -70,6 +70,7 @@ struct LikelySeconds {
     return seconds_for_length(problem, length, digits) * (load != nullptr ? of_load : 1) +
            seconds_for_places(scene, problem, length);
   }
+  double operator()(const data::PartialSlipProblem&) const { return 0; }
   /// The displacements at a place, computed together, ask for about 2500 lines at 20 digits.
   double operator()(const data::HalfSpaceProblem& problem) const {
     const bool displaced = std::ranges::any_of(scene.wanted, [](data::ResultId id) {

@@ -12,10 +12,12 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/partial_slip/partial_slip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/partial_slip/partial_slip.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
@@ -26,6 +28,7 @@ namespace {
 
 using data::ConvergedMethod;
 using data::ElasticNipProblem;
+using data::PartialSlipProblem;
 using data::ViscoelasticNipProblem;
 using fast::Estimate;
 
@@ -60,6 +63,17 @@ auto solution(RefPath, const auto& problem, const ConvergedMethod&, int digits) 
         [&](double length) { return ref::converged_for_length(nip..., length, digits); });
   };
   return std::apply(solve, nip_of(problem));
+}
+
+auto solution(FastPath, const PartialSlipProblem& problem, const ConvergedMethod&, double accuracy) {
+  return for_given(
+      problem.given, [&](double load) { return fast::partial_slip_for_load(problem.nip, load, accuracy); },
+      [&](double length) { return fast::partial_slip_for_length(problem.nip, length, accuracy); });
+}
+auto solution(RefPath, const PartialSlipProblem& problem, const ConvergedMethod&, int digits) {
+  return for_given(
+      problem.given, [&](double load) { return ref::partial_slip_for_load(problem.nip, load, digits); },
+      [&](double length) { return ref::partial_slip_for_length(problem.nip, length, digits); });
 }
 
 auto solution(FastPath, const ElasticNipProblem& problem, const data::LineLoads& by, double accuracy) {
@@ -102,6 +116,7 @@ fast::Work work_of(const ref::ConvergedNip& contact) {
   work.unknowns = contact.unknowns();
   return work;
 }
+fast::Work work_of(const ref::PartialSlipNip& contact) { return {.unknowns = contact.unknowns()}; }
 fast::Work work_of(const ref::LineLoadNip& loads) {
   fast::Work work;
   work.systems = static_cast<std::uint64_t>(loads.systems());
@@ -196,7 +211,6 @@ void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>&
   set(ResultId::peak_shear_position, &Solution::peak_shear_position);
   set(ResultId::normal_displacement, &Solution::normal_displacement);
   set(ResultId::tangential_displacement, &Solution::tangential_displacement);
-  set(ResultId::shear_zeros, &Solution::shear_zeros);
   // Results that only some methods have.
   if constexpr (requires { &Solution::leading_moment; }) {
     set(ResultId::leading_moment, &Solution::leading_moment);
@@ -204,6 +218,19 @@ void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>&
   }
   if constexpr (requires { &Solution::surface_strain; })
     set(ResultId::surface_strain, &Solution::surface_strain);
+  if constexpr (requires { &Solution::shear_zeros; }) set(ResultId::shear_zeros, &Solution::shear_zeros);
+  if constexpr (requires { &Solution::zone_boundaries; }) {
+    set(ResultId::traction, &Solution::traction);
+    set(ResultId::dissipation, &Solution::dissipation);
+    set(ResultId::zone_boundaries, &Solution::zone_boundaries);
+    solved.set(ResultId::zone_signs, [=](const Places&) {
+      return mapped<Number>(solution->zone_signs(), [&](int sign) {
+        Number number = exactly(sign, solution->load());
+        if constexpr (requires { number.proven; }) number.proven = false;
+        return number;
+      });
+    });
+  }
   if constexpr (requires { &Solution::slip; }) set(ResultId::slip, &Solution::slip);
   if constexpr (requires(const Solution& one) { creep_range_of(one); })
     solved.set(ResultId::creep_range, [=](const Places&) { return creep_range_of(*solution); });
@@ -247,7 +274,7 @@ void set_inside(SolvedContact<typename Path::Number>& solved,
   }
 }
 
-double speed_of(const ElasticNipProblem&) { return 1; }
+double speed_of(const auto&) { return 1; }
 double speed_of(const ViscoelasticNipProblem& problem) { return problem.nip.speed; }
 
 /// Completes a contact that has the results of a solution: with their products, its ends and what is given.
@@ -272,13 +299,14 @@ Solved<Path> solved(const Problem& problem, const Method& method, typename Path:
   const auto nip = std::make_shared<Nip<Path, Problem, decltype(found)>>(
       Nip<Path, Problem, decltype(found)>{problem, accuracy, std::move(found)});
   set_results(*contact, std::shared_ptr<decltype(found)>(nip, &nip->solution));
-  set_inside(*contact, nip);
+  if constexpr (!std::is_same_v<Problem, PartialSlipProblem>) set_inside(*contact, nip);
   complete(*contact, problem);
   contact->work = [nip] { return work_of(nip->solution); };
   if constexpr (Path::is_fast && converges) {
     set_moments(*contact);
-    contact->solve_again = [nip] { return nip->refine(); };
-  } else if constexpr (converges) {
+    if constexpr (requires { nip->solution.refine(); })
+      contact->solve_again = [nip] { return nip->refine(); };
+  } else if constexpr (converges && !std::is_same_v<Problem, PartialSlipProblem>) {
     set_slip(*contact, has_full_friction(problem));
   }
   if (!Path::is_fast && (!converges || contact->is_symmetric)) contact->measure = Measure::itself;
@@ -346,7 +374,9 @@ SolvedByRef solve_ref_nip(const Problem& problem, int digits) {
 
 template SolvedInDouble solve_nip(const ElasticNipProblem&, double);
 template SolvedInDouble solve_nip(const ViscoelasticNipProblem&, double);
+template SolvedInDouble solve_nip(const PartialSlipProblem&, double);
 template SolvedByRef solve_ref_nip(const ElasticNipProblem&, int);
 template SolvedByRef solve_ref_nip(const ViscoelasticNipProblem&, int);
+template SolvedByRef solve_ref_nip(const PartialSlipProblem&, int);
 
 }  // namespace nipref::verify

@@ -59,7 +59,7 @@ std::vector<SearchStep> steps_to(const data::ViscoelasticNipProblem& problem, do
 std::vector<SearchStep> thesis_search(const data::Scene& scene) {
   return std::visit(
       [&](const auto& problem) -> std::vector<SearchStep> {
-        if constexpr (!std::is_same_v<decltype(problem), const data::HalfSpaceProblem&>) {
+        if constexpr (requires { steps_to(problem, 0, 0); }) {
           const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
           if (load != nullptr && is_by_line_loads(scene))
             return steps_to(problem, load->per_length, scene.accuracy);

@@ -29,6 +29,11 @@ struct NeedsCheck {
 
   void operator()(const ElasticNipProblem& problem) const { check(problem, problem.friction); }
   void operator()(const ViscoelasticNipProblem& problem) const { check(problem, Friction::none); }
+  void operator()(const PartialSlipProblem&) const {
+    if (result.needs != Needs::converged && result.needs != Needs::partial_slip &&
+        result.id != ResultId::peak_shear_position)
+      origin.refuse(key, result.name, "must be left out: it is not computed with Coulomb's friction");
+  }
   void operator()(const HalfSpaceProblem&) const {}
 
  private:
@@ -36,6 +41,8 @@ struct NeedsCheck {
   void check(const Problem& problem, Friction friction) const {
     if (result.needs == Needs::shear && friction == Friction::none)
       origin.refuse(key, result.name, "must be left out: without friction there is no shear");
+    if (result.needs == Needs::partial_slip)
+      origin.refuse(key, result.name, "must be left out: it is of friction.model = \"coulomb\"");
     if (result.needs == Needs::line_load_creep &&
         (friction == Friction::none || std::holds_alternative<ConvergedMethod>(problem.method))) {
       origin.refuse(

@@ -12,7 +12,7 @@ using Zones = Row<SlipZone>;
 
 constexpr int most_newton_steps = 40, most_corrections = 8;
 /// Digits of the grid on which zones are first sought, and of both grids beyond those asked for.
-constexpr int first_digits = 6, coarse_guard = 2, fine_guard = 4;
+constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
 /// A relative change of a zone's length: its square is as small as the rounding of double.
 constexpr double step_of_lengths = 1e-8;
 /// Of a zone's length in a step of Newton's method, as a logarithm.
@@ -170,7 +170,12 @@ Zones corrected(const SlipField& field) {
     last = sign;
     before = &sample;
   }
-  add_zone(zones, last, contact.length() - from);
+  const Float rest = contact.length() - from;
+  const bool turns_around =
+      last == 0 && zones.count() > 0 && contact.zones()[contact.zones().count() - 1].sign != 0;
+  add_zone(zones, last, turns_around ? Float(2 * rest / 3) : rest);
+  // Where the slip at the trailing end is wrong up to the end it turns around, for there no sheet sticks.
+  if (turns_around) zones.push_back({-contact.zones()[contact.zones().count() - 1].sign, rest / 3});
   return zones;
 }
 

@@ -124,6 +124,9 @@ Solver solver_of(const data::ViscoelasticNipProblem& problem) {
   };
 }
 
+/// No other program knows this contact to more than three digits.
+Solver solver_of(const data::PartialSlipProblem&) { return {}; }
+
 Solver solver_of(const data::HalfSpaceProblem& problem) {
   const auto* const solid = std::get_if<data::IsotropicSolid>(&problem.half_space);
   const auto* const die = std::get_if<data::RigidDie>(&problem.body);

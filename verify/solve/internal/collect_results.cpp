@@ -105,6 +105,8 @@ void refuse_given(const data::Scene& scene, const data::Given& given, const data
   if (error.argument() == "nip.material" || error.argument().ends_with(" rate"))
     scene.origin.refuse_as("material", error);
   if (error.argument() == "residue_terms") scene.origin.refuse_as("method.residue_terms", error);
+  if (error.argument() == "force_per_length") scene.origin.refuse_as("traction.force_per_length", error);
+  if (error.argument() == "friction_coefficient") scene.origin.refuse_as("friction.coefficient", error);
   if (error.argument() == argument) scene.origin.refuse_as(key, error);
   scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }

@@ -38,7 +38,7 @@ inline data::Grip grip_of(const data::ElasticNipProblem& problem) {
 inline bool has_full_friction(const data::ElasticNipProblem& problem) {
   return problem.friction == data::Friction::full;
 }
-inline bool has_full_friction(const data::ViscoelasticNipProblem&) { return false; }
+inline bool has_full_friction(const auto&) { return false; }
 
 /// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
 SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);

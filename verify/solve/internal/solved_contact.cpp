@@ -12,8 +12,6 @@ namespace {
 
 using fast::Estimate;
 
-Estimate exactly(double value, const Estimate&) { return {value, 0}; }
-ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
 
 bool same(const ref::Estimate& a, const ref::Estimate& b) {
   return mpfr_equal_p(ref::raw(a.value), ref::raw(b.value)) != 0 &&
@@ -138,6 +136,8 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
       return 0;
     case Scale::half_contact:
       return half;
+    case Scale::load:
+      return value_of(contact.number(ResultId::load));
     case Scale::half_contact_times_load:
       return half * value_of(contact.number(ResultId::load));
     case Scale::hundred_half_contacts:

@@ -11,6 +11,7 @@
 
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/nip/work.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
@@ -25,6 +26,10 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 using Places = std::vector<Place>;
+
+/// A number without an error, as another number is.
+inline fast::Estimate exactly(double value, const fast::Estimate&) { return {value, 0}; }
+inline ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
 
 /// The ends of a contact, or of a half-space's angles: Y, unit of length.
 struct ContactEnds {

@@ -1,0 +1,208 @@
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/bisection.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
+#include <nipref/fast/partial_slip/internal/element_contact.hpp>
+#include <nipref/fast/sheet/internal/regular_parts.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Eigen::Index, Eigen::RowVectorXd;
+using std::numbers::pi;
+
+/// Displacements u and v at the middle of an element k of unit traction k elements away, the one that loads before the
+/// other: u of the pressure, v of the pressure, v of the shear; u of the shear is minus that of v of the pressure.
+struct Influence {
+  std::vector<double> normal, coupling, along;
+};
+
+Influence influence(double beta, double width, int count) {
+  std::vector<double> alpha(static_cast<std::size_t>(count)), normal(alpha.size()), along(alpha.size());
+  for (std::size_t k = 0; k < alpha.size(); ++k) alpha[k] = static_cast<double>(k) * width;
+  internal::regular_I1(alpha, normal);
+  internal::regular_I6(alpha, along);
+  Influence of;
+  const auto integral = [](double x) { return x * std::log(std::fabs(x)) - x; };
+  for (std::size_t k = 0; k < alpha.size(); ++k) {
+    const double logarithm = integral(alpha[k] + width / 2) - integral(alpha[k] - width / 2);
+    of.normal.push_back((width * normal[k] - logarithm) / pi);
+    of.along.push_back((width * along[k] - logarithm) / pi);
+    of.coupling.push_back(k == 0 ? 0 : width * (I3(alpha[k]) / pi - beta / 2));
+  }
+  return of;
+}
+
+class ActiveSet {
+ public:
+  ActiveSet(const PartialSlipTask& task, double load, double half_region, int count)
+      : task_(task),
+        load_(load),
+        elements_(static_cast<std::size_t>(count)),
+        width_(2 * half_region / count) {
+    influence_ = influence(task.beta, width_, count + 1);
+    for (int k = 0; k < count; ++k)
+      elements_[static_cast<std::size_t>(k)] = {(k + 0.5) * width_ - half_region, true, 0, 0, 0};
+  }
+
+  ElementContact solved() {
+    constexpr int most_changes = 40;
+    for (int change = 0; change < most_changes; ++change) {
+      solve();
+      if (!changed()) break;
+    }
+    return {elements_, width_, creep_};
+  }
+
+ private:
+  /// A displacement as a row over the unknowns.
+  RowVectorXd row(int k, bool normal) const {
+    RowVectorXd result = RowVectorXd::Zero(unknowns_);
+    for (std::size_t j = 0; j < elements_.size(); ++j) {
+      if (!elements_[j].presses) continue;
+      const int apart = k - static_cast<int>(j);
+      const auto distance = static_cast<std::size_t>(std::abs(apart));
+      const double coupling = apart < 0 ? -influence_.coupling[distance] : influence_.coupling[distance];
+      const double of_pressure = normal ? influence_.normal[distance] : coupling;
+      const double of_shear = normal ? -coupling : influence_.along[distance];
+      result(pressure_[j]) += of_pressure;
+      if (elements_[j].sign == 0)
+        result(shear_[j]) += of_shear;
+      else
+        result(pressure_[j]) += task_.friction * elements_[j].sign * of_shear;
+    }
+    return result;
+  }
+
+  void number() {
+    pressure_.assign(elements_.size(), -1);
+    shear_ = pressure_;
+    unknowns_ = 0;
+    for (std::size_t k = 0; k < elements_.size(); ++k)
+      if (elements_[k].presses) pressure_[k] = unknowns_++;
+    for (std::size_t k = 0; k < elements_.size(); ++k)
+      if (elements_[k].presses && elements_[k].sign == 0) shear_[k] = unknowns_++;
+    unknowns_ += 2;  // the approach and the creep
+  }
+
+  void solve() {
+    number();
+    const Index approach = unknowns_ - 2, creep = unknowns_ - 1;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns_);
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      const ElementContact::Element& element = elements_[k];
+      if (!element.presses) continue;
+      const int place = static_cast<int>(k);
+      matrix.row(pressure_[k]) = row(place, true);
+      matrix(pressure_[k], approach) = -1;
+      right(pressure_[k]) = -element.e * element.e;
+      matrix(approach, pressure_[k]) = width_;
+      if (element.sign == 0) {
+        matrix.row(shear_[k]) = row(place, false) - row(place - 1, false);
+        matrix(shear_[k], creep) = -width_;
+        matrix(creep, shear_[k]) = width_;
+      } else {
+        matrix(creep, pressure_[k]) = width_ * task_.friction * element.sign;
+      }
+    }
+    right(approach) = load_;
+    right(creep) = task_.creep ? *task_.creep : *task_.traction;
+    if (task_.creep) matrix.row(creep) = RowVectorXd::Unit(unknowns_, creep);
+    solution_ = linear_solution(matrix, right);
+    creep_ = solution_(creep);
+  }
+
+  /// Whether an element presses, sticks or slips against its conditions; then it no longer does.
+  bool changed() {
+    std::vector<ElementContact::Element> next = elements_;
+    bool any = false;
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      const int place = static_cast<int>(k);
+      ElementContact::Element& element = next[k];
+      const int sign = element.sign;
+      if (!element.presses) {
+        const double gap = solution_(unknowns_ - 2) - element.e * element.e - row(place, true).dot(solution_);
+        element.presses = gap > 1e-12 * solution_(unknowns_ - 2);
+        element.sign = 0;
+        any = any || element.presses;
+        continue;
+      }
+      element.pressure = solution_(pressure_[k]);
+      element.shear = sign == 0 ? solution_(shear_[k]) : task_.friction * sign * element.pressure;
+      if (element.pressure < 0) {
+        element.presses = false;
+      } else if (sign == 0) {
+        if (std::fabs(element.shear) > task_.friction * element.pressure)
+          element.sign = element.shear > 0 ? 1 : -1;
+      } else if (((row(place, false) - row(place - 1, false)).dot(solution_) - creep_ * width_) * sign > 0) {
+        element.sign = 0;
+      }
+      any = any || !element.presses || element.sign != sign;
+    }
+    if (task_.traction) keep_one_sticking(next);
+    elements_ = next;
+    return any;
+  }
+
+  /// Where none sticks a traction says nothing about the creep: one that stuck, the farthest from slipping, goes on.
+  void keep_one_sticking(std::vector<ElementContact::Element>& next) const {
+    const auto sticks = [](const auto& element) { return element.presses && element.sign == 0; };
+    if (std::ranges::any_of(next, sticks)) return;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      const double ratio = std::fabs(next[k].shear) / next[k].pressure;
+      if (next[k].presses && sticks(elements_[k]) && ratio < least) least = ratio, kept = k;
+    }
+    next[kept].sign = 0;
+  }
+
+  PartialSlipTask task_;
+  double load_;
+  std::vector<ElementContact::Element> elements_;
+  double width_, creep_ = 0;
+  Influence influence_;
+  std::vector<int> pressure_, shear_;
+  int unknowns_ = 0;
+  Eigen::VectorXd solution_;
+};
+
+}  // namespace
+
+double load_guess(double length) {
+  return std::exp(internal::last_that(
+      [&](double log_load) { return half_length_guess(std::exp(log_load)) < length / 2; }, -80.0, 40.0));
+}
+
+ElementContact element_contact(const PartialSlipTask& task, int elements) {
+  double load = task.load ? *task.load : load_guess(*task.length);
+  const auto solved = [&] { return ActiveSet(task, load, 1.3 * half_length_guess(load), elements).solved(); };
+  ElementContact contact = solved();
+  if (task.load) return contact;
+  // With friction a contact of this length carries another load.
+  load *= std::pow(*task.length / contact.length(), load_exponent(*task.length / 2));
+  return solved();
+}
+
+double ElementContact::length() const {
+  return width * static_cast<double>(std::ranges::count_if(elements, &Element::presses));
+}
+
+std::vector<Zone> ElementContact::zones() const {
+  std::vector<Zone> zones;
+  for (const Element& element : elements) {
+    if (!element.presses) continue;
+    if (zones.empty() || zones.back().sign != element.sign) zones.push_back({0, element.sign});
+    zones.back().length += width;
+  }
+  return zones;
+}
+
+}  // namespace nipref::fast

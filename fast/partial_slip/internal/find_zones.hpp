@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+
+#include <nipref/fast/partial_slip/internal/zone_contact.hpp>
+
+namespace nipref::fast {
+
+/// The contact that sticks and slips where it should: zones of equal elements to begin with, Newton's method for their
+/// boundaries, then a zone more wherever shear in a zone that sticks is larger than friction allows, or slip goes along
+/// the shear, until there is no such place. Nothing if none is found. nats: as for a ZoneMesh; a
+/// zone of slip at an end that is shorter than e^-nats of its neighbour is left out.
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
+/// The same from zones that are nearly right.
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats);
+
+/// The mean over a contact of the shear beyond friction where it sticks, over friction, and of slip along the shear over the
+/// largest slip: 0 in the contact itself.
+double wrongness(const ZoneContact& contact, double friction);
+
+}  // namespace nipref::fast

@@ -1,0 +1,191 @@
+// The contact with Coulomb's friction: closed forms, limits, another program's numbers, its own conditions.
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/partial_slip/internal/element_contact.hpp>
+#include <nipref/fast/partial_slip/internal/find_zones.hpp>
+#include <nipref/fast/partial_slip/partial_slip.hpp>
+
+#include "support/test.hpp"
+
+using namespace nipref;
+using data::GivenCreep, data::GivenTraction;
+
+namespace {
+
+/// A sheet of half-thickness 1 on rollers so large that the parabolas hold, with N such that the unit of loads is 1; that of
+/// creep ratios is 1/100.
+data::PartialSlipNip unit_nip(double poisson, double friction, const data::Drive& drive) {
+  constexpr double radius = 50;
+  return {{radius, 2, {4 * radius * (1 - poisson * poisson), poisson}}, friction, drive};
+}
+
+struct Random {
+  std::mt19937 numbers{2026};
+  double operator()(double from, double to) { return std::uniform_real_distribution(from, to)(numbers); }
+};
+
+}  // namespace
+
+TEST_CASE("a thick incompressible sheet has Carter's creep and zones") {
+  constexpr double mu = 0.3;
+  for (const double part : {0.1, 0.5, 0.96}) {
+    CAPTURE(part);
+    const auto at = [&](double half) {
+      const double load = std::numbers::pi * half * half;
+      const auto nip =
+          fast::partial_slip_for_load(unit_nip(0.5, mu, GivenTraction{-part * mu * load}), load, 1e-12);
+      REQUIRE(nip.zone_signs().size() == 2);
+      return std::array{nip.contact_length().value / half, nip.zone_boundaries()[1].value / half,
+                        100 * nip.creep_ratio().value / half};
+    };
+    // The sheet's thickness adds parts that grow with the length.
+    const auto longer = at(1e-6), shorter = at(5e-7);
+    const double stick = std::sqrt(1 - part), expected[] = {2, 1 - 2 * stick, 2 * mu * (1 - stick)};
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(2 * shorter[i] - longer[i] - expected[i]) < 1e-9);
+  }
+}
+
+TEST_CASE("dissimilar rollers: what the program CONTACT prints of its example bentall") {
+  // Aluminium on steel, a rigid roller on the sheet that it stands for; rolling to -x there, x = -Y. Creep ratio, power
+  // over 1e9, boundaries of zones to 0.001 as printed: elements are 0.001 wide (eve70a/CONTACT, d431cdbd).
+  struct Printed {
+    double traction, creep, power;
+    std::vector<double> boundaries;
+  };
+  const Printed all[] = {{0, 4.294e-4, 9.475e-6, {-0.1, -0.068, 0.049, 0.084, 0.092, 0.1}},
+                         {0.75, 5.392e-4, 4.418e-5, {-0.1, -0.056, 0.050, 0.101}},
+                         {-0.75, 2.108e-4, 1.955e-4, {-0.1, -0.087, -0.051, 0.1}}};
+  constexpr double load = 16.2019, mu = 0.05;
+  for (const Printed& printed : all) {
+    CAPTURE(printed.traction);
+    const auto nip = fast::partial_slip_for_load(
+        {{25, 1e4, {42647.3716, 0.4160012775}}, mu, GivenTraction{printed.traction * mu * load}}, load, 1e-8);
+    CHECK(-nip.creep_ratio().value == approx(printed.creep, 2e-3));
+    CHECK(nip.dissipation().value == approx(printed.power, 0.015));
+    const std::vector<fast::Estimate> boundaries = nip.zone_boundaries();
+    // Driven backwards there are two zones more next to the trailing end, both shorter than an element.
+    REQUIRE(boundaries.size() >= printed.boundaries.size());
+    for (std::size_t k = 0; k < printed.boundaries.size(); ++k)
+      CHECK(std::fabs(boundaries[k].value + printed.boundaries[k]) < 0.0016);
+  }
+}
+
+TEST_CASE("as friction goes to 0 slip turns around where Bentall and Johnson have it") {
+  // asin(c/a) + (c/a) sqrt(1 - (c/a)^2) = pi/4, creep beta (a/R) sqrt(1 - (c/a)^2).
+  const double c = 0.40397275, poisson = 0.4, beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+  const double load = std::numbers::pi * 1e-12;
+  const auto nip = fast::partial_slip_for_load(unit_nip(poisson, 1e-4, GivenTraction{0}), load, 1e-10);
+  CHECK(nip.zone_boundaries()[1].value == approx(c * 1e-6, 0.015));
+  CHECK(100 * nip.creep_ratio().value == approx(-2e-6 * beta * std::sqrt(1 - c * c), 1e-3));
+}
+
+TEST_CASE(
+    "random contacts meet all conditions of stick and slip, their energy balances, and given creep gives back traction") {
+  Random random;
+  const int count = is_thorough() ? 1000 : 6;
+  for (int i = 0; i < count; ++i) {
+    const double length = 2e-3 * std::pow(2500, random(0, 1)), mu = 0.01 * std::pow(100, random(0, 1));
+    const double poisson = random(0, 0.5), load = fast::load_guess(length);
+    const double traction = i % 3 == 0 ? 0 : random(-0.95, 0.95) * mu * load;
+    CAPTURE(i);
+    const fast::PartialSlipTask task{
+        .beta = (1 - 2 * poisson) / (2 * (1 - poisson)), .friction = mu, .load = load, .traction = traction};
+    const auto contact = fast::find_zones(task, 14);
+    REQUIRE(contact);
+    double largest_slip = 0;
+    for (const auto& sample : contact->samples())
+      largest_slip = std::max(largest_slip, std::fabs(sample.slip));
+    for (const auto& sample : contact->samples()) {
+      CHECK(sample.pressure > 0);
+      if (sample.sign == 0) {
+        CHECK(std::fabs(sample.shear) < (1 + 1e-4) * mu * sample.pressure);
+        CHECK(std::fabs(sample.slip) < 1e-10 * length);
+      } else {
+        CHECK(sample.shear == approx(sample.sign * mu * sample.pressure, 1e-14));
+        CHECK(sample.slip * sample.sign < 1e-4 * largest_slip);
+      }
+    }
+    const double work = contact->creep() * contact->tangential_load() + 2 * contact->moment();
+    CHECK(std::fabs(contact->dissipation() - work) < 1e-7 * mu * load * length);
+    if (traction == 0) continue;
+    const auto back = fast::ZoneContact::solved(
+        {.beta = task.beta, .friction = mu, .load = load, .creep = contact->creep()}, contact->zones(), 14);
+    REQUIRE(back);
+    CHECK(std::fabs(back->tangential_load() - traction) < 1e-8 * mu * load);
+  }
+}
+
+TEST_CASE("with much friction the contact is that of full friction, with little that without") {
+  const data::ElasticMaterial material{1.5, 0.4};
+  const auto with = [&](double mu) {
+    return fast::partial_slip_for_length({{50, 2, material}, mu, GivenTraction{0}}, 1.5, 1e-9);
+  };
+  const auto full = fast::converged_for_length({50, 2, material}, data::Friction::full, 1.5, 1e-10);
+  const auto none = fast::converged_for_length({50, 2, material}, data::Friction::none, 1.5, 1e-10);
+  const auto apart = [](double a, const fast::Estimate& b) { return std::fabs(a / b.value - 1); };
+  const auto of_full = [&](double mu) { return apart(with(mu).creep_ratio().value, full.creep_ratio()); };
+  CHECK(of_full(0.5) < 0.1);
+  CHECK(of_full(2) < 1e-3 * of_full(0.2));
+  // The load differs by the shears' part, which is as small as the friction.
+  const double tenth = apart(with(1e-2).load().value, none.load()),
+               hundredth = apart(with(1e-3).load().value, none.load());
+  CHECK(tenth < 1e-2);
+  CHECK(hundredth == doctest::Approx(tenth / 10).epsilon(0.1));
+}
+
+TEST_CASE("equal elements tend to the contact as their width does") {
+  const fast::PartialSlipTask task{.beta = 0.25, .friction = 0.2, .load = 0.5, .traction = 0.06};
+  const double creep = fast::find_zones(task, 14)->creep();
+  const auto error = [&](int elements) {
+    return std::fabs(fast::element_contact(task, elements).creep / creep - 1);
+  };
+  CHECK(error(80) < 0.03);
+  CHECK(error(320) < 0.4 * error(80));
+}
+
+TEST_CASE(
+    "profiles meet the roller, stick and slip, and stated errors cover a contact solved to more digits") {
+  const data::PartialSlipNip nip = unit_nip(0.3, 0.2, GivenTraction{-0.1});
+  const auto rough = fast::partial_slip_for_load(nip, 1, 1e-5),
+             fine = fast::partial_slip_for_load(nip, 1, 1e-11);
+  const double depth = fine.indentation().value, creep = fine.creep_ratio().value;
+  const auto covered = [](const fast::Estimate& a, const fast::Estimate& b) {
+    CAPTURE(a.value);
+    CHECK(std::fabs(a.value - b.value) <= a.error + b.error);
+  };
+  for (const double y : {-2.0, -0.5, -0.31, -0.1, 0.0, 0.2, 0.45, 3.0}) {
+    CAPTURE(y);
+    const bool inside = y > -fine.trailing_length().value && y < fine.leading_length().value;
+    if (inside) CHECK(fine.normal_displacement(y).value == approx(depth - y * y / 100, 1e-10));
+    covered(rough.pressure(y), fine.pressure(y));
+    covered(rough.shear(y), fine.shear(y));
+    covered(rough.slip(y), fine.slip(y));
+    covered(rough.normal_displacement(y), fine.normal_displacement(y));
+    covered(rough.tangential_displacement(y), fine.tangential_displacement(y));
+    const double step = 1e-5, strain = (fine.tangential_displacement(y + step).value -
+                                        fine.tangential_displacement(y - step).value) /
+                                       (2 * step);
+    CHECK(std::fabs(fine.surface_strain(y).value - strain) < 1e-6);
+    CHECK(fine.slip(y).value == doctest::Approx(fine.surface_strain(y).value - creep).scale(1).epsilon(1e-9));
+  }
+  covered(rough.creep_ratio(), fine.creep_ratio());
+  covered(rough.contact_length(), fine.contact_length());
+  covered(rough.peak_shear(), fine.peak_shear());
+  covered(rough.peak_pressure(), fine.peak_pressure());
+  covered(rough.dissipation(), fine.dissipation());
+  for (std::size_t k = 0; k < fine.zone_boundaries().size(); ++k)
+    covered(rough.zone_boundaries()[k], fine.zone_boundaries()[k]);
+  CHECK(fine.dissipation().value ==
+        approx(-fine.traction().value * creep + fine.load().value * fine.rolling_resistance().value, 1e-8));
+}
+
+TEST_CASE("what friction cannot pass on, and other nonsense, is refused") {
+  const auto solve = [](double friction, const data::Drive& drive, double load) {
+    return
+        [=] { return fast::partial_slip_for_load(unit_nip(0.3, friction, drive), load, 1e-6).load().value; };
+  };
+  CHECK(contains(refusal_of(solve(0.1, GivenTraction{0.1}, 1)),
+                 "less in size than the friction coefficient times the load"));
+  CHECK(contains(refusal_of(solve(0, GivenTraction{0}, 1)), "friction_coefficient = 0"));
+  CHECK(contains(refusal_of(solve(0.1, GivenCreep{NAN}, 1)), "creep_ratio = nan"));
+  CHECK(contains(refusal_of(solve(0.1, GivenTraction{0}, 1e4)), "10 sheet thicknesses"));
+}
