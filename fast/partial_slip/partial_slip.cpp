@@ -24,8 +24,8 @@ constexpr double longest_contact = 10;  // L/B
 /// The natural logarithm of how much smaller the second discretisation's error is.
 constexpr double nats_apart = 3;
 
-/// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions their means over the contact, as next to boundaries
-/// that differ a little shears differ by the square root of that.
+/// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions at most, at
+/// corresponding places of their zones.
 struct Differences {
   double relative = 0, pressure = 0, shear = 0;
 };
@@ -43,10 +43,16 @@ Differences differences(const ZoneContact& first, const ZoneContact& second, con
   add(second.tangential_load() - first.tangential_load(), task.friction * load);
   add(second.creep() - first.creep(), std::max(length, std::fabs(second.creep())));
   for (const ZoneContact::Sample& sample : second.samples()) {
-    const double e = first.leading_length() - second.leading_length() + sample.e;
-    const Traction before = first.traction(e);
-    found.pressure += sample.weight / length * std::fabs(sample.pressure - before.pressure);
-    found.shear += sample.weight / length * std::fabs(sample.shear - before.shear);
+    double e = sample.e, start = 0;
+    for (int z = 0; z < sample.zone; ++z) {
+      e -= second.zones()[static_cast<std::size_t>(z)].length;
+      start += first.zones()[static_cast<std::size_t>(z)].length;
+    }
+    const auto zone = static_cast<std::size_t>(sample.zone);
+    const Traction before =
+        first.traction(start + e * first.zones()[zone].length / second.zones()[zone].length);
+    found.pressure = std::max(found.pressure, std::fabs(sample.pressure - before.pressure));
+    found.shear = std::max(found.shear, std::fabs(sample.shear - before.shear));
   }
   return found;
 }
@@ -115,19 +121,30 @@ struct PartialSlipNip::Implementation {
       return function(contact, contact.leading_length() - y / units.length);
     };
   }
-  [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit, double mean) const {
+  [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit, double largest) const {
     const auto number =
         at(y, [part](const ZoneContact& contact, double e) { return contact.traction(e).*part; });
     const double value = std::invoke(number, second), before = std::invoke(number, first);
     if (value == 0 && before == 0) return {0, 0};
-    return times(unit, {value, std::fabs(value - before) + mean});
+    // What rounding of the place does: next to ends and boundaries tractions are like roots.
+    const double e = second.leading_length() - y / units.length, shift = 0x1p-51 * length();
+    double rounding = 0;
+    for (const double place : {e - shift, e + shift})
+      rounding = std::max(rounding, std::fabs(second.traction(place).*part - value));
+    return times(unit, {value, std::fabs(value - before) + largest + rounding});
   }
-  /// Where a traction is flat it is known to rounding, its place to the root of that.
-  [[nodiscard]] Estimate peak_position(double Traction::*part) const {
+  /// As far as any place whose traction is as large but for twice its error; where it is flat it is known to rounding, its place
+  /// to the root of that.
+  [[nodiscard]] Estimate peak_position(double Traction::*part, double error) const {
     Estimate position = estimate(
         [part](const ZoneContact& contact) { return contact.leading_length() - peak(contact, part).e; },
         units.length, length());
-    position.error += 0x1p-26 * units.length * length();
+    const Peak largest = peak(second, part);
+    double farthest = 0x1p-26 * length();
+    for (const ZoneContact::Sample& sample : second.samples())
+      if (std::fabs(second.traction(sample.e).*part) >= largest.size - 2 * error)
+        farthest = std::max(farthest, std::fabs(sample.e - largest.e));
+    position.error += units.length * farthest;
     return position;
   }
 };
@@ -199,34 +216,46 @@ Estimate PartialSlipNip::dissipation() const {
 
 Estimate PartialSlipNip::peak_pressure() const {
   const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::pressure).size; },
-                     my.units.pressure, my.second.load() / my.length());
+  Estimate size =
+      my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::pressure).size; },
+                  my.units.pressure, 0);
+  size.error += my.units.pressure * my.apart.pressure;
+  return size;
 }
 
 Estimate PartialSlipNip::peak_pressure_position() const {
-  return implementation_->peak_position(&Traction::pressure);
+  return implementation_->peak_position(&Traction::pressure, implementation_->apart.pressure);
 }
 
 Estimate PartialSlipNip::peak_shear() const {
   const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::shear).size; },
-                     my.units.pressure, my.task.friction * my.second.load() / my.length());
+  Estimate size = my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::shear).size; },
+                              my.units.pressure, 0);
+  size.error += my.units.pressure * my.apart.shear;
+  return size;
 }
 
 Estimate PartialSlipNip::peak_shear_position() const {
-  return implementation_->peak_position(&Traction::shear);
+  return implementation_->peak_position(&Traction::shear, implementation_->apart.shear);
 }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const Implementation& my = *implementation_;
+  const std::vector<Zone>& zones = my.second.zones();
+  // See ZoneMesh::smooth_reach.
+  const double reach = ZoneMesh::smooth_reach(my.nats + nats_apart);
+  const double of_smooth = std::exp(-reach) + 0x1p-50 * std::exp(reach);
   std::vector<Estimate> all;
-  for (std::size_t k = 0; k <= my.second.zones().size(); ++k) {
+  for (std::size_t k = 0; k <= zones.size(); ++k) {
     const auto boundary = [k](const ZoneContact& contact) {
       double e = 0;
       for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
       return contact.leading_length() - e;
     };
     all.push_back(my.estimate(boundary, my.units.length, my.length()));
+    const bool is_inside = k > 0 && k < zones.size();
+    if (is_inside && zones[k - 1].sign != 0)
+      all.back().error += my.units.length * of_smooth * std::max(zones[k - 1].length, zones[k].length);
   }
   return all;
 }

@@ -18,8 +18,9 @@ namespace nipref::fast {
 /// Errors: the contact is solved twice, by two discretisations (internal/zone_mesh.hpp), the second with an error some
 /// twenty times smaller. A number J is that of the second; its error is |J_2 - J_1| and, as these may agree by chance,
 /// the largest relative difference of the contact's length, place, load, traction and creep times the size of numbers like J,
-/// of tractions their mean difference. Zones too short for the second's accuracy are left out: the mean by which conditions of
-/// stick and slip are not met, relative, adds to that difference.
+/// of tractions the largest difference at corresponding places. Zones too short for the second's accuracy are left out: the mean by which conditions of
+/// stick and slip are not met, relative, adds to that difference. Boundaries where slip turns into stick are known to some
+/// 1e-7 of their zones' lengths.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;

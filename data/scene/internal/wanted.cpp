@@ -30,6 +30,9 @@ struct NeedsCheck {
   void operator()(const ElasticNipProblem& problem) const { check(problem, problem.friction); }
   void operator()(const ViscoelasticNipProblem& problem) const { check(problem, Friction::none); }
   void operator()(const PartialSlipProblem&) const {
+    if (result.id == ResultId::power_loss)
+      origin.refuse(key, result.name,
+                    "must be left out: the scene has no speed; dissipation is power over speed");
     if (result.needs != Needs::converged && result.needs != Needs::partial_slip &&
         result.id != ResultId::peak_shear_position)
       origin.refuse(key, result.name, "must be left out: it is not computed with Coulomb's friction");

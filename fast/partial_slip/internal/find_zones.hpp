@@ -11,7 +11,8 @@ namespace nipref::fast {
 /// zone of slip at an end that is shorter than e^-nats of its neighbour is left out.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
 /// The same from zones that are nearly right.
-std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats);
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::vector<Zone>& zones,
+                                      double nats);
 
 /// The mean over a contact of the shear beyond friction where it sticks, over friction, and of slip along the shear over the
 /// largest slip: 0 in the contact itself.

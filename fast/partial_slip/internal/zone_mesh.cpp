@@ -10,16 +10,13 @@ namespace {
 using std::numbers::pi;
 /// Half-thicknesses: the kernels less their Cauchy parts are analytic for |Im alpha| < 2.
 constexpr double longest_panel = 3;
-/// Of the Gaussian, in steps: 0.7 of the frequencies below Nyquist's pass to erfc(0.3 pi 7/sqrt 2) = 3e-11.
-constexpr double window = 7;
-constexpr int window_nodes = 45;
 /// Of s: e^-72 of a panel from its end.
 constexpr double farthest = 72;
 
 /// Steps from 0 to 1, flat at both.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
-double interpolation_weight(double steps) {
+double interpolation_weight(double steps, double window) {
   if (steps == 0) return 1;
   return std::sin(pi * steps) / (pi * steps) * std::exp(-steps * steps / (2 * window * window));
 }
@@ -27,7 +24,8 @@ double interpolation_weight(double steps) {
 }  // namespace
 
 ZoneMesh::ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats)
-    : step_(0.7 * pi * pi / nats), friction_(task.friction) {
+    // 0.7 of the frequencies below Nyquist's pass to erfc(0.3 pi window/sqrt 2), about e^(-2 nats).
+    : step_(0.7 * pi * pi / nats), window_(2 * std::sqrt(nats) / (0.3 * pi)), friction_(task.friction) {
   cut(zones);
   set_ends(task, nats);
   number();
@@ -89,10 +87,12 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
     return result;
   }
   const Panel& other = panels_[is_right ? panel + 1 : panel - 1];
-  result.reach += std::max(0.0, std::log(own.length / other.length));
+  const double next_to_shorter = std::max(0.0, std::log(own.length / other.length));
+  const bool sticks_then_slips = other.zone != own.zone && (own.sign == 0) == is_right;
+  if (!sticks_then_slips) result.reach = smooth_reach(nats);
+  result.reach += next_to_shorter;
   if (other.zone == own.zone) return result;
   const double a = shift(own.sign + other.sign);
-  const bool sticks_then_slips = (own.sign == 0) == is_right;
   if (sticks_then_slips)
     result.pressure_power = result.shear_power = 0.5 - a;
   else
@@ -100,6 +100,8 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   result.extra = own.sign == 0 && !sticks_then_slips;
   return result;
 }
+
+double ZoneMesh::smooth_reach(double nats) { return std::min(0.9 * nats, 16.0); }
 
 void ZoneMesh::number() {
   const int beyond = nodes_beyond();
@@ -199,8 +201,10 @@ ZoneMesh::Shares ZoneMesh::shares(const Point& point) const {
   if (std::fabs(steps - nearest) < 1e-9) {
     add_node(panel, nearest, 1, shares);
   } else {
-    for (int j = nearest - window_nodes; j <= nearest + window_nodes; ++j)
-      add_node(panel, j, interpolation_weight(steps - j), shares);
+    // The Gaussian's tail is e^-20.
+    const int most = static_cast<int>(std::ceil(6.4 * window_));
+    for (int j = nearest - most; j <= nearest + most; ++j)
+      add_node(panel, j, interpolation_weight(steps - j, window_), shares);
   }
   add_shear_of_step(panel, point, shares);
   return shares;

@@ -42,6 +42,11 @@ class ZoneMesh {
   /// nats: -ln of the accuracy that it is made for.
   ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats);
 
+  /// Where the powers begin next to joints of panels and to boundaries where slip turns into stick, in -ln of t over the panel's
+  /// length. They leave out what is smaller by t; and that t^(1/2 + a) has no part is seen in what is e^-reach of the tractions, so
+  /// that rounding shifts the boundary by e^reach of itself. Both meet at about 16.
+  [[nodiscard]] static double smooth_reach(double nats);
+
   /// The same unknowns over zones of other lengths.
   void stretch_to(const std::vector<Zone>& zones);
 
@@ -91,7 +96,9 @@ class ZoneMesh {
   void add_node(const Panel& panel, int node, double factor, Shares& shares) const;
   void add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const;
 
-  double step_, friction_;
+  double step_;
+  double window_;  ///< of the Gaussian, in steps
+  double friction_;
   std::vector<Panel> panels_;
   std::vector<std::vector<double>> gaps_;  ///< from a panel's right end to a later one's left end
   std::vector<Point> nodes_, midpoints_;
