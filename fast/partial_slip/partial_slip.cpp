@@ -111,7 +111,10 @@ struct PartialSlipNip::Implementation {
 
   [[nodiscard]] Estimate estimate(const auto& number, double unit, double scale) const {
     const double value = std::invoke(number, second);
-    return times(unit, {value, std::fabs(value - std::invoke(number, first)) + apart.relative * scale});
+    // A number is a sum over the nodes, each of which rounds.
+    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns());
+    return times(
+        unit, {value, std::fabs(value - std::invoke(number, first)) + (apart.relative + rounding) * scale});
   }
   [[nodiscard]] double length() const { return second.length(); }
   /// Its value at Y, of a function of e.
@@ -133,7 +136,7 @@ struct PartialSlipNip::Implementation {
       rounding = std::max(rounding, std::fabs(second.traction(place).*part - value));
     return times(unit, {value, std::fabs(value - before) + largest + rounding});
   }
-  /// As far as any place whose traction is as large but for twice its error; where it is flat it is known to rounding, its place
+  /// As far as any place whose traction is as large but for twice its error and rounding; where it is flat it is known to rounding, its place
   /// to the root of that.
   [[nodiscard]] Estimate peak_position(double Traction::*part, double error) const {
     Estimate position = estimate(
@@ -142,7 +145,7 @@ struct PartialSlipNip::Implementation {
     const Peak largest = peak(second, part);
     double farthest = 0x1p-26 * length();
     for (const ZoneContact::Sample& sample : second.samples())
-      if (std::fabs(second.traction(sample.e).*part) >= largest.size - 2 * error)
+      if (std::fabs(second.traction(sample.e).*part) >= (1 - 0x1p-40) * largest.size - 2 * error)
         farthest = std::max(farthest, std::fabs(sample.e - largest.e));
     position.error += units.length * farthest;
     return position;
@@ -210,8 +213,12 @@ Estimate PartialSlipNip::rolling_resistance() const {
 
 Estimate PartialSlipNip::dissipation() const {
   const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::dissipation, my.units.load * my.units.creep,
-                     my.task.friction * my.second.load() * my.length());
+  Estimate lost = my.estimate(&ZoneContact::dissipation, my.units.load * my.units.creep,
+                              my.task.friction * my.second.load() * my.length());
+  // What the rollers put in, which is the same, is computed otherwise.
+  const double put_in = my.second.creep() * my.second.tangential_load() + 2 * my.second.moment();
+  lost.error += my.units.load * my.units.creep * std::fabs(my.second.dissipation() - put_in);
+  return lost;
 }
 
 Estimate PartialSlipNip::peak_pressure() const {
