@@ -78,8 +78,6 @@ struct PartialSlipProblem {
   std::variant<ConvergedMethod> method = {};
   /// Needed if a profile is wanted.
   std::optional<Profile> profile = {};
-  /// As above.
-  std::optional<FieldPlaces> field = {};
 };
 
 struct Scene {

@@ -30,7 +30,6 @@ struct Differences {
   double relative = 0, pressure = 0, shear = 0;
 };
 
-/// The second contact less the first at the second's places, which count from the lines through the rollers' centres.
 Differences differences(const ZoneContact& first, const ZoneContact& second, const PartialSlipTask& task) {
   const double length = second.length(), load = second.load();
   Differences found{wrongness(second, task.friction)};
@@ -136,8 +135,8 @@ struct PartialSlipNip::Implementation {
       rounding = std::max(rounding, std::fabs(second.traction(place).*part - value));
     return times(unit, {value, std::fabs(value - before) + largest + rounding});
   }
-  /// As far as any place whose traction is as large but for twice its error and rounding; where it is flat it is known to rounding, its place
-  /// to the root of that.
+  /// Its error reaches to any place whose traction is as large but for twice its error and rounding. Where a traction is
+  /// flat it is known to rounding, and its place to the root of that.
   [[nodiscard]] Estimate peak_position(double Traction::*part, double error) const {
     Estimate position = estimate(
         [part](const ZoneContact& contact) { return contact.leading_length() - peak(contact, part).e; },
@@ -328,9 +327,7 @@ bool PartialSlipNip::refine() {
   return true;
 }
 
-Work PartialSlipNip::work() const {
-  return {.systems = 2, .unknowns = static_cast<int>(implementation_->second.unknowns())};
-}
+Work PartialSlipNip::work() const { return *implementation_->task.work; }
 
 namespace {
 

@@ -16,11 +16,11 @@ namespace nipref::fast {
 /// value, unit of length; otherwise BadInput. Shears act on the sheet along Y.
 ///
 /// Errors: the contact is solved twice, by two discretisations (internal/zone_mesh.hpp), the second with an error some
-/// twenty times smaller. A number J is that of the second; its error is |J_2 - J_1| and, as these may agree by chance,
-/// the largest relative difference of the contact's length, place, load, traction and creep times the size of numbers like J,
-/// of tractions the largest difference at corresponding places. Zones too short for the second's accuracy are left out: the mean by which conditions of
-/// stick and slip are not met, relative, adds to that difference. Boundaries where slip turns into stick are known to some
-/// 1e-7 of their zones' lengths.
+/// twenty times smaller. A number J is that of the second. Its error is |J_2 - J_1| and, as these may agree by chance, the
+/// largest relative difference of the contact's length, place, load, traction and creep times the size of numbers like J, or
+/// for tractions their largest difference at corresponding places. To these come the rounding of sums and of places. Zones
+/// too short for the second's accuracy are left out: the mean by which conditions of stick and slip are not met, relative,
+/// adds to that difference. Boundaries where slip turns into stick are known to some 1e-7 of their zones' lengths.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;
@@ -58,7 +58,7 @@ class PartialSlipNip {
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
   /// Solves with more unknowns, from which on all results are computed; false where the most are reached.
   bool refine();
-  [[nodiscard]] Work work() const;
+  [[nodiscard]] Work work() const;  ///< systems and unknowns, with those of the search for the zones
 
   struct Implementation;
   explicit PartialSlipNip(std::unique_ptr<Implementation> implementation);

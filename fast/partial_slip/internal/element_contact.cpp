@@ -116,6 +116,7 @@ class ActiveSet {
     right(creep) = task_.creep ? *task_.creep : *task_.traction;
     if (task_.creep) matrix.row(creep) = RowVectorXd::Unit(unknowns_, creep);
     solution_ = linear_solution(matrix, right);
+    ++task_.work->systems;
     creep_ = solution_(creep);
   }
 

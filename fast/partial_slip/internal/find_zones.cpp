@@ -85,7 +85,7 @@ class Excess {
 /// The parts where a contact is not what it should be, but for what its accuracy leaves.
 std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, double nats) {
   const double tolerance = std::exp(-0.6 * nats);
-  const std::vector<ZoneContact::Sample> samples = contact.samples();
+  const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const Excess excess(samples, friction);
   std::vector<Part> parts;
   bool goes_on = false;
@@ -124,7 +124,8 @@ Zones with(const Zones& zones, const Part& part) {
     const double end = start + zone.length;
     const double from = std::clamp(part.from, start, end), to = std::clamp(part.to, start, end);
     // A part that begins or ends with the zone has no midpoint there.
-    const bool is_first = from<start + 0.05 * zone.length, is_last = to> end - 0.05 * zone.length;
+    const double margin = 0.05 * zone.length;
+    const bool is_first = from - start < margin, is_last = end - to < margin;
     if (to > from) {
       add(is_first ? 0 : from - start, zone.sign);
       add((is_last ? end : to) - (is_first ? start : from), part.sign);
@@ -141,8 +142,7 @@ Zones with(const Zones& zones, const Part& part) {
 Zones mended(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task) {
   const double last = zones.back().length;
   const int sign = zones.back().sign;
-  double length = 0;
-  for (const Zone& zone : zones) length += zone.length;
+  const double length = length_of(zones);
   const bool turns = sign != 0 && parts.back().sign == 0 && parts.back().to > length - 1e-3 * last;
   for (const Part& part : parts)
     if (!turns || part.from < length - last) zones = with(zones, part);
@@ -167,9 +167,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::ve
     auto contact = ZoneContact::solved(task, zones, nats, &last);
     if (!contact) {
       const auto smallest = std::ranges::min_element(last, {}, &Zone::length);
-      double sum = 0;
-      for (const Zone& zone : last) sum += zone.length;
-      if (last.size() < 2 || smallest->length > 1e-3 * sum) return std::nullopt;
+      if (last.size() < 2 || smallest->length > 1e-3 * length_of(last)) return std::nullopt;
       remove(last, static_cast<std::size_t>(smallest - last.begin()));
       separate_slips(last);
       zones = std::move(last);
@@ -194,7 +192,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
 }
 
 double wrongness(const ZoneContact& contact, double friction) {
-  const std::vector<ZoneContact::Sample> samples = contact.samples();
+  const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const Excess excess(samples, friction);
   double sum = 0;
   for (const auto& sample : samples) sum += sample.weight / contact.length() * excess(sample);

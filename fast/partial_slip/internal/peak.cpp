@@ -7,7 +7,7 @@
 namespace nipref::fast {
 
 Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part) {
-  const std::vector<ZoneContact::Sample> samples = contact.samples();
+  const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const auto size_at = [&](double e) { return std::fabs(contact.traction(e).*part); };
   const auto largest =
       std::ranges::max_element(samples, {}, [&](const auto& sample) { return size_at(sample.e); });

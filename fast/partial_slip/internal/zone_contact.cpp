@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/partial_slip/internal/zone_contact.hpp>
@@ -18,21 +17,16 @@ using std::numbers::pi;
 /// Of |s|: weights beyond are e^-36 of a panel.
 constexpr double far = 36;
 
-double sum_of(const std::vector<Zone>& zones) {
-  return std::accumulate(zones.begin(), zones.end(), 0.0,
-                         [](double sum, const Zone& zone) { return sum + zone.length; });
-}
-
 }  // namespace
 
 ZoneContact::ZoneContact(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats)
-    : task_(task), zones_(zones), mesh_(zones, task, nats), kernels_(3 * sum_of(zones)) {}
+    : task_(task), zones_(zones), mesh_(zones, task, nats), kernels_(3 * length_of(zones)) {}
 
 bool ZoneContact::sticks_everywhere() const {
   return zones_.size() == 1 && zones_.front().sign == 0 && task_.traction == 0.0;
 }
 
-double ZoneContact::length() const { return sum_of(zones_); }
+double ZoneContact::length() const { return length_of(zones_); }
 
 ZoneContact::Traction ZoneContact::traction_at(const ZoneMesh::Point& point) const {
   Traction sum{0, 0};
@@ -160,7 +154,9 @@ bool ZoneContact::iterate() {
   const double longest = 2 * length();
   unknowns_ = least_squares(now.matrix, now.right);
   double last_step = std::numeric_limits<double>::infinity();
+  task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(now.matrix.rows()));
   for (int iteration = 0; iteration < 30; ++iteration) {
+    ++task_.work->systems;
     const Index own = unknowns_.size();
     Eigen::MatrixXd jacobian(now.matrix.rows(), now.matrix.rows());
     jacobian << now.matrix, by_lengths();
@@ -190,6 +186,7 @@ std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, cons
   const bool found = contact.iterate();
   if (last != nullptr) *last = contact.zones_;
   if (!found) return std::nullopt;
+  contact.take_samples();
   return contact;
 }
 
@@ -217,73 +214,83 @@ ZoneContact::Traction ZoneContact::traction(double e) const {
   return traction_at(mesh_.point_at(e));
 }
 
-ZoneContact::Sums ZoneContact::acting(double distance, double weight, const Traction& traction) const {
-  const double p = weight * traction.pressure, q = weight * traction.shear;
-  // coupling is I3/pi less its jump, whose derivative is the local term of the strains.
+ZoneContact::Displacement ZoneContact::displacement_under(double distance, const Traction& load) const {
+  // I3/pi less its jump, whose derivative is the local term of the strains.
   const double coupling = (I3(distance) - std::copysign(task_.beta * pi / 2, distance)) / pi;
-  constexpr auto first = data::Derivative::first;
-  return {(I1(distance) / pi) * p - coupling * q, coupling * p + (I6(distance, 0) / pi) * q,
-          vn_slope(distance, first) * p + vs_slope(distance, first) * q};
+  return {I1(distance) / pi * load.pressure - coupling * load.shear,
+          coupling * load.pressure + I6(distance, 0) / pi * load.shear};
 }
 
-ZoneContact::Sums ZoneContact::sums_beyond(int panel, double e) const {
-  Sums sums{0, 0, 0};
+double ZoneContact::strain_under(double distance, const Traction& load) {
+  constexpr auto first = data::Derivative::first;
+  return vn_slope(distance, first) * load.pressure + vs_slope(distance, first) * load.shear;
+}
+
+template <class Add>
+void ZoneContact::for_nodes_beyond(int panel, double e, const Add& add) const {
   for (const ZoneMesh::Point& node : mesh_.nodes()) {
+    // The nodes next to the trailing end round to it; their weights are nothing.
     const double distance = e - mesh_.place(node);
-    if (node.panel != panel && distance != 0) sums += acting(distance, mesh_.weight(node), traction_at(node));
+    if (node.panel != panel && distance != 0) add(distance, mesh_.weight(node) * traction_at(node));
   }
-  return sums;
 }
 
 double ZoneContact::strain(double e) const {
-  if (!(e > 0 && e < length())) return sums_beyond(-1, e).strain;
+  double strain = 0;
+  const auto add = [&](double distance, const Traction& load) { strain += strain_under(distance, load); };
+  if (!(e > 0 && e < length())) {
+    for_nodes_beyond(-1, e, add);
+    return strain;
+  }
   const ZoneMesh::Point point = mesh_.point_at(e);
   if (mesh_.sign(point) == 0) return creep();
+  for_nodes_beyond(point.panel, e, add);
   // Nodes on both sides of the place, so that it lies midway between two.
-  double strain = sums_beyond(point.panel, e).strain - task_.beta * traction_at(point).pressure;
   for (const int side : {-1, 1}) {
     for (int j = 0; j * mesh_.step() < 2 * far; ++j) {
       const ZoneMesh::Point node{point.panel, point.s + side * (j + 0.5) * mesh_.step()};
-      if (std::fabs(node.s) < far)
-        strain += acting(mesh_.distance(point, node), mesh_.weight(node), traction_at(node)).strain;
+      if (std::fabs(node.s) < far) add(mesh_.distance(point, node), mesh_.weight(node) * traction_at(node));
     }
   }
-  return strain;
+  return strain - task_.beta * traction_at(point).pressure;
 }
 
 ZoneContact::Displacement ZoneContact::displacement(double e) const {
+  Displacement sum{0, 0};
+  const auto add = [&](double distance, const Traction& load) {
+    const Displacement part = displacement_under(distance, load);
+    sum.normal += part.normal;
+    sum.along += part.along;
+  };
   const bool is_inside = e > 0 && e < length();
   const int panel = is_inside ? mesh_.point_at(e).panel : -1;
-  Sums sums = sums_beyond(panel, e);
-  if (is_inside) {
-    // The logarithm at the place asks for nodes that crowd there from both sides.
-    for (const double end : {mesh_.place({panel, -2 * far}), mesh_.place({panel, 2 * far})}) {
-      const double length = std::fabs(end - e);
-      for (double s = -far; length > 0 && s < far; s += mesh_.step()) {
-        const ZoneMesh::Point node{panel, s};
-        sums += acting(std::copysign(length * node.left, e - end),
-                       length * mesh_.step() * node.left * node.right, traction(e + (end - e) * node.left));
-      }
+  for_nodes_beyond(panel, e, add);
+  if (!is_inside) return sum;
+  // The logarithm at the place asks for nodes that crowd there from both sides.
+  for (const double end : {mesh_.place({panel, -2 * far}), mesh_.place({panel, 2 * far})}) {
+    const double length = std::fabs(end - e);
+    for (double s = -far; length > 0 && s < far; s += mesh_.step()) {
+      const ZoneMesh::Point node{panel, s};
+      add(std::copysign(length * node.left, e - end),
+          length * mesh_.step() * node.left * node.right * traction(e + (end - e) * node.left));
     }
   }
-  return {sums.normal, sums.along};
+  return sum;
 }
 
-std::vector<ZoneContact::Sample> ZoneContact::samples() const {
+void ZoneContact::take_samples() {
   const Eigen::VectorXd along = strains().along * unknowns_.head(mesh_.unknowns());
-  std::vector<Sample> all;
   for (std::size_t i = 0; i < mesh_.midpoints().size(); ++i) {
     const ZoneMesh::Point point = mesh_.midpoints()[i];
     const auto [p, q] = traction_at(point);
-    all.push_back({point, mesh_.zone(point), mesh_.sign(point), mesh_.place(point), mesh_.weight(point), p, q,
-                   along(static_cast<Index>(i)) - creep()});
+    samples_.push_back({point, mesh_.zone(point), mesh_.sign(point), mesh_.place(point), mesh_.weight(point),
+                        p, q, along(static_cast<Index>(i)) - creep()});
   }
-  return all;
 }
 
 double ZoneContact::dissipation() const {
   double sum = 0;
-  for (const Sample& sample : samples())
+  for (const Sample& sample : samples_)
     if (sample.sign != 0) sum -= sample.weight * sample.shear * sample.slip;
   return sum;
 }

@@ -38,6 +38,9 @@ class ZoneContact {
 
   struct Traction {
     double pressure, shear;
+    friend Traction operator*(double factor, const Traction& traction) {
+      return {factor * traction.pressure, factor * traction.shear};
+    }
   };
   /// 0 outside.
   [[nodiscard]] Traction traction(double e) const;
@@ -55,7 +58,7 @@ class ZoneContact {
     int zone, sign;
     double e, weight, pressure, shear, slip;
   };
-  [[nodiscard]] std::vector<Sample> samples() const;
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
  private:
   ZoneContact(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats);
@@ -70,20 +73,16 @@ class ZoneContact {
   [[nodiscard]] Equations equations() const;
   /// The derivatives of the equations' left sides less their right ones by the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::MatrixXd by_lengths() const;
-  /// u, v and v' but for the local term, under the traction at a distance.
-  struct Sums {
-    double normal, along, strain;
-    Sums& operator+=(const Sums& other) {
-      normal += other.normal, along += other.along, strain += other.strain;
-      return *this;
-    }
-  };
-  [[nodiscard]] Sums acting(double distance, double weight, const Traction& traction) const;
-  /// Of all panels but one.
-  [[nodiscard]] Sums sums_beyond(int panel, double e) const;
+  [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;
+  /// But for the local term.
+  [[nodiscard]] static double strain_under(double distance, const Traction& load);
+  /// Calls add(distance, weight times traction) for the nodes of all panels but one.
+  template <class Add>
+  void for_nodes_beyond(int panel, double e, const Add& add) const;
   [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
   void add_integrals(Equations& equations, Eigen::Index row) const;
   bool iterate();
+  void take_samples();
   /// Then there is no traction, by symmetry, which is an equation less.
   [[nodiscard]] bool sticks_everywhere() const;
 
@@ -92,6 +91,7 @@ class ZoneContact {
   ZoneMesh mesh_;
   SlopeKernels kernels_;
   Eigen::VectorXd unknowns_;  ///< those of the mesh, L1, creep
+  std::vector<Sample> samples_;
 };
 
 }  // namespace nipref::fast

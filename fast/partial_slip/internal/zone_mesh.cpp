@@ -8,6 +8,7 @@ namespace nipref::fast {
 namespace {
 
 using std::numbers::pi;
+
 /// Half-thicknesses: the kernels less their Cauchy parts are analytic for |Im alpha| < 2.
 constexpr double longest_panel = 3;
 /// Of s: e^-72 of a panel from its end.
@@ -78,7 +79,7 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   const auto shift = [&](int sign) { return std::atan(task.beta * task.friction * sign) / pi; };
   const Panel& own = panels_[panel];
   const bool at_end = is_right ? panel + 1 == panels_.size() : panel == 0;
-  // What the powers leave out is smaller by t^1.6 or so.
+  // What the powers leave out is smaller than they are by t.
   PanelEnd result{1, 1, 0.9 * nats, -1, -1, false};
   if (at_end) {
     result.pressure_power = result.shear_power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
@@ -201,8 +202,8 @@ ZoneMesh::Shares ZoneMesh::shares(const Point& point) const {
   if (std::fabs(steps - nearest) < 1e-9) {
     add_node(panel, nearest, 1, shares);
   } else {
-    // The Gaussian's tail is e^-20.
-    const int most = static_cast<int>(std::ceil(6.4 * window_));
+    // Here the Gaussian has fallen to e^(-2 nats), too.
+    const int most = static_cast<int>(std::ceil(0.3 * pi * window_ * window_));
     for (int j = nearest - most; j <= nearest + most; ++j)
       add_node(panel, j, interpolation_weight(steps - j, window_), shares);
   }

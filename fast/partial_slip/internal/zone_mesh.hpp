@@ -42,9 +42,9 @@ class ZoneMesh {
   /// nats: -ln of the accuracy that it is made for.
   ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats);
 
-  /// Where the powers begin next to joints of panels and to boundaries where slip turns into stick, in -ln of t over the panel's
-  /// length. They leave out what is smaller by t; and that t^(1/2 + a) has no part is seen in what is e^-reach of the tractions, so
-  /// that rounding shifts the boundary by e^reach of itself. Both meet at about 16.
+  /// Where the powers begin next to joints of panels and to boundaries where slip turns into stick: -ln of t over the
+  /// panel's length. The powers leave out what is smaller by t. That t^(1/2 + a) has no part is seen in tractions e^-reach
+  /// of the others, so that rounding shifts the boundary by e^reach of itself. Both errors are alike at about 16.
   [[nodiscard]] static double smooth_reach(double nats);
 
   /// The same unknowns over zones of other lengths.

@@ -1,6 +1,9 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
+
+#include <nipref/fast/nip/work.hpp>
 
 namespace nipref::fast {
 
@@ -11,12 +14,19 @@ struct Zone {
   int sign;       ///< of the shear along the motion where it slips, 0 where it sticks
 };
 
+inline double length_of(const std::vector<Zone>& zones) {
+  double sum = 0;
+  for (const Zone& zone : zones) sum += zone.length;
+  return sum;
+}
+
 /// What determines a contact with partial slip, dimensionless as in NipEquations, shear and strain along e: one of load
 /// and length, and one of traction and creep.
 struct PartialSlipTask {
   double beta;      ///< theta2/N
   double friction;  ///< mu
   std::optional<double> load = {}, length = {}, traction = {}, creep = {};
+  std::shared_ptr<Work> work = std::make_shared<Work>();  ///< grows with each system that is solved for it
 };
 
 }  // namespace nipref::fast
