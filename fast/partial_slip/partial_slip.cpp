@@ -143,9 +143,13 @@ struct PartialSlipNip::Implementation {
         units.length, length());
     const Peak largest = peak(second, part);
     double farthest = 0x1p-26 * length();
+    const auto count = [&](const Peak& one) {
+      if (one.size >= (1 - 0x1p-40) * largest.size - 2 * error)
+        farthest = std::max(farthest, std::fabs(one.e - largest.e));
+    };
+    std::ranges::for_each(peaks(second, part), count);
     for (const ZoneContact::Sample& sample : second.samples())
-      if (std::fabs(second.traction(sample.e).*part) >= (1 - 0x1p-40) * largest.size - 2 * error)
-        farthest = std::max(farthest, std::fabs(sample.e - largest.e));
+      count({std::fabs(second.traction(sample.e).*part), sample.e});
     position.error += units.length * farthest;
     return position;
   }

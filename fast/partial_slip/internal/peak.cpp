@@ -6,23 +6,30 @@
 
 namespace nipref::fast {
 
-Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part) {
+std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction::*part) {
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const auto size_at = [&](double e) { return std::fabs(contact.traction(e).*part); };
-  const auto largest =
-      std::ranges::max_element(samples, {}, [&](const auto& sample) { return size_at(sample.e); });
-  const double left = largest == samples.begin() ? 0 : std::prev(largest)->e;
-  const double right = std::next(largest) == samples.end() ? contact.length() : std::next(largest)->e;
-  const auto [e, negative] =
-      boost::math::tools::brent_find_minima([&](double place) { return -size_at(place); }, left, right, 30);
-  Peak peak{-negative, e};
-  // At a boundary of zones it may have a cusp.
+  // The ends of the contact, where tractions are 0, and all samples.
+  std::vector<Peak> places{{0, 0}};
+  for (const ZoneContact::Sample& sample : samples) places.push_back({size_at(sample.e), sample.e});
+  places.push_back({0, contact.length()});
+  std::vector<Peak> found;
+  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+    if (places[i].size < places[i - 1].size || places[i].size < places[i + 1].size) continue;
+    const auto [e, negative] = boost::math::tools::brent_find_minima(
+        [&](double place) { return -size_at(place); }, places[i - 1].e, places[i + 1].e, 30);
+    found.push_back({-negative, e});
+  }
   double boundary = 0;
   for (const Zone& zone : contact.zones()) {
     boundary += zone.length;
-    if (size_at(boundary) >= peak.size) peak = {size_at(boundary), boundary};
+    found.push_back({size_at(boundary), boundary});
   }
-  return peak;
+  return found;
+}
+
+Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part) {
+  return std::ranges::max(peaks(contact, part), {}, &Peak::size);
 }
 
 }  // namespace nipref::fast

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include <nipref/fast/partial_slip/internal/zone_contact.hpp>
 
 namespace nipref::fast {
@@ -7,7 +9,10 @@ struct Peak {
   double size, e;
 };
 
-/// The largest size of a traction in the contact and where it is.
+/// The local maxima of a traction's size in the contact, and its size at the boundaries of zones, where it may have cusps.
+std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction::*part);
+
+/// The largest of them.
 Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part);
 
 }  // namespace nipref::fast

@@ -178,6 +178,20 @@ TEST_CASE(
         approx(-fine.traction().value * creep + fine.load().value * fine.rolling_resistance().value, 1e-8));
 }
 
+TEST_CASE("no traction is larger than the peak, and the two humps of a shear are told apart") {
+  // The larger hump has the smaller samples.
+  const double load = fast::load_guess(0.972);
+  const auto nip =
+      fast::partial_slip_for_load(unit_nip(0.1742793, 0.76, GivenTraction{-1e-4 * load}), load, 1e-4);
+  const double leading = nip.leading_length().value, length = nip.contact_length().value;
+  double largest = 0;
+  for (int i = 1; i < 4000; ++i)
+    largest = std::max(largest, std::fabs(nip.shear(leading - i * length / 4000).value));
+  CHECK(nip.peak_shear().value >= largest * (1 - 1e-6));
+  const fast::Estimate there = nip.shear(nip.peak_shear_position().value);
+  CHECK(std::fabs(there.value) == approx(nip.peak_shear().value, 1e-6));
+}
+
 TEST_CASE("what friction cannot pass on, and other nonsense, is refused") {
   const auto solve = [](double friction, const data::Drive& drive, double load) {
     return
