@@ -80,8 +80,7 @@ PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& o
       .nip = {read_nip(file), friction.number("coefficient"), read_drive(file.table("traction"), origin)},
       .given = read_given(file, origin)};
   if (file.has("field")) origin.refuse("field", "(its keys)", "must be left out with Coulomb's friction");
-  if (!is_converged(file.table("method")))
-    origin.refuse("method.kind", "line-loads", "must be converged with Coulomb's friction");
+  problem.method = read_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
   return problem;
 }

@@ -18,6 +18,8 @@ namespace {
 // and for each number of trailing elements that a search tries; a profile's point costs all elements.
 constexpr int most_unknowns_for_length = 4001, most_unknowns_for_load = 2001;
 constexpr int most_viscoelastic_elements = 500, most_elements_searched = 200;
+// With Coulomb's friction up to sixty systems of four unknowns for each.
+constexpr int most_elements_with_slip = 250;
 constexpr int most_elements_times_points = 10'000'000, most_viscoelastic_elements_times_points = 100'000;
 
 /// The nip's own checks name its C++ members.
@@ -102,6 +104,19 @@ struct MethodCheck {
   }
 };
 
+/// Elements that press are found under a load.
+void check_line_loads_with_slip(const PartialSlipProblem& problem, const SceneOrigin& origin) {
+  const auto* const loads = std::get_if<LineLoads>(&problem.method);
+  if (loads == nullptr) return;
+  require_whole(loads->leading_elements, 1, most_elements_with_slip, origin, "method.leading_elements");
+  require(loads->residue_terms == 0, origin, "method.residue_terms", loads->residue_terms,
+          "must be 0 with Coulomb's friction");
+  if (const auto* const length = std::get_if<GivenLength>(&problem.given))
+    origin.refuse(
+        "contact.length", length->contact_length,
+        "must be load.per_length instead: line loads with Coulomb's friction have a length of elements");
+}
+
 /// The thesis searches for m2 at a given load only.
 void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
   const auto* loads = std::get_if<ViscoelasticLineLoads>(&problem.method);
@@ -150,6 +165,8 @@ struct SystemCheck {
       check_domain(std::get<GivenTraction>(problem.nip.drive).force_per_length, origin,
                    "traction.force_per_length");
     if (problem.profile) check_profile(*problem.profile, origin);
+    check_line_loads_with_slip(problem, origin);
+    std::visit(MethodCheck{problem.given, Friction::full, problem.profile, origin}, problem.method);
   }
   void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
 };

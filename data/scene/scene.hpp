@@ -37,11 +37,11 @@ struct ConvergedMethod {};
 
 /// The thesis's line loads at the centres of equal elements. (thesis 5.1-5.16)
 struct LineLoads {
-  int leading_elements;   ///< on the entry side, 1 to 2000, with full friction 1000, and twice as
-                          ///< many at a given length; method.leading_elements
+  int leading_elements;   ///< on the entry side, 1 to 2000, with full friction 1000, and twice as many at
+                          ///< a given length; with Coulomb's 250, at a given load; method.leading_elements
   int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
   int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
-                          ///< thesis sums them, 1 to 500; method.residue_terms
+                          ///< thesis sums them, 1 to 500, but with Coulomb's friction; method.residue_terms
 };
 
 /// An elastic sheet between two cylinders.
@@ -75,7 +75,7 @@ struct ViscoelasticNipProblem {
 struct PartialSlipProblem {
   PartialSlipNip nip;
   Given given;
-  std::variant<ConvergedMethod> method = {};
+  std::variant<ConvergedMethod, LineLoads> method = {};
   /// Needed if a profile is wanted.
   std::optional<Profile> profile = {};
 };

@@ -132,7 +132,7 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
                      .indentation = at_creep(0),
                      .loads = both_sides(nip, m, contact_length / (2 * m), at_creep),
                      .is_symmetric = true,
-                     .sheet = std::make_shared<const ElasticSheet>(nip, method, grips),
+                     .sheet = elastic_sheet(nip, method, grips),
                      .spent = work,
                      .gripped_creep = creep,
                      .creep_ranges = std::move(ranges)};
@@ -153,6 +153,11 @@ void check_grip(const Grip& grip) {
 }
 
 }  // namespace
+
+std::shared_ptr<const LineLoadSheet> elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                                   bool grips) {
+  return std::make_shared<const ElasticSheet>(nip, method, grips);
+}
 
 std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges) {
   std::optional<ThesisCreep> least;

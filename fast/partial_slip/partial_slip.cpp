@@ -68,9 +68,8 @@ PartialSlipTask task_of(const data::PartialSlipNip& nip, const ContactUnits& uni
   return task;
 }
 
-void check(const data::PartialSlipNip& nip, double accuracy) {
+void check(const data::PartialSlipNip& nip) {
   nip.check();
-  check_contact_accuracy(accuracy);
   if (!(nip.friction_coefficient > 0 && std::isfinite(nip.friction_coefficient)))
     throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
   if (const auto* const given = std::get_if<data::GivenTraction>(&nip.drive); given != nullptr) {
@@ -352,22 +351,14 @@ NipShape shape_of(const data::ElasticNip& nip) { return {nip.roller_radius, nip.
 
 }  // namespace
 
-PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length,
-                                       double accuracy) {
-  check(nip, accuracy);
-  check_contact_length(shape_of(nip), contact_length);
-  if (!(contact_length <= longest_contact * nip.sheet_thickness))
-    throw BadInput("contact_length", contact_length, too_long(nip));
-  const ContactUnits units(shape_of(nip), nip.material.normal_compliance());
-  PartialSlipTask task = task_of(nip, units);
-  task.length = contact_length / units.length;
-  return partial_slip(nip, units, task, accuracy);
+ContactUnits units_of(const data::ElasticNip& nip) {
+  return {shape_of(nip), nip.material.normal_compliance()};
 }
 
-PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, double accuracy) {
-  check(nip, accuracy);
+PartialSlipTask task_for_load(const data::PartialSlipNip& nip, double load) {
+  check(nip);
   check_contact_load(load);
-  const ContactUnits units(shape_of(nip), nip.material.normal_compliance());
+  const ContactUnits units = units_of(nip);
   PartialSlipTask task = task_of(nip, units);
   task.load = load / units.load;
   // The contact without friction is about as long.
@@ -375,7 +366,25 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   if (!(length <= longest_contact * nip.sheet_thickness)) throw BadInput("load", load, too_long(nip));
   check_length_of_load(shape_of(nip), load, length);
   if (task.traction && !(std::fabs(*task.traction) < task.friction * *task.load)) refuse_drive(nip, load);
+  return task;
+}
+
+PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length,
+                                       double accuracy) {
+  check(nip);
+  check_contact_accuracy(accuracy);
+  check_contact_length(shape_of(nip), contact_length);
+  if (!(contact_length <= longest_contact * nip.sheet_thickness))
+    throw BadInput("contact_length", contact_length, too_long(nip));
+  const ContactUnits units = units_of(nip);
+  PartialSlipTask task = task_of(nip, units);
+  task.length = contact_length / units.length;
   return partial_slip(nip, units, task, accuracy);
+}
+
+PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, double accuracy) {
+  check_contact_accuracy(accuracy);
+  return partial_slip(nip, units_of(nip), task_for_load(nip, load), accuracy);
 }
 
 }  // namespace nipref::fast

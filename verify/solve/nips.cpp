@@ -12,6 +12,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/partial_slip/line_loads.hpp>
 #include <nipref/fast/partial_slip/partial_slip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -82,6 +83,14 @@ auto solution(FastPath, const ElasticNipProblem& problem, const data::LineLoads&
   return for_given(
       problem.given, [&](double load) { return fast::line_loads_for_load(problem.nip, method, load, grip); },
       [&](double length) { return fast::line_loads_for_length(problem.nip, method, length, grip); });
+}
+auto solution(FastPath, const PartialSlipProblem& problem, const data::LineLoads& by, double /*accuracy*/) {
+  return fast::line_loads_for_load(problem.nip, by.leading_elements,
+                                   std::get<data::GivenLoad>(problem.given).per_length);
+}
+[[noreturn]] ref::LineLoadNip solution(RefPath, const PartialSlipProblem&, const data::LineLoads&, int) {
+  throw data::BadInput("method.kind", "line-loads",
+                       "must be converged for the reference with Coulomb's friction");
 }
 auto solution(FastPath, const ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& method,
               double /*accuracy*/) {
@@ -223,9 +232,9 @@ void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>&
     set(ResultId::traction, &Solution::traction);
     set(ResultId::dissipation, &Solution::dissipation);
     set(ResultId::zone_boundaries, &Solution::zone_boundaries);
-    solved.set(ResultId::zone_signs, [=](const Places&) {
-      return mapped<Number>(solution->zone_signs(), [&](int sign) {
-        Number number = exactly(sign, solution->load());
+    solved.set(ResultId::zone_signs, [=, &solved](const Places&) {
+      return mapped<Number>(std::invoke(&Solution::zone_signs, *solution), [&](int sign) {
+        Number number = exactly(sign, solved.number(ResultId::load));
         if constexpr (requires { number.proven; }) number.proven = false;
         return number;
       });

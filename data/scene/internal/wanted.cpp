@@ -29,13 +29,14 @@ struct NeedsCheck {
 
   void operator()(const ElasticNipProblem& problem) const { check(problem, problem.friction); }
   void operator()(const ViscoelasticNipProblem& problem) const { check(problem, Friction::none); }
-  void operator()(const PartialSlipProblem&) const {
+  void operator()(const PartialSlipProblem& problem) const {
     if (result.id == ResultId::power_loss)
       origin.refuse(key, result.name,
                     "must be left out: the scene has no speed; dissipation is power over speed");
     if (result.needs != Needs::converged && result.needs != Needs::partial_slip &&
         result.id != ResultId::peak_shear_position)
       origin.refuse(key, result.name, "must be left out: it is not computed with Coulomb's friction");
+    check_converged(problem);
   }
   void operator()(const HalfSpaceProblem&) const {}
 
@@ -62,6 +63,9 @@ struct NeedsCheck {
       origin.refuse("field", "(missing)",
                     "must say where results inside the sheet are wanted: positions = [...], depths = [...]");
     }
+    check_converged(problem);
+  }
+  void check_converged(const auto& problem) const {
     if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(
           key, result.name,

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,5 +33,9 @@ LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const L
 /// nip, method and length are in their domains.
 Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMethod& method,
                                 double contact_length, bool grips, Work& work);
+
+/// The sheet under loads across its faces and, if it is gripped, along them.
+std::shared_ptr<const LineLoadSheet> elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                                   bool grips);
 
 }  // namespace nipref::fast

@@ -52,12 +52,13 @@ class ActiveSet {
   }
 
   ElementContact solved() {
-    constexpr int most_changes = 40;
-    for (int change = 0; change < most_changes; ++change) {
+    constexpr int changes_of_all = 20, most_changes = 60;
+    bool settled = false;
+    for (int change = 0; change < most_changes && !settled; ++change) {
       solve();
-      if (!changed()) break;
+      settled = !changed(change < changes_of_all) && std::isfinite(creep_);
     }
-    return {elements_, width_, creep_};
+    return {elements_, width_, creep_, solution_(unknowns_ - 2), settled};
   }
 
  private:
@@ -117,26 +118,31 @@ class ActiveSet {
     if (task_.creep) matrix.row(creep) = RowVectorXd::Unit(unknowns_, creep);
     solution_ = linear_solution(matrix, right);
     ++task_.work->systems;
+    task_.work->unknowns = std::max(task_.work->unknowns, unknowns_);
     creep_ = solution_(creep);
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      ElementContact::Element& element = elements_[k];
+      element.pressure = element.presses ? solution_(pressure_[k]) : 0;
+      element.shear =
+          shear_[k] >= 0 ? solution_(shear_[k]) : task_.friction * element.sign * element.pressure;
+    }
   }
 
-  /// Whether an element presses, sticks or slips against its conditions; then it no longer does.
-  bool changed() {
+  /// Whether elements press, stick or slip against their conditions; then all of them, or the first, no longer do. One
+  /// that presses again slips as before.
+  bool changed(bool all) {
     std::vector<ElementContact::Element> next = elements_;
     bool any = false;
-    for (std::size_t k = 0; k < elements_.size(); ++k) {
+    for (std::size_t k = 0; k < elements_.size() && (all || !any); ++k) {
       const int place = static_cast<int>(k);
       ElementContact::Element& element = next[k];
       const int sign = element.sign;
       if (!element.presses) {
         const double gap = solution_(unknowns_ - 2) - element.e * element.e - row(place, true).dot(solution_);
         element.presses = gap > 1e-12 * solution_(unknowns_ - 2);
-        element.sign = 0;
         any = any || element.presses;
         continue;
       }
-      element.pressure = solution_(pressure_[k]);
-      element.shear = sign == 0 ? solution_(shear_[k]) : task_.friction * sign * element.pressure;
       if (element.pressure < 0) {
         element.presses = false;
       } else if (sign == 0) {
@@ -152,7 +158,8 @@ class ActiveSet {
     return any;
   }
 
-  /// Where none sticks a traction says nothing about the creep: one that stuck, the farthest from slipping, goes on.
+  /// Where none sticks a traction says nothing about the creep: one that stuck, the farthest from slipping, goes on. One
+  /// that was alone hands over to the nearest that slips the other way.
   void keep_one_sticking(std::vector<ElementContact::Element>& next) const {
     const auto sticks = [](const auto& element) { return element.presses && element.sign == 0; };
     if (std::ranges::any_of(next, sticks)) return;
@@ -161,6 +168,13 @@ class ActiveSet {
     for (std::size_t k = 0; k < next.size(); ++k) {
       const double ratio = std::fabs(next[k].shear) / next[k].pressure;
       if (next[k].presses && sticks(elements_[k]) && ratio < least) least = ratio, kept = k;
+    }
+    if (std::ranges::count_if(elements_, sticks) == 1) {
+      const std::size_t alone = kept;
+      const auto apart = [&](std::size_t k) { return k > alone ? k - alone : alone - k; };
+      for (std::size_t k = 0; k < next.size(); ++k)
+        if (next[k].presses && next[k].sign == -next[alone].sign && (kept == alone || apart(k) < apart(kept)))
+          kept = k;
     }
     next[kept].sign = 0;
   }
@@ -184,7 +198,9 @@ double load_guess(double length) {
 
 ElementContact element_contact(const PartialSlipTask& task, int elements) {
   double load = task.load ? *task.load : load_guess(*task.length);
-  const auto solved = [&] { return ActiveSet(task, load, 1.3 * half_length_guess(load), elements).solved(); };
+  const auto solved = [&] {
+    return ActiveSet(task, load, element_reach * half_length_guess(load), elements).solved();
+  };
   ElementContact contact = solved();
   if (task.load) return contact;
   // With friction a contact of this length carries another load.

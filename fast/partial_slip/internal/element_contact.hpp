@@ -13,19 +13,23 @@ struct ElementContact {
   struct Element {
     double e;  ///< of its middle, from the line through the rollers' centres, along the motion
     bool presses;
-    int sign;  ///< as a Zone's
-    double pressure, shear;
+    int sign;                ///< as a Zone's
+    double pressure, shear;  ///< 0 if it does not press
   };
   std::vector<Element> elements;
-  double width, creep;
+  double width, creep, approach;
+  bool settled;  ///< whether all conditions are met
 
   [[nodiscard]] double length() const;
   /// Zones of whole elements, from the first that presses to the last one.
   [[nodiscard]] std::vector<Zone> zones() const;
 };
 
-/// `elements` of them over 2.6 contact lengths of the task's load or length. They cycle in rare cases; the last state is
-/// the result.
+/// How far elements reach, over half the length of a contact without friction.
+inline constexpr double element_reach = 1.3;
+
+/// `elements` of them over so many lengths of a contact of about the task's load or length. In rare cases they do not
+/// settle; the last state is the result.
 ElementContact element_contact(const PartialSlipTask& task, int elements);
 
 /// The load of a frictionless contact of about this length.

@@ -3,6 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/work.hpp>
 
 namespace nipref::fast {
@@ -28,5 +30,10 @@ struct PartialSlipTask {
   std::optional<double> load = {}, length = {}, traction = {}, creep = {};
   std::shared_ptr<Work> work = std::make_shared<Work>();  ///< grows with each system that is solved for it
 };
+
+ContactUnits units_of(const data::ElasticNip& nip);
+
+/// BadInput as from partial_slip_for_load.
+PartialSlipTask task_for_load(const data::PartialSlipNip& nip, double load);
 
 }  // namespace nipref::fast

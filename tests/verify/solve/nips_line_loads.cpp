@@ -1,5 +1,6 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/partial_slip/line_loads.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
@@ -83,6 +84,32 @@ TEST_CASE("without a creep ratio line loads with friction take the thesis's, and
   REQUIRE(range.size() == 3);
   CHECK(range[0].value < range[1].value);
   CHECK(range[2].value == solution[data::ResultId::creep_ratio].value);
+}
+
+TEST_CASE("each name of a scene of line loads with Coulomb's friction is the solver's result of that name") {
+  using enum data::ResultId;
+  const data::PartialSlipNip nip{quarter_inch_nip, 0.1, data::GivenTraction{5}};
+  const data::PartialSlipProblem problem{.nip = nip,
+                                         .given = data::GivenLoad{100},
+                                         .method = data::LineLoads{10, 10},
+                                         .profile = data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.2}}};
+  std::vector<data::ResultId> wanted = all_results();
+  std::erase(wanted, power_loss);
+  for (const data::ResultId id : {traction, dissipation, zone_boundaries, zone_signs}) wanted.push_back(id);
+  const auto solution = verify::solve(
+      {.title = "test", .wanted = wanted, .accuracy = asked_accuracy, .system = problem, .origin = {}});
+  const auto expected = fast::line_loads_for_load(nip, 10, 100);
+  check_is(solution, expected);
+  CHECK(solution[traction].value == approx(5, 1e-12));
+  CHECK(solution[dissipation].value == expected.dissipation());
+  const auto boundaries = solution.profile(zone_boundaries), signs = solution.profile(zone_signs);
+  REQUIRE(boundaries.size() == expected.zone_boundaries.size());
+  for (std::size_t k = 0; k < boundaries.size(); ++k) {
+    CHECK(boundaries[k].value == expected.zone_boundaries[k]);
+    CHECK(boundaries[k].error < expected.element_width());
+  }
+  REQUIRE(signs.size() == expected.zone_signs.size());
+  for (std::size_t k = 0; k < signs.size(); ++k) CHECK(signs[k].value == expected.zone_signs[k]);
 }
 
 TEST_CASE("the error estimate of line loads is their distance to the continuous contact, and at least that") {

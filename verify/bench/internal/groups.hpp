@@ -22,8 +22,8 @@ struct BenchGroup {
 };
 
 /// Whole elastic contacts found for a load, by the thesis's method as it stands (line loads, 500 residues of each kernel,
-/// its own iteration of the length to 0.2 %) and by the converged solver, with errors of the contact length; the replay of
-/// Tables III to X.
+/// its own iteration of the length to 0.2 %) and by the converged solver, with errors of the contact length; with Coulomb's friction
+/// line loads and the converged solver, with errors of the creep ratio; the replay of Tables III to X.
 std::vector<BenchPart> elastic_bench(int rounds);
 /// The displacement Un under a moving load at several tolerances and by the thesis's plain sums, with errors over the scale
 /// of the catalogue's Un; rolling contacts found for a load likewise; the replay of Tables XI to XXVI.

@@ -11,10 +11,13 @@
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/number/caches.hpp>
+#include <nipref/fast/partial_slip/line_loads.hpp>
+#include <nipref/fast/partial_slip/partial_slip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/ref/partial_slip/partial_slip.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -29,12 +32,19 @@ using data::Friction;
 
 constexpr auto elastic_nip = "elastic-nip", viscoelastic_nip = "viscoelastic-nip";
 
-/// A way to find a contact length. `error_of`: empty where nothing independent is compared.
-TimedWay length_way(const std::string& name, const std::function<double()>& length,
-                    const std::function<WayError(double length)>& error_of = {}) {
-  TimedWay way{name, repeated([=](std::size_t) { return length(); })};
-  if (error_of) way.error = [=] { return error_of(length()); };
+/// A way to find a number of a contact. `error_of`: empty where nothing independent is compared.
+TimedWay contact_way(const std::string& name, const std::function<double()>& number,
+                     const std::function<WayError(double number)>& error_of = {}) {
+  TimedWay way{name, repeated([=](std::size_t) { return number(); })};
+  if (error_of) way.error = [=] { return error_of(number()); };
   return way;
+}
+
+auto error_against(const ref::Estimate& truth) {
+  return [=](double number) {
+    const double error = std::fabs(truth.error_of(number));
+    return WayError{error / ulp_of(number), error / std::fabs(number)};
+  };
 }
 
 /// Contacts at the middle of the thesis's loads.
@@ -45,32 +55,45 @@ std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
   const auto converged = [&](Friction friction, double accuracy) {
     return [=] { return fast::converged_for_load(nip, friction, load, accuracy).contact_length().value; };
   };
-  const ref::Estimate truth =
-      ref::converged_for_load(nip, Friction::none, load, length_digits).contact_length();
-  const auto error_of = [&](double length) {
-    const double error = std::fabs(truth.error_of(length));
-    return WayError{error / ulp_of(length), error / length};
-  };
+  const auto error_of =
+      error_against(ref::converged_for_load(nip, Friction::none, load, length_digits).contact_length());
   const auto by_thesis = [&] {
     const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
     return fast::line_loads_for_load(nip, {10, 500}, load, {}, search).contact_length();
   };
   const auto by_line_loads = [&] { return fast::line_loads_for_load(nip, 10, load).contact_length(); };
-  std::vector<TimedWay> ways{length_way("thesis: m=10, 500 terms", by_thesis, error_of),
-                             length_way("line loads, m=10, fast kernels", by_line_loads, error_of)};
+  std::vector<TimedWay> ways{contact_way("thesis: m=10, 500 terms", by_thesis, error_of),
+                             contact_way("line loads, m=10, fast kernels", by_line_loads, error_of)};
   for (const double accuracy : {1e-4, 1e-6, 1e-10, 1e-13})
-    ways.push_back(
-        length_way(fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy), error_of));
-  ways.push_back(length_way("converged 1e-10, full friction", converged(Friction::full, 1e-10)));
+    ways.push_back(contact_way(fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy),
+                               error_of));
+  ways.push_back(contact_way("converged 1e-10, full friction", converged(Friction::full, 1e-10)));
   constexpr double relaxation_length = 0.1;
   const data::Compliances at_once{nip.material.theta1(), nip.material.theta2()};
   const data::ViscoelasticNip rolled{nip.roller_radius, nip.sheet_thickness,
                                      data::single_relaxation_time_solid(at_once, relaxation_length), 1};
   for (const double accuracy : {1e-6, 1e-10})
-    ways.push_back(length_way(fmt::format("converged {:.0e}, rolling", accuracy), [=] {
+    ways.push_back(contact_way(fmt::format("converged {:.0e}, rolling", accuracy), [=] {
       return fast::converged_for_load(rolled, load, accuracy).contact_length().value;
     }));
   return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {4, rounds});
+}
+
+/// The creep ratio with Coulomb's friction, each roller passing on half of what it can.
+std::vector<BenchRow> creep_with_slip(int rounds) {
+  constexpr double load = 100, friction = 0.1;
+  const data::PartialSlipNip nip{data::seed::nip(0.25), friction, data::GivenTraction{friction * load / 2}};
+  const auto error_of = error_against(ref::partial_slip_for_load(nip, load, 16).creep_ratio());
+  std::vector<TimedWay> ways;
+  for (const int elements : {10, 40, 160})
+    ways.push_back(contact_way(
+        fmt::format("line loads, m={}", elements),
+        [=] { return fast::line_loads_for_load(nip, elements, load).creep_ratio(); }, error_of));
+  for (const double accuracy : {1e-4, 1e-6, 1e-10})
+    ways.push_back(contact_way(
+        fmt::format("converged {:.0e}", accuracy),
+        [=] { return fast::partial_slip_for_load(nip, load, accuracy).creep_ratio().value; }, error_of));
+  return timed_rows(elastic_nip, "creep, B=0.25 W=100 T=5 friction=0.1", ways, {5, rounds});
 }
 
 /// The time for all rows of Tables III to X does not include that for loading the tables.
@@ -166,9 +189,9 @@ std::vector<BenchRow> rolling_contacts(int rounds) {
   const double truth = converged(1e-12);
   const auto error_of = [=](double length) { return of_relative(std::fabs(length / truth - 1)); };
   std::vector<TimedWay> ways{
-      length_way("thesis: m1=10, 500 terms, search for m2 (against 1e-12)", by_thesis, error_of)};
+      contact_way("thesis: m1=10, 500 terms, search for m2 (against 1e-12)", by_thesis, error_of)};
   for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10})
-    ways.push_back(length_way(
+    ways.push_back(contact_way(
         fmt::format("converged {:.0e} (against 1e-12)", accuracy), [=] { return converged(accuracy); },
         error_of));
   return timed_rows(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", ways, {2, rounds});
@@ -207,6 +230,7 @@ std::vector<BenchPart> elastic_bench(int rounds) {
   for (const double thickness : data::seed::sheet_thicknesses)
     parts.push_back(
         {fmt::format("B={} W=100", thickness), [=] { return elastic_contacts(thickness, rounds); }});
+  parts.push_back({"creep with Coulomb's friction", [=] { return creep_with_slip(rounds); }});
   parts.push_back({"replay of Tables III-X", [=] { return elastic_replay(rounds); }});
   return parts;
 }

@@ -104,6 +104,8 @@ void refuse_given(const data::Scene& scene, const data::Given& given, const data
   if (error.argument() == "digits") throw data::BadInput(error);
   if (error.argument() == "nip.material" || error.argument().ends_with(" rate"))
     scene.origin.refuse_as("material", error);
+  if (error.argument() == "method.kind") scene.origin.refuse_as("method.kind", error);
+  if (error.argument() == "elements_per_side") scene.origin.refuse_as("method.leading_elements", error);
   if (error.argument() == "residue_terms") scene.origin.refuse_as("method.residue_terms", error);
   if (error.argument() == "force_per_length") scene.origin.refuse_as("traction.force_per_length", error);
   if (error.argument() == "friction_coefficient") scene.origin.refuse_as("friction.coefficient", error);
