@@ -26,12 +26,8 @@ NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
   nip.check();
   if (!(std::isfinite(nip.friction_coefficient) && nip.friction_coefficient > 0))
     throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
-  const NipTask task{nip.roller_radius,
-                     nip.sheet_thickness,
-                     "a contact with partial slip",
-                     30,
-                     shortest_slip,
-                     digits};
+  const NipTask task{
+      nip.roller_radius, nip.sheet_thickness, "a contact with partial slip", 30, shortest_slip, digits};
   task.check_digits();
   return task;
 }
@@ -49,69 +45,93 @@ std::string allowed_lengths() {
 }  // namespace
 
 struct PartialSlipNip::Parts {
+  using Functional = std::function<Float(const SlipField&)>;
+  /// Of results: its unit, and what their errors are measured by, without it.
+  struct Kind {
+    mpq_class unit;
+    Float scale;
+  };
+
   NipUnits units;
   int digits;
   std::unique_ptr<SheetKernels> kernels;
-  SolvedSlip solved;
+  SolvedSlip solved = {};
+  Kind length = {}, slope = {}, displacement = {}, pressure = {}, force = {}, power = {};
   Float difference = 0;
 
-  using Functional = std::function<Float(const SlipField&)>;
-
   [[nodiscard]] const SlipField& fine() const { return *solved.fine; }
-  [[nodiscard]] Float size() const { return fine().contact().length(); }
-  [[nodiscard]] Float mean_pressure() const { return fine().contact().integral(pressure_part) / size(); }
   [[nodiscard]] Float in_length(double y) const { return Float(y) / to_float(Exact(units.length)); }
-  /// Of Y, from the leading end.
-  [[nodiscard]] static Float behind(const SlipField& of, const Float& y) {
-    return of.contact().leading() - y;
-  }
 
   /// What both solutions have in common is as wrong as the largest of their differences; the finer is surer than their
   /// difference, and zones left out count for a hundredth of the last digit.
-  [[nodiscard]] Estimate estimated(const mpq_class& unit, const Functional& functional,
-                                   const std::function<Float()>& scale) const {
+  [[nodiscard]] Estimate number(Kind Parts::*kind, const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
+    const auto& [unit, scale] = this->*kind;
     const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value),
                 in_unit = to_float(Exact(unit));
-    return {value * in_unit,
-            (2 * apart + abs(scale()) * (difference + pow(Float(10), -digits - 2))) * in_unit, digits};
+    return {value * in_unit, (2 * apart + scale * (difference + pow(Float(10), -digits - 2))) * in_unit,
+            digits};
+  }
+  /// At a place in or next to the contact, where functionals take its distance from the leading end.
+  [[nodiscard]] Estimate number_at(
+      double y, Kind Parts::*kind,
+      const std::function<Float(const SlipField&, const Float& e)>& functional) const {
+    return number(kind, [&](const SlipField& of) { return functional(of, of.leading() - in_length(y)); });
   }
 
+  /// From the solutions.
   void measure() {
-    const SlipContact &a = solved.coarse->contact(), &b = fine().contact();
-    const Float &length = b.length(), load = b.integral(pressure_part);
+    const SlipField &a = *solved.coarse, &b = fine();
+    const Float &size = b.length(), load = b.load(), mean = load / size;
+    length = {units.length, size};
+    slope = {units.slope, size + mean};
+    displacement = {units.displacement, size * slope.scale};
+    pressure = {units.pressure, mean};
+    force = {units.force, load};
+    power = {units.force * units.slope, b.contact().problem().friction * load * slope.scale};
     const auto count = [&](const Float& apart) { difference = std::max(difference, Float(abs(apart))); };
-    count((a.length() - length) / length);
-    count((a.leading() - b.leading()) / length);
-    count((a.creep() - b.creep()) / length);
-    count((a.integral(pressure_part) - load) / load);
-    count((a.integral(shear_part) - b.integral(shear_part)) / load);
-    if (a.zones().count() != b.zones().count()) return;
-    for (GridIndex i = 0; i < a.zones().count(); ++i)
-      count((a.zones()[i].length - b.zones()[i].length) / length);
+    count((a.length() - size) / size);
+    count((a.leading() - b.leading()) / size);
+    count((a.creep() - b.creep()) / size);
+    count((a.load() - load) / load);
+    count((a.traction() - b.traction()) / load);
+    const auto &zones = a.contact().zones(), &finer = b.contact().zones();
+    if (zones.count() != finer.count()) return;
+    for (GridIndex i = 0; i < zones.count(); ++i) count((zones[i].length - finer[i].length) / size);
   }
 
   void check_place(double y) const {
     const WorkingDigits working(working_digits_of_slip(digits));
-    if (!std::isfinite(y) || abs(in_length(y)) > farthest_slip + size())
+    if (!std::isfinite(y) || abs(in_length(y)) > farthest_slip + length.scale)
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
   }
 
-  [[nodiscard]] Estimate of_length(const Functional& functional) const {
-    return estimated(units.length, functional, [this] { return size(); });
+  [[nodiscard]] Estimate traction(double y, std::size_t of) const {
+    if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+    return number_at(y, &Parts::pressure,
+                     [of](const SlipField& field, const Float& e) { return field.tractions(e)[of]; });
   }
-  [[nodiscard]] Estimate of_slope(const Functional& functional) const {
-    return estimated(units.slope, functional, [this]() -> Float { return size() + mean_pressure(); });
+
+  [[nodiscard]] Estimate peak(std::size_t of) const {
+    return number(&Parts::pressure, [of](const SlipField& field) { return field.largest(of).size; });
   }
-  [[nodiscard]] Estimate of_displacement(const Functional& functional) const {
-    return estimated(units.displacement, functional,
-                     [this]() -> Float { return size() * (size() + mean_pressure()); });
-  }
-  [[nodiscard]] Estimate of_pressure(const Functional& functional) const {
-    return estimated(units.pressure, functional, [this] { return mean_pressure(); });
-  }
-  [[nodiscard]] Estimate of_force(const Functional& functional) const {
-    return estimated(units.force, functional, [this]() -> Float { return mean_pressure() * size(); });
+
+  /// Both solutions' places of the same local maximum are compared. Another one that is as large, within the errors of both, may
+  /// be the largest.
+  [[nodiscard]] Estimate peak_position(std::size_t of) const {
+    const Estimate size = peak(of);
+    const WorkingDigits working(working_digits_of_slip(digits));
+    const SlipField::Hump largest = fine().largest(of);
+    const auto from_largest = [&](const SlipField::Hump& hump) -> Float { return abs(hump.e - largest.e); };
+    Estimate place = number(&Parts::length, [&](const SlipField& field) -> Float {
+      return field.leading() - std::ranges::min(field.humps(of), {}, from_largest).e;
+    });
+    Float reach = 0;
+    for (const SlipField::Hump& hump : fine().humps(of))
+      if ((largest.size - hump.size) * to_float(Exact(units.pressure)) <= 2 * size.error)
+        reach = std::max(reach, from_largest(hump));
+    place.error += reach * to_float(Exact(units.length));
+    return place;
   }
 };
 
@@ -150,7 +170,7 @@ void check_traction(const data::PartialSlipNip& nip, const SlipProblem& problem,
     sliding.creep = Float(problem.shear < 0 ? -1000 : 1000) * (1 + problem.friction) * *problem.length;
     const SolvedSlip slid =
         solved_slip(sliding, kernels, Row<SlipZone>{{problem.shear < 0 ? -1 : 1, Float(guess)}}, 16);
-    if (slid.fine) load = slid.fine->contact().integral(pressure_part);
+    if (slid.fine) load = slid.fine->load();
   }
   if (!(abs(problem.shear) < problem.friction * load)) refuse_traction(nip);
 }
@@ -158,7 +178,7 @@ void check_traction(const data::PartialSlipNip& nip, const SlipProblem& problem,
 std::unique_ptr<SlipParts> solved_parts(const data::PartialSlipNip& nip, const NipUnits& units,
                                         SlipProblem problem, double guess, int digits) {
   auto parts = std::make_unique<SlipParts>(
-      SlipParts{units, digits, std::make_unique<SheetKernels>(kernel_digits_of_slip(digits)), {}});
+      SlipParts{units, digits, std::make_unique<SheetKernels>(kernel_digits_of_slip(digits))});
   problem.unit = guess;
   check_traction(nip, problem, *parts->kernels, guess);
   const Row<SlipZone> zones = plain_zones(problem, *parts->kernels, guess);
@@ -203,7 +223,7 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   };
   if (!(guess > shortest_slip && guess < 4 * longest_slip)) refuse();
   auto parts = solved_parts(nip, units, std::move(problem), guess, digits);
-  if (!is_allowed_length(task, static_cast<double>(parts->size()) * nip.half_thickness())) refuse();
+  if (!is_allowed_length(task, static_cast<double>(parts->length.scale) * nip.half_thickness())) refuse();
   return PartialSlipNip(std::move(parts));
 }
 
@@ -211,130 +231,70 @@ PartialSlipNip::PartialSlipNip(std::unique_ptr<const Parts> parts) : parts_(std:
 PartialSlipNip::PartialSlipNip(PartialSlipNip&&) noexcept = default;
 PartialSlipNip::~PartialSlipNip() = default;
 
-Estimate PartialSlipNip::contact_length() const {
-  return parts_->of_length([](const SlipField& of) { return of.contact().length(); });
-}
-
+Estimate PartialSlipNip::contact_length() const { return parts_->number(&Parts::length, &SlipField::length); }
 Estimate PartialSlipNip::leading_length() const {
-  return parts_->of_length([](const SlipField& of) { return of.contact().leading(); });
+  return parts_->number(&Parts::length, &SlipField::leading);
 }
-
 Estimate PartialSlipNip::trailing_length() const {
-  return parts_->of_length(
-      [](const SlipField& of) -> Float { return of.contact().length() - of.contact().leading(); });
+  return parts_->number(&Parts::length, &SlipField::trailing);
 }
-
-Estimate PartialSlipNip::load() const {
-  return parts_->of_force([](const SlipField& of) { return of.contact().integral(pressure_part); });
-}
-
+Estimate PartialSlipNip::load() const { return parts_->number(&Parts::force, &SlipField::load); }
 Estimate PartialSlipNip::indentation() const {
-  return parts_->of_displacement([](const SlipField& of) -> Float {
-    const Float& leading = of.contact().leading();
-    return of.displacement(0).normal + leading * leading;
-  });
+  return parts_->number(&Parts::displacement, &SlipField::indentation);
 }
-
 Estimate PartialSlipNip::leading_displacement() const {
-  return parts_->of_displacement([](const SlipField& of) { return of.displacement(0).normal; });
+  return parts_->number(&Parts::displacement, &SlipField::leading_displacement);
 }
-
 Estimate PartialSlipNip::trailing_displacement() const {
-  return parts_->of_displacement(
-      [](const SlipField& of) { return of.displacement(of.contact().length()).normal; });
+  return parts_->number(&Parts::displacement, &SlipField::trailing_displacement);
 }
-
-Estimate PartialSlipNip::traction() const {
-  return parts_->of_force([](const SlipField& of) -> Float { return -of.contact().integral(shear_part); });
-}
-
-Estimate PartialSlipNip::creep_ratio() const {
-  return parts_->of_slope([](const SlipField& of) { return of.contact().creep(); });
-}
-
+Estimate PartialSlipNip::traction() const { return -1 * parts_->number(&Parts::force, &SlipField::traction); }
+Estimate PartialSlipNip::creep_ratio() const { return parts_->number(&Parts::slope, &SlipField::creep); }
 Estimate PartialSlipNip::rolling_resistance() const {
-  return parts_->of_slope(
-      [](const SlipField& of) -> Float { return 2 * of.moment() / of.contact().integral(pressure_part); });
+  return parts_->number(&Parts::slope, &SlipField::rolling_resistance);
 }
-
 Estimate PartialSlipNip::dissipation() const {
-  return parts_->estimated(
-      parts_->units.force * parts_->units.slope, [](const SlipField& of) { return of.dissipation(); },
-      [this]() -> Float {
-        const Float size = parts_->size(), pressure = parts_->mean_pressure();
-        return parts_->fine().contact().problem().friction * pressure * size * (size + pressure);
-      });
+  return parts_->number(&Parts::power, &SlipField::dissipation);
 }
 
-Estimate PartialSlipNip::peak_pressure() const {
-  return parts_->of_pressure(
-      [](const SlipField& of) { return of.traction(pressure_part, of.place_of_largest(pressure_part)); });
-}
+Estimate PartialSlipNip::peak_pressure() const { return parts_->peak(pressure_part); }
+Estimate PartialSlipNip::peak_pressure_position() const { return parts_->peak_position(pressure_part); }
+Estimate PartialSlipNip::peak_shear() const { return parts_->peak(shear_part); }
+Estimate PartialSlipNip::peak_shear_position() const { return parts_->peak_position(shear_part); }
 
-Estimate PartialSlipNip::peak_pressure_position() const {
-  return parts_->of_length([](const SlipField& of) -> Float {
-    return of.contact().leading() - of.place_of_largest(pressure_part);
-  });
-}
-
-Estimate PartialSlipNip::peak_shear() const {
-  return parts_->of_pressure([](const SlipField& of) -> Float {
-    return abs(of.traction(shear_part, of.place_of_largest(shear_part)));
-  });
-}
-
-Estimate PartialSlipNip::peak_shear_position() const {
-  return parts_->of_length(
-      [](const SlipField& of) -> Float { return of.contact().leading() - of.place_of_largest(shear_part); });
-}
-
-Estimate PartialSlipNip::pressure(double y) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  return parts_->of_pressure([&](const SlipField& of) {
-    return of.traction(pressure_part, SlipParts::behind(of, parts_->in_length(y)));
-  });
-}
-
-Estimate PartialSlipNip::shear(double y) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  return parts_->of_pressure([&](const SlipField& of) -> Float {
-    return -of.traction(shear_part, SlipParts::behind(of, parts_->in_length(y)));
-  });
-}
+Estimate PartialSlipNip::pressure(double y) const { return parts_->traction(y, pressure_part); }
+Estimate PartialSlipNip::shear(double y) const { return -1 * parts_->traction(y, shear_part); }
 
 Estimate PartialSlipNip::surface_strain(double y) const {
   parts_->check_place(y);
-  return parts_->of_slope(
-      [&](const SlipField& of) { return of.strain(SlipParts::behind(of, parts_->in_length(y))); });
+  return parts_->number_at(y, &Parts::slope, &SlipField::strain);
 }
 
 Estimate PartialSlipNip::slip(double y) const {
   parts_->check_place(y);
-  return parts_->of_slope([&](const SlipField& of) -> Float {
-    return of.strain(SlipParts::behind(of, parts_->in_length(y))) - of.contact().creep();
+  return parts_->number_at(y, &Parts::slope, [](const SlipField& of, const Float& e) -> Float {
+    return of.strain(e) - of.creep();
   });
 }
 
 Estimate PartialSlipNip::normal_displacement(double y) const {
   parts_->check_place(y);
-  return parts_->of_displacement([&](const SlipField& of) {
-    return of.displacement(SlipParts::behind(of, parts_->in_length(y))).normal;
-  });
+  return parts_->number_at(y, &Parts::displacement,
+                           [](const SlipField& of, const Float& e) { return of.displacement(e).normal; });
 }
 
 Estimate PartialSlipNip::tangential_displacement(double y) const {
   parts_->check_place(y);
-  return parts_->of_displacement([&](const SlipField& of) -> Float {
-    return of.displacement(of.contact().leading()).tangential -
-           of.displacement(SlipParts::behind(of, parts_->in_length(y))).tangential;
+  return parts_->number_at(y, &Parts::displacement, [](const SlipField& of, const Float& e) -> Float {
+    return of.displacement(of.leading()).tangential - of.displacement(e).tangential;
   });
 }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> boundaries;
   for (GridIndex i = 0; i <= parts_->fine().contact().zones().count(); ++i) {
-    boundaries.push_back(parts_->of_length([&](const SlipField& of) -> Float {
-      Float place = of.contact().leading();
+    boundaries.push_back(parts_->number(&Parts::length, [&](const SlipField& of) {
+      Float place = of.leading();
       for (GridIndex zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone)
         place -= of.contact().zones()[zone].length;
       return place;
@@ -349,6 +309,6 @@ std::vector<int> PartialSlipNip::zone_signs() const {
   return signs;
 }
 
-int PartialSlipNip::unknowns() const { return static_cast<int>(parts_->fine().contact().unknowns()); }
+int PartialSlipNip::unknowns() const { return static_cast<int>(parts_->fine().contact().sizes().count()); }
 
 }  // namespace nipref::ref

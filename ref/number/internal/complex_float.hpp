@@ -27,6 +27,7 @@ struct ComplexFloat {
   friend ComplexFloat operator*(const ComplexFloat& x, const Float& y) { return {x.re * y, x.im * y}; }
   friend ComplexFloat operator/(const ComplexFloat& x, const Float& y) { return {x.re / y, x.im / y}; }
   friend ComplexFloat operator/(const ComplexFloat& x, const ComplexFloat& y) {
+    if (y.is_real()) return x / y.re;
     return x * ComplexFloat(y.re, -y.im) / (y.re * y.re + y.im * y.im);
   }
 };

@@ -1,7 +1,6 @@
 #pragma once
-#include <vector>
-
-#include <nipref/ref/partial_slip/internal/slip_contact.hpp>
+#include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/partial_slip/internal/slip_problem.hpp>
 
 namespace nipref::ref {
 

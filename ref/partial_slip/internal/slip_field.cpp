@@ -1,194 +1,185 @@
 #include <algorithm>
-#include <limits>
+#include <boost/math/tools/minima.hpp>
+#include <numbers>
 #include <utility>
 
-#include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/partial_slip/internal/slip_field.hpp>
 
 namespace nipref::ref {
 namespace {
 
-/// The derivative's factor: cot(pi c), what the trapezoidal rule lacks of the principal value.
+/// The remainder's factor: cot(pi c), what the trapezoidal rule lacks of the principal value.
 Float cotangent(const Float& place) { return 1 / tan(Float(pi() * place)); }
 
 }  // namespace
 
-SlipField::SlipField(std::unique_ptr<const SlipContact> contact) : contact_(std::move(contact)) {
+SlipField::SlipField(std::unique_ptr<const SlipContact> contact)
+    : contact_(std::move(contact)), length_(contact_->panels().length()) {
   const SlipProblem& problem = contact_->problem();
-  const GridIndex nodes = contact_->grid().nodes();
   for (GridIndex number = 0; number < contact_->panels().count(); ++number) {
-    const auto& panel = contact_->panels()[number];
-    Remainder remainder{contact_->shift(panel.sign) - Float(3) / 4, {}};
-    for (GridIndex i = 0; i < 2 * nodes + 2; ++i) {
-      const Place place{number, remainder.first + Float(i) / 2};
-      const PanelPoint at = contact_->grid().at(place.step);
-      const PointSums sums = contact_->sums(number, at);
-      const Float e = panel.left + panel.length * at.from_left.re;
-      const ComplexFloat normal = 2 * (contact_->leading() - e) - sums.normal.re, cot = cotangent(place.step);
-      const Float slipping = panel.sign * problem.friction;
-      const ComplexFloat value = panel.sign != 0
-                                     ? normal / Float(cot.re + problem.beta * slipping)
-                                     : ComplexFloat(normal.re, contact_->creep() - sums.tangential.re) /
-                                           ComplexFloat(cot.re, -problem.beta);
-      remainder.values[pressure_part].push_back(value.re);
-      remainder.values[shear_part].push_back(panel.sign != 0 ? Float(slipping * value.re) : value.im);
-    }
-    remainders_.push_back(std::move(remainder));
-    for (GridIndex i = 0; i < 2 * nodes + 2; ++i) {
-      const Place place{number, remainders_.back().first + Float(i) / 2};
-      samples_.push_back({place, e_of(place), traction(pressure_part, place), traction(shear_part, place),
-                          panel.length * contact_->grid().slope_at(place.step) / 2});
+    const ZonePanel& panel = contact_->panels()[number];
+    remainders_.push_back({problem.shift(panel.sign) - Float(3) / 4, {}});
+    auto& [first, values] = remainders_[number];
+    for (GridIndex i = 0; i < 2 * contact_->grid().nodes() + 2; ++i) {
+      const Place place{number, first + Float(i) / 2};
+      const ContactPoint point{number, contact_->grid().at(place.step)};
+      const PointSums sums = contact_->sums(point, true);
+      const Float e = contact_->panels().place(point).re, cot = cotangent(place.step),
+                  normal = 2 * (leading() - e) - sums.normal.re;
+      const ComplexFloat value =
+          panel.sign != 0
+              ? ComplexFloat(normal / (cot + problem.beta * panel.slip_ratio))
+              : ComplexFloat(normal, creep() - sums.tangential.re) / ComplexFloat(cot, -problem.beta);
+      const OfBoth<Float> remainders{value.re, panel.sign != 0 ? panel.slip_ratio * value.re : value.im};
+      for (std::size_t of : {pressure_part, shear_part}) values[of].push_back(remainders[of]);
+      samples_.push_back({number, place.step, e, strain_at(place, sums, remainders) - creep(),
+                          panel.length * contact_->grid().slope_at(place.step) / 2,
+                          tractions(point, remainders)});
     }
   }
 }
 
 SlipField::Place SlipField::place_of(const Float& e) const {
-  const auto& panels = contact_->panels();
+  const ZonePanels& panels = contact_->panels();
   GridIndex number = 0;
   while (number + 1 < panels.count() && e >= panels[number + 1].left) ++number;
-  const Float from_left = (e - panels[number].left) / panels[number].length;
   const Float nearest = exp(Float(-2 * contact_->grid().nats()));
-  const Float x = std::clamp(from_left, nearest, Float(1 - nearest));
+  const Float x =
+      std::clamp(Float((e - panels[number].left) / panels[number].length), nearest, Float(1 - nearest));
   return {number, contact_->grid().place_of(x, 1 - x)};
 }
 
-Float SlipField::e_of(const Place& place) const {
-  const auto& panel = contact_->panels()[place.panel];
-  return panel.left + panel.length * contact_->grid().at(place.step).from_left.re;
-}
-
-Float SlipField::remainder(std::size_t of, const Place& place) const {
-  const Remainder& remainder = remainders_[place.panel];
-  const Row<Float>& values = remainder.values[of];
-  Float sum = 0;
-  for (GridIndex i = 0; i < values.count(); ++i) {
-    const Float way = place.step - remainder.first - Float(i) / 2;
-    if (way == 0) return values[i];
-    sum += (i % 2 == 0 ? values[i] : -values[i]) / way;
+OfBoth<Float> SlipField::remainders(const Place& place) const {
+  const ZonePanel& panel = contact_->panels()[place.panel];
+  const auto& [first, values] = remainders_[place.panel];
+  const Float steps = place.step - first;
+  OfBoth<Float> sums{0, 0};
+  Float way = steps, over, scratch;
+  // In place, as this is most of the work of displacements.
+  for (GridIndex i = 0; i < values[pressure_part].count(); ++i) {
+    if (way == 0) return {values[pressure_part][i], values[shear_part][i]};
+    mpfr_si_div(raw(over), i % 2 == 0 ? 1 : -1, raw(way), MPFR_RNDN);
+    add_product(sums[pressure_part], scratch, over, values[pressure_part][i]);
+    if (panel.sign == 0) add_product(sums[shear_part], scratch, over, values[shear_part][i]);
+    mpfr_sub_d(raw(way), raw(way), 0.5, MPFR_RNDN);
   }
-  return sin(Float(2 * pi() * (place.step - remainder.first))) / (2 * pi()) * sum;
+  const Float factor = sin(Float(2 * pi() * steps)) / (2 * pi()), pressure = factor * sums[pressure_part];
+  return {pressure, panel.sign == 0 ? factor * sums[shear_part] : panel.slip_ratio * pressure};
 }
 
-Float SlipField::traction(std::size_t of, const Place& place) const {
-  const PanelPoint at = contact_->grid().at(place.step);
-  const auto& values = contact_->panels()[place.panel].values[of];
-  return remainder(of, place) + at.from_right.re * values[values.count() - 2] +
-         at.from_left.re * values.back();
+OfBoth<Float> SlipField::tractions(const ContactPoint& point, const OfBoth<Float>& remainders) const {
+  const auto& values = contact_->panels()[point.panel].values;
+  const GridIndex left = contact_->grid().nodes();
+  const auto with_linear = [&](std::size_t of) -> Float {
+    return remainders[of] + point.at.from_right.re * values[of][left] +
+           point.at.from_left.re * values[of][left + 1];
+  };
+  return {with_linear(pressure_part), with_linear(shear_part)};
 }
 
-Float SlipField::slope(std::size_t of, const Place& place) const {
-  const Remainder& remainder = remainders_[place.panel];
-  const Row<Float>& values = remainder.values[of];
-  Float sum = 0, squares = 0;
-  for (GridIndex i = 0; i < values.count(); ++i) {
-    const Float way = place.step - remainder.first - Float(i) / 2,
-                value = (i % 2 == 0 ? values[i] : -values[i]) / way;
-    sum += value;
-    squares += value / way;
-  }
-  const Float angle = 2 * pi() * (place.step - remainder.first);
-  const auto& ends = contact_->panels()[place.panel].values[of];
-  return cos(angle) * sum - sin(angle) / (2 * pi()) * squares +
-         contact_->grid().slope_at(place.step) * (ends.back() - ends[ends.count() - 2]);
+OfBoth<Float> SlipField::tractions(const Place& place) const {
+  return tractions({place.panel, contact_->grid().at(place.step)}, remainders(place));
 }
 
-Float SlipField::traction(std::size_t of, const Float& e) const {
-  return contains(e) ? traction(of, place_of(e)) : Float(0);
+OfBoth<Float> SlipField::tractions(const Float& e) const {
+  return contains(e) ? tractions(place_of(e)) : OfBoth<Float>{0, 0};
 }
 
-Float SlipField::strain(const Place& place) const {
-  const auto& panel = contact_->panels()[place.panel];
-  if (panel.sign == 0) return contact_->creep();
-  const PointSums sums = contact_->sums(place.panel, contact_->grid().at(place.step));
-  return sums.tangential.re + cotangent(place.step) * remainder(shear_part, place) -
-         contact_->problem().beta * remainder(pressure_part, place);
+Float SlipField::strain_at(const Place& place, const PointSums& sums, const OfBoth<Float>& remainders) const {
+  if (contact_->panels()[place.panel].sign == 0) return creep();
+  return sums.tangential.re + cotangent(place.step) * remainders[shear_part] -
+         contact_->problem().beta * remainders[pressure_part];
 }
 
 Float SlipField::strain(const Float& e) const {
-  return contains(e) ? strain(place_of(e)) : contact_->sums_outside(e).tangential.re;
-}
-
-/// What a pair of line loads at `from` adds but for the smooth kernels.
-void SlipField::add_displacement(const Float& e, const Float& from, const Float& load, const Float& sheared,
-                                 Displacement& sum) const {
-  const Float way = e - from, logarithm = -log(abs(way)) / pi(),
-              step = (way < 0 ? -1 : 1) * contact_->problem().beta / 2;
-  sum.normal += logarithm * load + step * sheared;
-  sum.tangential += logarithm * sheared - step * load;
-}
-
-SlipField::Displacement SlipField::displacement(const Float& e) const {
-  Displacement sum{0, 0};
-  SheetKernels& kernels = contact_->kernels();
-  for (GridIndex i = 0; i < contact_->places().count(); ++i) {
-    const Float alpha = e - contact_->places()[i], normal = kernels.smooth_normal(alpha),
-                coupling = kernels.coupling(alpha);
-    const Float &load = contact_->moments()[pressure_part](i), &sheared = contact_->moments()[shear_part](i);
-    sum.normal += (normal * load - coupling * sheared) / pi();
-    sum.tangential += (coupling * load + (normal + kernels.stretch(alpha)) * sheared) / pi();
+  if (!contains(e)) {
+    const bool is_ahead = e <= 0;
+    const Float distance = is_ahead ? Float(-e) : Float(e - length_);
+    return contact_->sums({is_ahead ? -1 : contact_->panels().count(), {distance, distance}}, true)
+        .tangential.re;
   }
+  const Place place = place_of(e);
+  return strain_at(place, contact_->sums({place.panel, contact_->grid().at(place.step)}, true),
+                   remainders(place));
+}
+
+NormalAndTangential<Float> SlipField::displacement(const Float& e) const {
+  const Float half_beta = contact_->problem().beta / 2;
+  auto sum = contact_->smooth().displacement(e);
+  // What line loads add but for the smooth kernels.
+  const auto add = [&](const Float& from, const Float& weight, const OfBoth<Float>& tractions) {
+    const Float way = e - from;
+    if (way == 0) return;
+    const Float logarithm = -log(abs(way)) / pi(), step = way < 0 ? Float(-half_beta) : half_beta;
+    const auto& [pressure, shear] = tractions;
+    sum.normal += weight * (logarithm * pressure + step * shear);
+    sum.tangential += weight * (logarithm * shear - step * pressure);
+  };
   const ZoneGrid& grid = contact_->grid();
-  const GridIndex nodes = grid.nodes();
-  for (const auto& panel : contact_->panels()) {
-    const Float right = panel.left + panel.length;
-    // Where e is inside, of both parts: the logarithm is then at an end.
-    Row<Float> ends{panel.left, right};
-    if (e > panel.left && e < right) ends.insert(ends.begin() + 1, e);
-    for (GridIndex part = 1; part < ends.count(); ++part) {
-      const Float length = ends[part] - ends[part - 1];
-      for (GridIndex i = 0; i < nodes; ++i) {
-        const Float from = ends[part - 1] + length * grid.from_left()[i], weight = length * grid.weight()[i];
-        if (from == e) continue;
-        Float load, sheared;
-        if (ends.count() == 2) {
-          load = panel.values[pressure_part][i] + grid.from_right()[i] * panel.values[pressure_part][nodes] +
-                 grid.from_left()[i] * panel.values[pressure_part][nodes + 1];
-          sheared = panel.values[shear_part][i] + grid.from_right()[i] * panel.values[shear_part][nodes] +
-                    grid.from_left()[i] * panel.values[shear_part][nodes + 1];
-        } else {
-          load = traction(pressure_part, from);
-          sheared = traction(shear_part, from);
-        }
-        add_displacement(e, from, weight * load, weight * sheared, sum);
+  for (GridIndex number = 0; number < contact_->panels().count(); ++number) {
+    const auto& [zone, sign, left, length, ratio, sources, values, loads] = contact_->panels()[number];
+    const Float right = left + length;
+    const bool is_inside = e > left && e < right;
+    for (GridIndex i = 0; i < grid.nodes(); ++i) {
+      const Float &from_left = grid.from_left()[i], &weight = grid.weight()[i];
+      if (!is_inside) {
+        const ContactPoint node{number, {from_left, grid.from_right()[i]}};
+        add(left + length * from_left, length * weight,
+            tractions(node, {values[pressure_part][i], values[shear_part][i]}));
+        continue;
+      }
+      // Of both parts: the logarithm is then at an end.
+      for (const auto& [begin, part] : {std::pair<Float, Float>(left, e - left), {e, right - e}}) {
+        const Float from = begin + part * from_left;
+        add(from, part * weight, tractions(from));
       }
     }
   }
   return sum;
 }
 
-Float SlipField::moment() const {
-  Float sum = 0;
+Float SlipField::rolling_resistance() const {
+  Float moment = 0;
   for (const Sample& sample : samples_)
-    sum += sample.weight * sample.pressure * (contact_->leading() - sample.e);
-  return sum;
+    moment += sample.weight * sample.tractions[pressure_part] * (leading() - sample.e);
+  return 2 * moment / load();
 }
 
 Float SlipField::dissipation() const {
   Float sum = 0;
-  for (const Sample& sample : samples_)
-    if (contact_->panels()[sample.place.panel].sign != 0)
-      sum -= sample.weight * sample.shear * (strain(sample.place) - contact_->creep());
+  for (const Sample& sample : samples_) sum -= sample.weight * sample.tractions[shear_part] * sample.slip;
   return sum;
 }
 
-Float SlipField::place_of_largest(std::size_t of) const {
-  const auto size = [&](GridIndex i) -> Float {
-    return abs(of == pressure_part ? samples_[i].pressure : samples_[i].shear);
-  };
-  GridIndex best = 0;
-  for (GridIndex i = 1; i < samples_.count(); ++i)
-    if (size(i) > size(best)) best = i;
-  const Place& near = samples_[best].place;
-  const Float value = of == pressure_part ? samples_[best].pressure : samples_[best].shear;
-  const auto rise = [&](const Float& step) -> Float {
-    return (value < 0 ? -1 : 1) * slope(of, {near.panel, step});
-  };
-  const Float before = near.step - Float(3) / 8, after = near.step + Float(3) / 8;
-  if (rise(before) > 0 && rise(after) < 0) {
-    const auto step = bracketed_root<Float>(rise, before, after, std::numeric_limits<Float>::epsilon() * 1e4);
-    if (step) return e_of({near.panel, *step});
+Row<SlipField::Hump> SlipField::humps(std::size_t of) const {
+  const auto size = [of](const OfBoth<Float>& tractions) -> Float { return abs(tractions[of]); };
+  const auto by_size = [&](const Sample& sample) { return size(sample.tractions); };
+  // What is nearer to a joint is not told from it.
+  const Float nearest = exp(Float(-contact_->grid().nats())) * length_;
+  // Of the number of steps, to e^-nats.
+  const int bits = static_cast<int>(contact_->grid().nats() / std::numbers::ln2) + 10;
+  Row<Hump> humps;
+  for (GridIndex i = 1; i + 1 < samples_.count(); ++i) {
+    const Sample &before = samples_[i - 1], &here = samples_[i], &after = samples_[i + 1];
+    const ZonePanel& panel = contact_->panels()[here.panel];
+    if (std::min(here.e - panel.left, panel.left + panel.length - here.e) < nearest ||
+        by_size(here) <= by_size(before) || by_size(here) < by_size(after))
+      continue;
+    const auto [step, negative] = boost::math::tools::brent_find_minima(
+        [&](const Float& place) -> Float {
+          return -size(tractions(Place{here.panel, place}));
+        },
+        before.step, after.step, bits);
+    humps.push_back({-negative, contact_->panels().place({here.panel, contact_->grid().at(step)}).re});
   }
-  return samples_[best].e;
+  // Where panels meet.
+  for (const ZonePanel& panel : contact_->panels())
+    humps.push_back({abs(panel.values[of][contact_->grid().nodes()]), panel.left});
+  return humps;
+}
+
+SlipField::Hump SlipField::largest(std::size_t of) const {
+  return std::ranges::max(humps(of), {}, &Hump::size);
 }
 
 }  // namespace nipref::ref

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/ref/partial_slip/internal/slip_slopes.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {
@@ -13,8 +14,8 @@ using Zones = Row<SlipZone>;
 constexpr int most_newton_steps = 40, most_corrections = 8;
 /// Digits of the grid on which zones are first sought, and of both grids beyond those asked for.
 constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
-/// A relative change of a zone's length: its square is as small as the rounding of double.
-constexpr double step_of_lengths = 1e-8;
+/// A relative change of a zone's length. Next to ends slopes have lost three digits in double, which leaves seven of their change.
+constexpr double step_of_lengths = 1e-6;
 /// Of a zone's length in a step of Newton's method, as a logarithm.
 constexpr double most_change = 0.7;
 /// A residual that is so much smaller after a step: the slopes are renewed if it is not.
@@ -46,31 +47,31 @@ void add_zone(Zones& zones, int sign, const Float& length) {
 /// Newton's method for the unknowns and the logarithms of the zones' lengths together.
 class Newton {
  public:
-  Newton(const SlipProblem& problem, std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, Zones zones)
-      : problem_(problem), grid_(std::move(grid)), kernels_(kernels), zones_(std::move(zones)) {
+  Newton(std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, const Zones& zones)
+      : grid_(std::move(grid)), kernels_(kernels), zones_(zones) {
     renew();
-    unknowns_ = Vector(contact_->unknowns());
-    contact_->set(unknowns_);
+    unknowns_ = Vector(contact_->sizes().count());
   }
 
   /// The tractions of `near`, or of least squares.
   void begin(const SlipField* near) {
     if (near != nullptr) {
       unknowns_ = contact_->unknowns_of(*near);
-    } else {
-      const Float size = largest_entry(contact_->residual());
-      const Eigen::MatrixXd slopes = contact_->slopes();
-      change_unknowns(
-          slopes.colPivHouseholderQr().solve(in_double(contact_->balanced(contact_->residual()), size)),
-          size);
+      evaluate();
+      return;
     }
+    evaluate();
+    const Float size = largest_entry(rest_);
+    const Eigen::MatrixXd system = slopes(*contact_);
+    change_unknowns(system.leftCols(unknowns_.size()).colPivHouseholderQr().solve(in_double(rest_, size)),
+                    size);
     evaluate();
   }
 
   /// Whether it converges. Where a zone vanishes it does not, and the zones are without it.
   bool converges() {
-    if (contact_->equations() != unknowns_.size() + zones_.count()) return false;
-    const Float enough = exp(Float(-grid_->nats())) / 100;
+    if (rest_.size() != unknowns_.size() + zones_.count()) return false;
+    const Float enough = exp(Float(-grid_->nats())) / 100 * grid_->problem().unit;
     bool is_new = true;
     for (int step = 0; step < most_newton_steps; ++step) {
       const Float size = largest_entry(rest_);
@@ -78,11 +79,10 @@ class Newton {
       if (is_new) make_slopes();
       const Eigen::VectorXd change = eliminated_.solve(in_double(rest_, size));
       if (!change.allFinite()) return false;
-      const auto lengths = zones_.count();
-      const double most = change.tail(lengths).cwiseAbs().maxCoeff() * static_cast<double>(size);
+      const double most = change.tail(zones_.count()).cwiseAbs().maxCoeff() * static_cast<double>(size);
       const Float part = size * std::min(1.0, most_change / most);
       change_unknowns(change, part);
-      for (GridIndex i = 0; i < lengths; ++i)
+      for (GridIndex i = 0; i < zones_.count(); ++i)
         zones_[i].length *= exp(Float(-part * change(unknowns_.size() + i)));
       if (drops_zone()) return false;
       renew();
@@ -98,25 +98,29 @@ class Newton {
  private:
   void evaluate() {
     contact_->set(unknowns_);
-    rest_ = contact_->balanced(contact_->residual());
+    rest_ = contact_->residual();
   }
 
-  void renew() { contact_ = std::make_unique<SlipContact>(problem_, grid_, kernels_, zones_); }
+  void renew() { contact_ = std::make_unique<SlipContact>(grid_, kernels_, zones_); }
 
   void change_unknowns(const Eigen::VectorXd& change, const Float& part) {
     for (GridIndex i = 0; i < unknowns_.size(); ++i) unknowns_(i) -= part * change(i) * contact_->sizes()[i];
   }
 
   void make_slopes() {
-    const GridIndex linear = unknowns_.size(), lengths = zones_.count();
-    Eigen::MatrixXd matrix(linear + lengths, linear + lengths);
-    matrix.leftCols(linear) = contact_->slopes();
-    for (GridIndex i = 0; i < lengths; ++i) {
+    const GridIndex linear = unknowns_.size();
+    const Eigen::MatrixXd system = slopes(*contact_);
+    Eigen::VectorXd values(linear + 1);
+    for (GridIndex i = 0; i < linear; ++i)
+      values(i) = static_cast<double>(Float(unknowns_(i) / contact_->sizes()[i]));
+    values(linear) = 1;
+    Eigen::MatrixXd matrix(system.rows(), system.rows());
+    matrix.leftCols(linear) = system.leftCols(linear);
+    for (GridIndex i = 0; i < zones_.count(); ++i) {
       Zones longer = zones_;
-      longer[i].length *= 1 + Float(step_of_lengths);
-      SlipContact other(problem_, grid_, kernels_, longer);
-      other.set(unknowns_);
-      matrix.col(linear + i) = in_double(contact_->balanced(other.residual()) - rest_, step_of_lengths);
+      longer[i].length *= 1 + step_of_lengths;
+      const Eigen::MatrixXd change = slopes(SlipContact(grid_, kernels_, longer)) - system;
+      matrix.col(linear + i) = change * values / step_of_lengths;
     }
     eliminated_.compute(matrix);
   }
@@ -130,7 +134,6 @@ class Newton {
     return zones_.count() != before.count();
   }
 
-  const SlipProblem& problem_;
   std::shared_ptr<const ZoneGrid> grid_;
   SheetKernels& kernels_;
   Zones zones_;
@@ -143,12 +146,12 @@ class Newton {
 /// a zone of the least length would, e^-nats of the contact's, whose tractions are as the root of that, is left as it is.
 int corrected_sign(const SlipField& field, const SlipField::Sample& sample) {
   const SlipContact& contact = field.contact();
-  const Float part = exp(Float(-contact.grid().nats() / 2)), &friction = contact.problem().friction;
-  const int sign = contact.panels()[sample.place.panel].sign;
-  if (sign != 0)
-    return sign * (field.strain(sample.place) - contact.creep()) > part * contact.length() ? 0 : sign;
-  const Float most = friction * (sample.pressure + part * contact.length());
-  return sample.shear > most ? 1 : sample.shear < -most ? -1 : 0;
+  const Float least = exp(Float(-contact.grid().nats() / 2)) * field.length();
+  const int sign = contact.panels()[sample.panel].sign;
+  if (sign != 0) return sign * sample.slip > least ? 0 : sign;
+  const auto& [pressure, shear] = sample.tractions;
+  const Float most = contact.problem().friction * (pressure + least);
+  return shear > most ? 1 : shear < -most ? -1 : 0;
 }
 
 /// Zones by the inequalities.
@@ -161,8 +164,8 @@ Zones corrected(const SlipField& field) {
   for (const SlipField::Sample& sample : field.samples()) {
     const int sign = corrected_sign(field, sample);
     if (before != nullptr && sign != last) {
-      const auto& panel = contact.panels()[sample.place.panel];
-      const bool is_old = before->place.panel != sample.place.panel;
+      const auto& panel = contact.panels()[sample.panel];
+      const bool is_old = before->panel != sample.panel;
       const Float to = is_old ? panel.left : Float((before->e + sample.e) / 2);
       add_zone(zones, last, to - from);
       from = to;
@@ -170,7 +173,7 @@ Zones corrected(const SlipField& field) {
     last = sign;
     before = &sample;
   }
-  const Float rest = contact.length() - from;
+  const Float rest = field.length() - from;
   const bool turns_around =
       last == 0 && zones.count() > 0 && contact.zones()[contact.zones().count() - 1].sign != 0;
   add_zone(zones, last, turns_around ? Float(2 * rest / 3) : rest);
@@ -191,7 +194,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     double longest = 0;
     for (const SlipZone& zone : zones)
       longest = std::max(longest, std::min(longest_panel, static_cast<double>(zone.length)));
-    Newton newton(problem, std::make_shared<ZoneGrid>(digits * std::numbers::ln10, longest), kernels, zones);
+    Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, longest), kernels, zones);
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
     if (!converges && are_alike(newton.zones(), zones)) return nullptr;
@@ -208,13 +211,13 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 }  // namespace
 
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
-  const auto first = solved(problem, kernels, zones, first_digits, nullptr);
-  if (!first) return {};
-  auto coarse = solved(problem, kernels, zones, digits + coarse_guard, first.get());
-  if (!coarse) return {};
-  auto fine = solved(problem, kernels, zones, digits + fine_guard, coarse.get());
-  if (!fine) return {};
-  return {std::move(coarse), std::move(fine)};
+  SolvedSlip result;
+  for (int goal : {first_digits, digits + coarse_guard, digits + fine_guard}) {
+    result.coarse = std::move(result.fine);
+    result.fine = solved(problem, kernels, zones, goal, result.coarse.get());
+    if (!result.fine) return {};
+  }
+  return result;
 }
 
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }

@@ -18,7 +18,7 @@ constexpr double least_part = 0.9296;
 
 }  // namespace
 
-ZoneGrid::ZoneGrid(double nats, double longest) : nats_(nats) {
+ZoneGrid::ZoneGrid(const SlipProblem& problem, double nats, double longest) : problem_(problem), nats_(nats) {
   const double angle = free_angle(longest), reach = std::asinh(4 * pi_as_double / angle);
   const double exponent = nats / least_part;
   const double wanted_step = 4 * pi_as_double * pi_as_double / (exponent * exponent);
@@ -31,6 +31,11 @@ ZoneGrid::ZoneGrid(double nats, double longest) : nats_(nats) {
     from_left_.push_back(point.from_left.re);
     from_right_.push_back(point.from_right.re);
     weight_.push_back(slope_at(i));
+  }
+  for (int sign : {-1, 0, 1}) {
+    const ComplexFloat first(problem.shift(sign) - Float(1) / 2, sign == 0 ? -atanh(problem.beta) / pi() : 0);
+    for (int i = 0; i <= nodes; ++i)
+      points_[static_cast<std::size_t>(sign + 1)].push_back(at(first + ComplexFloat(Float(i))));
   }
 }
 

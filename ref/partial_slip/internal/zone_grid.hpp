@@ -1,27 +1,10 @@
 #pragma once
-#include <Eigen/Core>
-#include <vector>
+#include <array>
 
 #include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/partial_slip/internal/slip_problem.hpp>
 
 namespace nipref::ref {
-
-using GridIndex = Eigen::Index;
-
-/// A vector whose elements are counted like Eigen's.
-template <class Element>
-struct Row : std::vector<Element> {
-  using Base = std::vector<Element>;
-  using Base::Base;
-  explicit Row(GridIndex count) { grow(count); }
-  Row() = default;
-  void grow(GridIndex count) { Base::resize(static_cast<typename Base::size_type>(count)); }
-  [[nodiscard]] GridIndex count() const { return static_cast<GridIndex>(Base::size()); }
-  Element& operator[](GridIndex i) { return Base::operator[](static_cast<typename Base::size_type>(i)); }
-  const Element& operator[](GridIndex i) const {
-    return Base::operator[](static_cast<typename Base::size_type>(i));
-  }
-};
 
 /// A place in a panel: its distances from both ends over the panel's length, each exact where it is small.
 struct PanelPoint {
@@ -33,14 +16,20 @@ struct PanelPoint {
 class ZoneGrid {
  public:
   /// With errors of about e^-nats on panels of up to `longest` half-thicknesses.
-  ZoneGrid(double nats, double longest);
+  ZoneGrid(const SlipProblem& problem, double nats, double longest);
 
+  [[nodiscard]] const SlipProblem& problem() const { return problem_; }
   [[nodiscard]] double nats() const { return nats_; }
   [[nodiscard]] GridIndex nodes() const { return from_left_.count(); }
   [[nodiscard]] const Row<Float>& from_left() const { return from_left_; }
   [[nodiscard]] const Row<Float>& from_right() const { return from_right_; }
   /// dx/dc at the nodes, which are the rule's weights.
   [[nodiscard]] const Row<Float>& weight() const { return weight_; }
+
+  /// Where the equations are asked in a panel of that sign, at one point more than nodes: ref/partial_slip/README.md.
+  [[nodiscard]] const Row<PanelPoint>& points(int sign) const {
+    return points_[static_cast<std::size_t>(sign + 1)];
+  }
 
   [[nodiscard]] PanelPoint at(const ComplexFloat& place) const;
   /// c of a real point.
@@ -49,9 +38,11 @@ class ZoneGrid {
   [[nodiscard]] Float slope_at(const Float& place) const;
 
  private:
+  SlipProblem problem_;
   double nats_;
   Float step_, steepness_, middle_;
   Row<Float> from_left_, from_right_, weight_;
+  std::array<Row<PanelPoint>, 3> points_;
 };
 
 }  // namespace nipref::ref

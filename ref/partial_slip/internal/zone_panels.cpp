@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/ref/partial_slip/internal/zone_panels.hpp>
+
+namespace nipref::ref {
+
+ZonePanels::ZonePanels(const Row<SlipZone>& zones, double friction) {
+  Float left = 0;
+  for (GridIndex i = 0; i < zones.count(); ++i) {
+    const auto& [sign, whole] = zones[i];
+    const int parts = std::max(1, static_cast<int>(std::ceil(static_cast<double>(whole) / longest_panel)));
+    for (int part = 0; part < parts; ++part) {
+      push_back({i, sign, left, whole / parts, sign * friction});
+      left += back().length;
+    }
+  }
+}
+
+Float ZonePanels::length_of(GridIndex panel) const {
+  return panel < 0 || panel == count() ? Float(1) : (*this)[panel].length;
+}
+
+ComplexFloat ZonePanels::place(const ContactPoint& point) const {
+  return point.panel < 0 ? -point.at.from_right : distance(point, 0);
+}
+
+ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) const {
+  const bool is_ahead = joint > point.panel;
+  Float between = 0;
+  for (GridIndex i = is_ahead ? point.panel + 1 : joint; i < (is_ahead ? joint : point.panel); ++i)
+    between += (*this)[i].length;
+  return (is_ahead ? point.at.from_right : point.at.from_left) * length_of(point.panel) +
+         ComplexFloat(between);
+}
+
+}  // namespace nipref::ref
