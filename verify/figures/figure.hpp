@@ -51,9 +51,9 @@ struct Panel {
   std::optional<Contours> contours = {};
 };
 
-/// A figure of a seed, not computed yet.
+/// A figure, not computed yet.
 struct FigurePlan {
-  std::string id;          ///< "thesis-17": the seed and the number of its figure or table
+  std::string id;          ///< "thesis-17": the seed and the number of its figure or table; "coulomb-creep"
   std::string title;       ///< in our own words
   std::string parameters;  ///< common to its curves
   std::function<std::vector<Panel>()> compute;
@@ -66,12 +66,13 @@ struct Figure {
 };
 
 /// All figures that can be drawn, the rows of data/statements/figures.csv: those of the thesis that have curves, in the
-/// order of their numbers, and the curves on which the tables of the papers on half-spaces lie. The seeds' own drawings are lost:
-/// the axes follow their captions and text.
+/// order of their numbers, the curves on which the tables of the papers on half-spaces lie, and those of nips with Coulomb's
+/// friction, beyond the seeds. The seeds' own drawings are lost: the axes follow their captions and text.
 [[nodiscard]] std::vector<FigurePlan> figures();
 
-/// Computes a figure, which takes less than a second, or some seconds for rolling sheets. Where the seed printed a table, the
-/// figure has its cells with their rounding intervals, without doubtful ones, and the values by the seed's own method.
+/// Computes a figure, which takes less than a second, or some seconds for rolling sheets and Coulomb's friction. Where the
+/// seed printed a table, the figure has its cells with their rounding intervals, without doubtful ones, and the values by the
+/// seed's own method.
 [[nodiscard]] Figure compute(const FigurePlan& plan);
 
 /// A line for each point: panel, label, role, x, y, low, high, value. Without bars, low and high are y; only contours have a

@@ -60,7 +60,7 @@ Json verdict_counts_json(const std::vector<CheckedClaim>& claims, const std::vec
 struct LimitSample {
   double size;       ///< what goes to 0; exact
   Propagated found;  ///< by the solver
-  Propagated limit;  ///< by the closed form, which is independent of the solver
+  Propagated limit;  ///< by a closed form or another contact, which is independent of the solver
 
   /// |found - limit|/|limit|
   [[nodiscard]] Propagated distance() const;
@@ -69,8 +69,8 @@ struct LimitSample {
 /// How the solver's contact approaches one of the known limits.
 struct LimitRow {
   std::string name;       ///< "limit.hertz.load"
-  std::string statement;  ///< the closed form
-  std::string source;     ///< where the closed form comes from
+  std::string statement;  ///< the limit
+  std::string source;     ///< where it comes from
   std::string size;       ///< what goes to 0, dimensionless
   /// The exponent with which the distance must fall, by the first term that the limit leaves out; 0: faster than any
   /// power.
@@ -84,8 +84,8 @@ struct LimitRow {
   [[nodiscard]] bool approached() const;
 };
 
-/// Computes all limits: of the elastic nip thick and thin with and without friction, and of the rolling one with short memory,
-/// with long memory and thin.
+/// Computes all limits: of the elastic nip thick and thin with and without friction, of the one with Coulomb's friction
+/// thick, with little and with much friction, and of the rolling one with short memory, with long memory and thin.
 [[nodiscard]] std::vector<LimitRow> limits();
 Json limits_json(const std::vector<LimitRow>& limits);
 

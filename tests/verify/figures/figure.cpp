@@ -81,15 +81,16 @@ std::size_t plots_of(const Figure& all) {
 
 }  // namespace
 
-TEST_CASE("all figures of the seeds that hold curves are listed, each once") {
+TEST_CASE("all figures of the seeds that hold curves and those of Coulomb's friction are listed, each once") {
   std::vector<std::string> expected;
   for (const auto& [first, last] : {std::pair{7, 13}, {15, 15}, {17, 29}, {32, 38}, {41, 53}}) {
     for (int number = first; number <= last; ++number) expected.push_back("thesis-" + std::to_string(number));
   }
   for (const char* stresses : {"thesis-III-thick", "thesis-III-thin", "thesis-III-rolling"})
     expected.emplace_back(stresses);
-  for (const char* paper : {"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2", "brock2013-3"})
-    expected.emplace_back(paper);
+  for (const char* other : {"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2", "brock2013-3",
+                            "coulomb-creep", "coulomb-zones"})
+    expected.emplace_back(other);
   std::vector<std::string> listed;
   for (const verify::FigurePlan& plan : verify::figures()) {
     listed.push_back(plan.id);
@@ -158,6 +159,28 @@ TEST_CASE("the printed solid creeps to 1.875 times its first strain, the defined
   CHECK(series_of(panel, "theta1 + theta2", "solid as defined").y.back() == doctest::Approx(2).epsilon(2e-3));
   CHECK(series_of(panel, "theta1 + theta2", "solid as printed (6.29)").y.back() ==
         doctest::Approx(1.875).epsilon(2e-3));
+}
+
+TEST_CASE(
+    "with Coulomb's friction creep falls as traction grows, and zones of slip shrink as friction grows") {
+  const Figure creep = figure("coulomb-creep");
+  for (const verify::Panel& panel : creep.panels) {
+    for (const Series& curve : panel.series) CHECK(std::ranges::is_sorted(curve.y, std::greater<>()));
+  }
+  // Bentall and Johnson's creep as friction goes to 0, -beta sqrt(1 - (c/a)^2)/2 with beta = 1/4 and c/a = 0.40397.
+  CHECK(0.05 * at(creep.panels.front().series.front(), 0) == approx(-0.1143, 0.15));
+  const Figure zones = figure("coulomb-zones");
+  for (const verify::Panel& panel : zones.panels) {
+    std::map<double, double> slip;  // its length over that of the contact, by friction
+    for (const Series& bars : panel.series) {
+      for (std::size_t i = 0; i < bars.x.size(); ++i) slip[bars.x[i]] += bars.high[i] - bars.low[i];
+    }
+    CHECK(slip.begin()->second > 0.2);
+    CHECK(std::ranges::is_sorted(slip, std::greater<>(), [](const auto& one) { return one.second; }));
+  }
+  // A thick sheet moves in and a thin one out, and friction holds them back where they enter.
+  CHECK(zones.panels.front().series[0].high.front() == 1);
+  CHECK(zones.panels.back().series[1].high.front() == 1);
 }
 
 TEST_CASE("a figure's CSV has numbers everywhere") {

@@ -108,7 +108,8 @@ std::string axis_label(const std::string& quantity) {
 std::vector<FigurePlan> figures() {
   static const Drawings drawings = [] {
     Drawings joined;
-    for (auto* const part : {&sheet_drawings, &nip_drawings, &half_space_drawings}) joined.merge(part());
+    for (auto* const part : {&sheet_drawings, &nip_drawings, &half_space_drawings, &partial_slip_drawings})
+      joined.merge(part());
     return joined;
   }();
   const data::CsvFile file = data::read_csv(data::statements_directory() / "figures.csv");

@@ -35,6 +35,7 @@ using Drawings = std::map<std::string, std::vector<Panel> (*)(const FigureSubjec
 Drawings sheet_drawings();       ///< sheets under line loads, thesis 7-13, 32-38
 Drawings nip_drawings();         ///< numbers of nips, along and inside them, thesis 15, 17-29, 41-53, ch. III
 Drawings half_space_drawings();  ///< curves of the papers' tables
+Drawings partial_slip_drawings();  ///< nips with Coulomb's friction
 
 // Roles of series, as the figures' keys name them.
 inline const std::string of_continuum = "continuous contact", by_thesis = "thesis's method",

@@ -103,11 +103,12 @@ Propagated second_moment(const SolvedContact<fast::Estimate>& contact) {
 /// A result of the table of results, or one that follows from it.
 Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact) {
   if (request.name == "second_moment") return second_moment(contact);
-  if (request.name == "shear_zero") return contact.get(ResultId::shear_zeros).at(1);
   const data::SceneResult* const what = data::find_scene_result(request.name);
   if (what == nullptr || !contact.has(what->id)) request.refuse(fmt::format("no '{}'", request.name));
-  if (what->shape != data::Shape::profile) return contact.number(what->id);
-  return contact.at(what->id, request.number("at", "0"));
+  if (what->shape == data::Shape::number) return contact.number(what->id);
+  const double at = request.number("at", "0");
+  if (what->shape == data::Shape::list) return contact.get(what->id).at(static_cast<std::size_t>(at));
+  return contact.at(what->id, at);
 }
 
 constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
@@ -241,10 +242,17 @@ class SolvedNumbers {
     const Common in(request);
     const data::ElasticMaterial material{request.number("young", fmt::format("{}", thesis_sheet.young)),
                                          request.number("poisson", fmt::format("{}", thesis_sheet.poisson))};
+    const data::ElasticNip nip{in.radius, in.thickness, material};
+    if (const double mu = request.number("mu", "0"); mu > 0) {
+      const double traction = request.number("traction", "0");
+      const data::PartialSlipProblem problem{.nip = {nip, mu, data::GivenTraction{traction}},
+                                             .given = in.given()};
+      return result_of(request,
+                       solve_once("", in, {material.young, material.poisson, mu, traction}, problem));
+    }
     const bool full = request.text_of("friction", "none") == "full";
-    const data::ElasticNipProblem problem{.nip = {in.radius, in.thickness, material},
-                                          .given = in.given(),
-                                          .friction = full ? data::Friction::full : data::Friction::none};
+    const data::ElasticNipProblem problem{
+        .nip = nip, .given = in.given(), .friction = full ? data::Friction::full : data::Friction::none};
     return result_of(request,
                      solve_once("", in, {material.young, material.poisson, full ? 1.0 : 0.0}, problem));
   }

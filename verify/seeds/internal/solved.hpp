@@ -54,7 +54,8 @@ class Formulas {
 ///   - ref, fast, printed: a quantity of the catalogue by ref, by fast, or as the seed prints it. Its arguments are decimal
 ///     texts as on the command line; $x is the value of x;
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
-///     for the place of a distribution, and young, poisson, friction or solid, memory, speed; by default as in the thesis;
+///     for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory, speed; by
+///     default as in the thesis. In place of friction an elastic one may have mu, Coulomb's coefficient, and traction;
 ///   - started: mu_R by the thesis's line loads. Keys: thickness, load, memory, and distance, from which they start;
 ///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed, in
 ///     that of the sphere's shear waves;
