@@ -127,6 +127,9 @@ TEST_CASE("claims, each decided once: by its numbers, which other programs found
     CHECK(near(number("brock2012-strip", "exp(-pi/2P), nu = 1/3, c = 0.3"), 2.0e-8, 1e-9));
     CHECK(near(number("brock2012-separation", "the angle, nu = 1/3"), 21.168, 1e-3));
     CHECK(near(number("thesis-range-between-cases", "largest change"), 0.058, 1e-3));
+    // By the reference, 16 digits.
+    CHECK(near(number("thesis-range-between-cases", "how far inside, B = 0.0625"), -0.201576, 1e-5));
+    CHECK(near(number("thesis-range-between-cases", "how far inside the creep"), -0.597361, 1e-5));
     CHECK(near(number("thesis-one-root", "roots with 18 pi"), 1, 1e-9));
     CHECK(near(number("brock2013-no-root", "Rayleigh root"), 0.42835, 1e-5));
     CHECK(near(number("brock2013-limit-at-45", "smallest speed"), 0.4989960517, 1e-8));
