@@ -220,7 +220,8 @@ SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<Sl
 
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
 
-/// Remainders next to a panel's end are known to as many digits as they are small: twice.
-int working_digits_of_slip(int digits) { return 2 * (digits + fine_guard) + 16; }
+/// Remainders next to a panel's end are known to as many digits as they are small: twice. Over the lengths of zones that are as
+/// short, which differences are divided by, as many are lost again.
+int working_digits_of_slip(int digits) { return 3 * (digits + fine_guard) + 10; }
 
 }  // namespace nipref::ref
