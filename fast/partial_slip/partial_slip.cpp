@@ -23,11 +23,14 @@ using Traction = ZoneContact::Traction;
 constexpr double longest_contact = 10;  // L/B
 /// The natural logarithm of how much smaller the second discretisation's error is.
 constexpr double nats_apart = 3;
+/// Coarser contacts may not resolve zones next to others that are much shorter.
+constexpr double least_nats = 14;
 
-/// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions at most, at
-/// corresponding places of their zones.
+/// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions at
+/// corresponding places, at each sample of the second.
 struct Differences {
-  double relative = 0, pressure = 0, shear = 0;
+  double relative = 0;
+  std::vector<Traction> at_samples = {};
 };
 
 Differences differences(const ZoneContact& first, const ZoneContact& second, const PartialSlipTask& task) {
@@ -41,17 +44,12 @@ Differences differences(const ZoneContact& first, const ZoneContact& second, con
   add(load - first.load(), load);
   add(second.tangential_load() - first.tangential_load(), task.friction * load);
   add(second.creep() - first.creep(), std::max(length, std::fabs(second.creep())));
+  const std::vector<double> excess = excesses(second, task.friction);
   for (const ZoneContact::Sample& sample : second.samples()) {
-    double e = sample.e, start = 0;
-    for (int z = 0; z < sample.zone; ++z) {
-      e -= second.zones()[static_cast<std::size_t>(z)].length;
-      start += first.zones()[static_cast<std::size_t>(z)].length;
-    }
-    const auto zone = static_cast<std::size_t>(sample.zone);
-    const Traction before =
-        first.traction(start + e * first.zones()[zone].length / second.zones()[zone].length);
-    found.pressure = std::max(found.pressure, std::fabs(sample.pressure - before.pressure));
-    found.shear = std::max(found.shear, std::fabs(sample.shear - before.shear));
+    const Traction before = first.traction(first.corresponding_place(second, sample.e));
+    const double wrong = excess[found.at_samples.size()] * task.friction * sample.pressure;
+    found.at_samples.push_back({std::fabs(sample.pressure - before.pressure),
+                                std::fabs(sample.shear - before.shear) + std::fabs(wrong)});
   }
   return found;
 }
@@ -115,6 +113,7 @@ struct PartialSlipNip::Implementation {
         unit, {value, std::fabs(value - std::invoke(number, first)) + (apart.relative + rounding) * scale});
   }
   [[nodiscard]] double length() const { return second.length(); }
+  [[nodiscard]] double place(double y) const { return second.leading_length() - y / units.length; }
   /// Its value at Y, of a function of e.
   [[nodiscard]] auto at(double y, const auto& function) const {
     check_position(y);
@@ -122,33 +121,57 @@ struct PartialSlipNip::Implementation {
       return function(contact, contact.leading_length() - y / units.length);
     };
   }
-  [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit, double largest) const {
+  /// The error of tractions at e: the largest difference at the samples next to it, as one may be 0 by chance.
+  [[nodiscard]] Traction error_near(double e) const {
+    constexpr long beside = 8;
+    if (!(e >= 0 && e <= length())) return {0, 0};
+    const auto& samples = second.samples();
+    const auto next = std::ranges::lower_bound(samples, e, {}, &ZoneContact::Sample::e) - samples.begin();
+    Traction largest{0, 0};
+    for (long i = std::max(0L, next - beside); i < std::min(std::ssize(samples), next + beside); ++i) {
+      const Traction& difference = apart.at_samples[static_cast<std::size_t>(i)];
+      largest = {std::max(largest.pressure, difference.pressure), std::max(largest.shear, difference.shear)};
+    }
+    return largest;
+  }
+  /// Of what depends on the tractions about e: an error per unit of both.
+  [[nodiscard]] double error_by_tractions(double e) const {
+    const Traction error = error_near(e);
+    return e > 0 && e < length() && second.sign(e) != 0 ? error.pressure + error.shear : 0;
+  }
+  [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit) const {
     const auto number =
         at(y, [part](const ZoneContact& contact, double e) { return contact.traction(e).*part; });
     const double value = std::invoke(number, second), before = std::invoke(number, first);
     if (value == 0 && before == 0) return {0, 0};
     // What rounding of the place does: next to ends and boundaries tractions are like roots.
-    const double e = second.leading_length() - y / units.length, shift = 0x1p-51 * length();
+    const double e = place(y), shift = 0x1p-51 * length();
     double rounding = 0;
     for (const double place : {e - shift, e + shift})
       rounding = std::max(rounding, std::fabs(second.traction(place).*part - value));
-    return times(unit, {value, std::fabs(value - before) + largest + rounding});
+    return times(unit, {value, std::fabs(value - before) + error_near(e).*part + rounding});
   }
-  /// Its error reaches to any place whose traction is as large but for twice its error and rounding. Where a traction is
-  /// flat it is known to rounding, and its place to the root of that.
-  [[nodiscard]] Estimate peak_position(double Traction::*part, double error) const {
+  [[nodiscard]] Estimate peak_size(double Traction::*part) const {
+    const Peak largest = peak(second, part);
+    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * largest.size;
+    return times(units.pressure, {largest.size, std::fabs(largest.size - peak(first, part).size) +
+                                                    error_near(largest.e).*part + rounding});
+  }
+  /// Its error reaches to any place whose traction is as large but for twice its error and rounding.
+  [[nodiscard]] Estimate peak_position(double Traction::*part) const {
     Estimate position = estimate(
         [part](const ZoneContact& contact) { return contact.leading_length() - peak(contact, part).e; },
         units.length, length());
     const Peak largest = peak(second, part);
-    double farthest = 0x1p-26 * length();
-    const auto count = [&](const Peak& one) {
-      if (one.size >= (1 - 0x1p-40) * largest.size - 2 * error)
-        farthest = std::max(farthest, std::fabs(one.e - largest.e));
-    };
-    std::ranges::for_each(peaks(second, part), count);
-    for (const ZoneContact::Sample& sample : second.samples())
-      count({std::fabs(second.traction(sample.e).*part), sample.e});
+    const double least = largest.size - 2 * (peak_size(part).error / units.pressure);
+    const auto is_as_large = [&](double e) { return std::fabs(second.traction(e).*part) >= least; };
+    double farthest = 0;
+    for (const Peak& one : peaks(second, part)) {
+      if (one.size < least) continue;
+      double beside = 0x1p-30 * length();
+      while (is_as_large(one.e - beside) || is_as_large(one.e + beside)) beside *= 2;
+      farthest = std::max(farthest, std::fabs(one.e - largest.e) + beside);
+    }
     position.error += units.length * farthest;
     return position;
   }
@@ -223,48 +246,39 @@ Estimate PartialSlipNip::dissipation() const {
   return lost;
 }
 
-Estimate PartialSlipNip::peak_pressure() const {
-  const Implementation& my = *implementation_;
-  Estimate size =
-      my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::pressure).size; },
-                  my.units.pressure, 0);
-  size.error += my.units.pressure * my.apart.pressure;
-  return size;
-}
+Estimate PartialSlipNip::peak_pressure() const { return implementation_->peak_size(&Traction::pressure); }
 
 Estimate PartialSlipNip::peak_pressure_position() const {
-  return implementation_->peak_position(&Traction::pressure, implementation_->apart.pressure);
+  return implementation_->peak_position(&Traction::pressure);
 }
 
-Estimate PartialSlipNip::peak_shear() const {
-  const Implementation& my = *implementation_;
-  Estimate size = my.estimate([](const ZoneContact& contact) { return peak(contact, &Traction::shear).size; },
-                              my.units.pressure, 0);
-  size.error += my.units.pressure * my.apart.shear;
-  return size;
-}
+Estimate PartialSlipNip::peak_shear() const { return implementation_->peak_size(&Traction::shear); }
 
 Estimate PartialSlipNip::peak_shear_position() const {
-  return implementation_->peak_position(&Traction::shear, implementation_->apart.shear);
+  return implementation_->peak_position(&Traction::shear);
 }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const Implementation& my = *implementation_;
   const std::vector<Zone>& zones = my.second.zones();
-  // See ZoneMesh::smooth_reach.
+  const auto boundary = [](const ZoneContact& contact, std::size_t k) {
+    double e = 0;
+    for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
+    return contact.leading_length() - e;
+  };
+  // Where slip turns into stick: errors over the longer of both zones. See ZoneMesh::smooth_reach.
+  const auto is_smooth = [&](std::size_t k) { return k > 0 && k < zones.size() && zones[k - 1].sign != 0; };
+  const auto longer = [&](std::size_t k) { return std::max(zones[k - 1].length, zones[k].length); };
   const double reach = ZoneMesh::smooth_reach(my.nats + nats_apart);
-  const double of_smooth = std::exp(-reach) + 0x1p-50 * std::exp(reach);
+  double of_smooth = std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
+  for (std::size_t k = 0; k <= zones.size(); ++k)
+    if (is_smooth(k))
+      of_smooth = std::max(of_smooth, std::fabs(boundary(my.second, k) - boundary(my.first, k)) / longer(k));
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= zones.size(); ++k) {
-    const auto boundary = [k](const ZoneContact& contact) {
-      double e = 0;
-      for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
-      return contact.leading_length() - e;
-    };
-    all.push_back(my.estimate(boundary, my.units.length, my.length()));
-    const bool is_inside = k > 0 && k < zones.size();
-    if (is_inside && zones[k - 1].sign != 0)
-      all.back().error += my.units.length * of_smooth * std::max(zones[k - 1].length, zones[k].length);
+    all.push_back(my.estimate([&](const ZoneContact& contact) { return boundary(contact, k); },
+                              my.units.length, my.length()));
+    if (is_smooth(k)) all.back().error += my.units.length * of_smooth * longer(k);
   }
   return all;
 }
@@ -277,25 +291,30 @@ std::vector<int> PartialSlipNip::zone_signs() const {
 
 Estimate PartialSlipNip::pressure(double y) const {
   const Implementation& my = *implementation_;
-  return my.traction(y, &Traction::pressure, my.units.pressure, my.apart.pressure);
+  return my.traction(y, &Traction::pressure, my.units.pressure);
 }
 
 Estimate PartialSlipNip::shear(double y) const {
   const Implementation& my = *implementation_;
-  return my.traction(y, &Traction::shear, -my.units.pressure, my.apart.shear);
+  return my.traction(y, &Traction::shear, -my.units.pressure);
 }
 
 Estimate PartialSlipNip::surface_strain(double y) const {
   const Implementation& my = *implementation_;
-  return my.estimate(my.at(y, [](const ZoneContact& contact, double e) { return contact.strain(e); }),
-                     my.units.creep, my.length());
+  Estimate strain =
+      my.estimate(my.at(y, [](const ZoneContact& contact, double e) { return contact.strain(e); }),
+                  my.units.creep, my.length());
+  strain.error += my.units.creep * my.error_by_tractions(my.place(y));
+  return strain;
 }
 
 Estimate PartialSlipNip::slip(double y) const {
   const Implementation& my = *implementation_;
-  return my.estimate(
+  Estimate slip = my.estimate(
       my.at(y, [](const ZoneContact& contact, double e) { return contact.strain(e) - contact.creep(); }),
       my.units.creep, my.length());
+  slip.error += my.units.creep * my.error_by_tractions(my.place(y));
+  return slip;
 }
 
 Estimate PartialSlipNip::normal_displacement(double y) const {
@@ -311,17 +330,20 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
     return contact.displacement(contact.leading_length()).along - contact.displacement(e).along;
   };
   const double scale = my.length() * std::max(my.length(), std::fabs(y / my.units.length));
-  return my.estimate(my.at(y, relative), my.units.displacement, scale);
+  Estimate displacement = my.estimate(my.at(y, relative), my.units.displacement, scale);
+  for (const double place : {my.place(0), my.place(y)})
+    displacement.error += my.units.displacement * my.length() * my.error_by_tractions(place);
+  return displacement;
 }
 
 bool PartialSlipNip::refine() {
   Implementation& my = *implementation_;
   // Rounding rules from here on.
-  constexpr double most_nats = 27;
+  constexpr double most_nats = 36;
   if (my.nats + nats_apart > most_nats) return false;
-  auto second = find_zones(my.task, my.second.zones(), my.nats + 2 * nats_apart);
+  auto second = find_zones(my.task, my.second, my.nats + 2 * nats_apart);
   if (!second) return false;
-  auto first = ZoneContact::solved(my.task, second->zones(), my.nats + nats_apart);
+  auto first = ZoneContact::solved(my.task, *second, my.nats + nats_apart);
   if (!first) return false;
   my.nats += nats_apart;
   my.first = *std::move(first);
@@ -336,11 +358,11 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  const double nats = 0.85 * std::log(1 / accuracy);
+  const double nats = std::max(std::log(8 / accuracy), least_nats);
   // Zones are looked for with the better accuracy.
   auto second = find_zones(task, nats + nats_apart);
   if (!second) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length)));
-  auto first = ZoneContact::solved(task, second->zones(), nats);
+  auto first = ZoneContact::solved(task, *second, nats);
   if (!first) refuse_drive(nip, units.load * second->load());
   const Differences apart = differences(*first, *second, task);
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(PartialSlipNip::Implementation{

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
@@ -9,6 +10,10 @@ namespace nipref::fast {
 namespace {
 
 using Zones = std::vector<Zone>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// How large new zones are in what they are cut from, to begin with.
+constexpr double usual_part = 0.2;
 
 /// A zone is taken out; its neighbours, or the only one, take its length.
 void remove(Zones& zones, std::size_t number) {
@@ -24,11 +29,21 @@ void remove(Zones& zones, std::size_t number) {
   zones.erase(zones.begin() + static_cast<long>(number));
 }
 
-/// Between two opposite slips it sticks.
-void separate_slips(Zones& zones) {
+/// The shortest zone of slip is taken out, with the zone that sticks at the trailing end if one is left there; where such
+/// zones belong they come back. False if no other slip is left.
+bool leave_out_shortest_slip(Zones& zones) {
+  const auto length = [](const Zone& zone) { return zone.sign == 0 ? infinity : zone.length; };
+  if (std::ranges::count(zones, 0, &Zone::sign) + 1 >= std::ssize(zones)) return false;
+  remove(zones, static_cast<std::size_t>(std::ranges::min_element(zones, {}, length) - zones.begin()));
+  if (zones.back().sign == 0) remove(zones, zones.size() - 1);
+  return true;
+}
+
+/// Between two opposite slips it sticks, in so large a part of the shorter one.
+void separate_slips(Zones& zones, double part) {
   for (std::size_t k = 1; k < zones.size(); ++k) {
     if (zones[k].sign * zones[k - 1].sign >= 0) continue;
-    const double length = std::min(zones[k].length, zones[k - 1].length) / 20;
+    const double length = part * std::min(zones[k].length, zones[k - 1].length);
     zones[k].length -= length / 2;
     zones[k - 1].length -= length / 2;
     zones.insert(zones.begin() + static_cast<long>(k), {length, 0});
@@ -54,7 +69,12 @@ Zones first_zones(const PartialSlipTask& task, const ElementContact& elements) {
   const auto last = std::find_if(elements.elements.rbegin(), elements.elements.rend(),
                                  [](const auto& element) { return element.presses; });
   slip_at_end(task, zones, last->shear < 0 ? -1 : 1);
-  separate_slips(zones);
+  // Less than an element may stick.
+  if (task.traction && std::ranges::count(zones, 0, &Zone::sign) == 0 && zones.size() == 1) {
+    zones.insert(zones.begin(), {usual_part * zones.back().length, 0});
+    zones.back().length *= 1 - usual_part;
+  }
+  separate_slips(zones, usual_part);
   return zones;
 }
 
@@ -63,37 +83,18 @@ struct Part {
   int sign;         ///< that its zone should have
 };
 
-/// How far a place is from what it should be: the shear beyond friction where it sticks, over friction, and slip along the
-/// shear over the largest slip.
-class Excess {
- public:
-  Excess(const std::vector<ZoneContact::Sample>& samples, double friction) : friction_(friction) {
-    for (const auto& sample : samples)
-      if (sample.sign != 0) largest_slip_ = std::max(largest_slip_, std::fabs(sample.slip));
-  }
-  [[nodiscard]] double operator()(const ZoneContact::Sample& sample) const {
-    const double excess = sample.sign == 0
-                              ? std::fabs(sample.shear) / (friction_ * std::fabs(sample.pressure)) - 1
-                              : sample.slip * sample.sign / largest_slip_;
-    return std::max(0.0, excess);
-  }
-
- private:
-  double friction_, largest_slip_ = 0;
-};
-
 /// The parts where a contact is not what it should be, but for what its accuracy leaves.
 std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, double nats) {
-  const double tolerance = std::exp(-0.6 * nats);
+  const double tolerance = std::exp(-0.5 * nats);
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
-  const Excess excess(samples, friction);
+  const std::vector<double> excess = excesses(contact, friction);
   std::vector<Part> parts;
   bool goes_on = false;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto& sample = samples[i];
     const bool begins = i == 0 || samples[i - 1].zone != sample.zone;
     const bool ends = i + 1 == samples.size() || samples[i + 1].zone != sample.zone;
-    const bool is_wrong = excess(sample) > tolerance;
+    const bool is_wrong = excess[i] > tolerance;
     const int sign = sample.sign != 0 ? 0 : sample.shear > 0 ? 1 : -1;
     if (is_wrong) {
       if (!goes_on || begins || parts.back().sign != sign)
@@ -139,7 +140,7 @@ Zones with(const Zones& zones, const Part& part) {
 }
 
 /// The zones with all those parts. Where the slip at the trailing end has the wrong sign up to the end, it turns around.
-Zones mended(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task) {
+Zones mended(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task, double new_part) {
   const double last = zones.back().length;
   const int sign = zones.back().sign;
   const double length = length_of(zones);
@@ -147,55 +148,97 @@ Zones mended(Zones zones, const std::vector<Part>& parts, const PartialSlipTask&
   for (const Part& part : parts)
     if (!turns || part.from < length - last) zones = with(zones, part);
   if (turns) {
-    const double sticks = std::min(0.2 * last, length - parts.back().from), slips = sticks / 2;
+    const double sticks = std::min(usual_part * last, length - parts.back().from),
+                 slips = new_part / 2 * last;
     zones.back().length -= sticks + slips;
     zones.insert(zones.end(), {{sticks, 0}, {slips, -sign}});
   }
   slip_at_end(task, zones, parts.back().sign);
-  separate_slips(zones);
+  separate_slips(zones, new_part);
   return zones;
+}
+
+bool in_same_order(const Zones& a, const Zones& b) {
+  return std::ranges::equal(a, b, {}, &Zone::sign, &Zone::sign);
+}
+
+/// Changes the zones until they meet all conditions, or as many as the accuracy can tell. Where zones that are missing are not
+/// found, the contact without them is taken if it is wrong by less than e^(-nats/2).
+std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
+                                  Zones zones, double nats) {
+  constexpr int most_changes = 8;
+  for (int change = 0; change < most_changes; ++change) {
+    while (!contact) {
+      if (!leave_out_shortest_slip(zones)) return std::nullopt;
+      contact = ZoneContact::solved(task, zones, nats);
+    }
+    const std::vector<Part> parts = wrong_parts(*contact, task.friction, nats);
+    if (parts.empty()) return contact;
+    const double wrong = wrongness(*contact, task.friction);
+    // The best of these, as new zones may vanish where they are not looked for.
+    std::optional<ZoneContact> next;
+    double least = infinity;
+    for (const double new_part : {usual_part, usual_part / 4, 2 * usual_part}) {
+      zones = mended(contact->zones(), parts, task, new_part);
+      if (in_same_order(zones, contact->zones())) return contact;
+      auto found = ZoneContact::solved(task, zones, nats);
+      const double of_found = found ? wrongness(*found, task.friction) : infinity;
+      if (of_found < least) {
+        least = of_found;
+        next = std::move(found);
+      }
+      if (least < wrong / 10) break;
+    }
+    if (!next && wrong < std::exp(-nats / 2)) return contact;
+    contact = std::move(next);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::vector<Zone>& nearly,
-                                      double nats) {
-  constexpr int most_changes = 12;
-  Zones zones = nearly;
-  for (int change = 0; change < most_changes; ++change) {
-    Zones last = zones;
-    auto contact = ZoneContact::solved(task, zones, nats, &last);
-    if (!contact) {
-      const auto smallest = std::ranges::min_element(last, {}, &Zone::length);
-      if (last.size() < 2 || smallest->length > 1e-3 * length_of(last)) return std::nullopt;
-      remove(last, static_cast<std::size_t>(smallest - last.begin()));
-      separate_slips(last);
-      zones = std::move(last);
-      continue;
-    }
-    const std::vector<Part> parts = wrong_parts(*contact, task.friction, nats);
-    if (parts.empty()) return contact;
-    zones = mended(contact->zones(), parts, task);
-  }
-  return std::nullopt;
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
+  return mended(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
 }
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
-  constexpr double rough_nats = 13;
+  // With fewer, zones next to others that are much shorter are not found.
+  constexpr double rough = 20;
+  std::optional<ZoneContact> best;
+  double least = infinity;
   for (const int elements : {60, 120, 240}) {
-    auto contact =
-        find_zones(task, first_zones(task, element_contact(task, elements)), std::min(nats, rough_nats));
-    if (contact && nats > rough_nats) contact = find_zones(task, contact->zones(), nats);
-    if (contact) return contact;
+    const Zones zones = first_zones(task, element_contact(task, elements));
+    auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
+    if (!contact) continue;
+    if (const double wrong = wrongness(*contact, task.friction); wrong < least) {
+      least = wrong;
+      best = std::move(contact);
+    }
+    if (least < std::exp(-rough / 2)) break;
   }
-  return std::nullopt;
+  if (!best) return best;
+  return nats > rough ? find_zones(task, *best, nats) : ZoneContact::solved(task, *best, nats);
+}
+
+std::vector<double> excesses(const ZoneContact& contact, double friction) {
+  double largest_slip = 0;
+  for (const auto& sample : contact.samples())
+    if (sample.sign != 0) largest_slip = std::max(largest_slip, std::fabs(sample.slip));
+  std::vector<double> all;
+  for (const auto& sample : contact.samples()) {
+    const double excess = sample.sign == 0
+                              ? std::fabs(sample.shear) / (friction * std::fabs(sample.pressure)) - 1
+                              : sample.slip * sample.sign / largest_slip;
+    all.push_back(std::max(0.0, excess));
+  }
+  return all;
 }
 
 double wrongness(const ZoneContact& contact, double friction) {
-  const std::vector<ZoneContact::Sample>& samples = contact.samples();
-  const Excess excess(samples, friction);
+  const std::vector<double> excess = excesses(contact, friction);
   double sum = 0;
-  for (const auto& sample : samples) sum += sample.weight / contact.length() * excess(sample);
+  for (std::size_t i = 0; i < excess.size(); ++i)
+    sum += contact.samples()[i].weight / contact.length() * excess[i];
   return sum;
 }
 

@@ -10,12 +10,13 @@ namespace nipref::fast {
 /// the shear, until there is no such place. Nothing if none is found. nats: as for a ZoneMesh; a
 /// zone of slip at an end that is shorter than e^-nats of its neighbour is left out.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
-/// The same from zones that are nearly right.
-std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const std::vector<Zone>& zones,
-                                      double nats);
+/// The same from a contact that is nearly right.
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
-/// The mean over a contact of the shear beyond friction where it sticks, over friction, and of slip along the shear over the
-/// largest slip: 0 in the contact itself.
+/// How far each sample of a contact is from what it should be: the shear beyond friction where it sticks, over friction, and
+/// slip along the shear over the largest slip; 0 in the contact itself.
+std::vector<double> excesses(const ZoneContact& contact, double friction);
+/// Their mean over the contact.
 double wrongness(const ZoneContact& contact, double friction);
 
 }  // namespace nipref::fast

@@ -21,9 +21,10 @@ std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction
     found.push_back({-negative, e});
   }
   double boundary = 0;
-  for (const Zone& zone : contact.zones()) {
-    boundary += zone.length;
-    found.push_back({size_at(boundary), boundary});
+  const std::vector<Zone>& zones = contact.zones();
+  for (std::size_t z = 0; z + 1 < zones.size(); ++z) {
+    boundary += zones[z].length;
+    found.push_back({std::fabs(contact.traction_after(z).*part), boundary});
   }
   return found;
 }

@@ -1,65 +1,102 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/fast/number/internal/cache.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 #include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
 #include <nipref/fast/sheet/field.hpp>
 
 namespace nipref::fast {
 namespace {
 
+using Eigen::ArrayXd, Eigen::Index, Eigen::MatrixXd;
 using std::numbers::pi;
 
-SlopeKernels::Values regular(double alpha) {
-  constexpr auto first = data::Derivative::first;
-  const double cauchy = 1 / (pi * alpha);
-  return {un_slope(alpha, first) + cauchy, vn_slope(alpha, first), vs_slope(alpha, first) + cauchy, 0};
+struct Rests {
+  Eigen::Array3d value, slope;
+};
+
+/// The rests and their derivatives by 20 terms of Chebyshev series on |alpha - a whole number| < 1/2, which fall by
+/// (4 + sqrt 17)^-k: next to 0 nothing cancels.
+class RestSeries {
+ public:
+  explicit RestSeries(int middle) : middle_(middle) {
+    constexpr auto first = data::Derivative::first;
+    for (int i = 0; i < terms; ++i) {
+      const double angle = (i + 0.5) * pi / terms, alpha = middle + 0.5 * std::cos(angle);
+      const double cauchy = 1 / (pi * alpha);
+      const Eigen::Array3d value(un_slope(alpha, first) + cauchy, vn_slope(alpha, first),
+                                 vs_slope(alpha, first) + cauchy);
+      for (int k = 0; k < terms; ++k)
+        coefficients_.col(k) += (k == 0 ? 1.0 : 2.0) / terms * std::cos(k * angle) * value;
+    }
+  }
+  /// T_k' = k U_(k-1).
+  [[nodiscard]] Rests at(double alpha) const {
+    const double x = 2 * (alpha - middle_);
+    double t = 1, next_t = x, u = 0, next_u = 1;
+    Rests sum{Eigen::Array3d::Zero(), Eigen::Array3d::Zero()};
+    for (int k = 0; k < terms; ++k) {
+      sum.value += t * coefficients_.col(k);
+      sum.slope += 2 * k * u * coefficients_.col(k);
+      t = std::exchange(next_t, 2 * x * next_t - t);
+      u = std::exchange(next_u, 2 * x * next_u - u);
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int terms = 20;
+  int middle_;
+  Eigen::Array<double, 3, terms> coefficients_ = Eigen::Array<double, 3, terms>::Zero();
+};
+
+Rests rests(double alpha) {
+  static Cache<int, RestSeries> kept([](const int& middle) { return RestSeries(middle); });
+  const double size = std::fabs(alpha), sign = std::copysign(1, alpha);
+  Rests rests = kept.at(static_cast<int>(std::lround(size)))->at(size);
+  rests.value *= Eigen::Array3d(sign, 1, sign);
+  rests.slope *= Eigen::Array3d(1, sign, 1);
+  return rests;
 }
 
-/// sum of c_k T_k(t), c_0 halved.
-template <class Series>
-SlopeKernels::Values sum(const Series& c, double t) {
-  SlopeKernels::Values last = SlopeKernels::Values::Zero(), before = last;
-  for (std::size_t k = c.size() - 1; k > 0; --k) {
-    const SlopeKernels::Values next = c[k] + 2 * t * last - before;
-    before = last;
-    last = next;
-  }
-  return 0.5 * c[0] + t * last - before;
+/// Of the rests as functions on the whole contact, for rounding: their singularities 2 i beside it are on the ellipse of
+/// convergence whose half axes add up to 4/length + sqrt((4/length)^2 + 1) half lengths.
+int chebyshev_points(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
+
+/// T_k, k < count, of places of the contact.
+MatrixXd chebyshev(const ArrayXd& places, double length, Index count) {
+  MatrixXd t(places.size(), count);
+  const ArrayXd x = 2 * places / length - 1;
+  t.col(0).setOnes();
+  t.col(1) = x;
+  for (Index k = 2; k < count; ++k) t.col(k) = 2 * x * t.col(k - 1).array() - t.col(k - 2).array();
+  return t;
 }
 
 }  // namespace
 
-SlopeKernels::SlopeKernels(double longest) {
-  for (int middle = 0; middle <= std::ceil(longest); ++middle) {
-    Series series, slopes;
-    series.fill(Values::Zero());
-    for (int i = 0; i < terms; ++i) {
-      const double angle = (i + 0.5) * pi / terms;
-      const Values value = regular(middle + 0.5 * std::cos(angle));
-      for (int k = 0; k < terms; ++k)
-        series[static_cast<std::size_t>(k)] += 2.0 / terms * std::cos(k * angle) * value;
+SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
+  const int count = chebyshev_points(length);
+  const ArrayXd points = ArrayXd::NullaryExpr(count, [&](Index number) {
+    return length * internal::shifted_chebyshev_zero(static_cast<int>(number), count);
+  });
+  // Lagrange's polynomials of the points.
+  MatrixXd coefficients = 2.0 / count * chebyshev(points, length, count).transpose();
+  coefficients.row(0) /= 2;
+  at_targets_ = chebyshev(targets, length, count) * coefficients;
+  at_sources_ = chebyshev(sources, length, count) * coefficients;
+  values_.fill(MatrixXd(count, count));
+  slopes_ = values_;
+  for (Index a = 0; a < count; ++a) {
+    for (Index b = 0; b < count; ++b) {
+      const Rests of = rests(points(a) - points(b));
+      for (std::size_t kernel = 0; kernel < 3; ++kernel) {
+        values_[kernel](a, b) = of.value(static_cast<Index>(kernel));
+        slopes_[kernel](a, b) = of.slope(static_cast<Index>(kernel));
+      }
     }
-    slopes.fill(Values::Zero());
-    for (std::size_t k = terms - 1; k > 0; --k)
-      slopes[k - 1] =
-          (k + 1 < terms ? slopes[k + 1] : Values::Zero()) + 4.0 * static_cast<double>(k) * series[k];
-    values_.push_back(series);
-    derivatives_.push_back(slopes);
   }
-}
-
-SlopeKernels::Values SlopeKernels::at(double alpha) const {
-  const double size = std::fabs(alpha), middle = std::round(size), cauchy = 1 / (pi * alpha);
-  const double sign = std::copysign(1, alpha);
-  return Values(sign, 1, sign, 0) * sum(values_[static_cast<std::size_t>(middle)], 2 * (size - middle)) -
-         Values(cauchy, 0, cauchy, 0);
-}
-
-SlopeKernels::Values SlopeKernels::derivatives(double alpha) const {
-  const double size = std::fabs(alpha), middle = std::round(size), cauchy = 1 / (pi * alpha * alpha);
-  const double sign = std::copysign(1, alpha);
-  return Values(1, sign, 1, 0) * sum(derivatives_[static_cast<std::size_t>(middle)], 2 * (size - middle)) +
-         Values(cauchy, 0, cauchy, 0);
 }
 
 }  // namespace nipref::fast

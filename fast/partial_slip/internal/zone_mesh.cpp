@@ -14,23 +14,19 @@ constexpr double longest_panel = 3;
 /// Of s: e^-72 of a panel from its end.
 constexpr double farthest = 72;
 
-/// Steps from 0 to 1, flat at both.
+/// Steps from 0 to 1, flat at both: with x^2 it begins.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }
-
-double interpolation_weight(double steps, double window) {
-  if (steps == 0) return 1;
-  return std::sin(pi * steps) / (pi * steps) * std::exp(-steps * steps / (2 * window * window));
-}
 
 }  // namespace
 
 ZoneMesh::ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats)
-    // 0.7 of the frequencies below Nyquist's pass to erfc(0.3 pi window/sqrt 2), about e^(-2 nats).
-    : step_(0.7 * pi * pi / nats), window_(2 * std::sqrt(nats) / (0.3 * pi)), friction_(task.friction) {
+    : step_(pi * pi / nats), friction_(task.friction) {
   cut(zones);
   set_ends(task, nats);
   number();
   measure_gaps();
+  at_nodes_ = rows(nodes_.size(), [this](std::size_t i) { return nodes_[i]; });
+  at_midpoints_ = rows(midpoints_.size(), [this](std::size_t i) { return midpoints_[i]; });
 }
 
 void ZoneMesh::measure_gaps() {
@@ -45,19 +41,13 @@ void ZoneMesh::cut(const std::vector<Zone>& zones) {
     const int parts = std::max(1, static_cast<int>(std::ceil(zones[z].length / longest_panel)));
     const auto sign_of = [&](std::size_t zone) { return zone < zones.size() ? zones[zone].sign : 0; };
     for (int part = 0; part < parts; ++part) {
-      panels_.push_back({static_cast<int>(z),
-                         zones[z].sign,
-                         part,
-                         parts,
-                         zones[z].length / parts,
-                         {},
-                         {},
-                         0,
-                         0,
-                         0,
-                         0,
-                         static_cast<double>(sign_of(z - 1)),
-                         static_cast<double>(sign_of(z + 1))});
+      panels_.push_back({.zone = static_cast<int>(z),
+                         .sign = zones[z].sign,
+                         .part = part,
+                         .parts = parts,
+                         .length = zones[z].length / parts,
+                         .from = static_cast<double>(sign_of(z - 1)),
+                         .to = static_cast<double>(sign_of(z + 1))});
     }
   }
 }
@@ -69,20 +59,30 @@ void ZoneMesh::stretch_to(const std::vector<Zone>& zones) {
 
 void ZoneMesh::set_ends(const PartialSlipTask& task, double nats) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
-    panels_[k].left = end(k, false, task, nats);
-    panels_[k].right = end(k, true, task, nats);
+    Panel& panel = panels_[k];
+    panel.left = end(k, false, task, nats);
+    panel.right = end(k, true, task, nats);
+    const auto nodes_to = [&](double s) { return static_cast<int>(std::ceil(s / step_)); };
+    panel.first_node = -nodes_to(panel.left.reach);
+    panel.last_node = nodes_to(panel.right.reach);
+    panel.first_of_all = -nodes_to(panel.left.depth);
+    panel.last_of_all = nodes_to(panel.right.depth);
   }
 }
 
 ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const PartialSlipTask& task,
                                  double nats) const {
   const auto shift = [&](int sign) { return std::atan(task.beta * task.friction * sign) / pi; };
+  const auto tail = [&](double first, double second, double third) {
+    return Tail({first, second, third}, step_);
+  };
   const Panel& own = panels_[panel];
   const bool at_end = is_right ? panel + 1 == panels_.size() : panel == 0;
-  // What the powers leave out is smaller than they are by t.
-  PanelEnd result{1, 1, 0.9 * nats, -1, -1, false};
+  // What the powers leave out is t^2 at most, and with p ~ t^(1/2) the forces beyond the last node are e^(-1.35 nats).
+  PanelEnd result{tail(1, 2, 3), tail(1, 2, 3), 0.6 * nats, 1.1 * nats, -1, -1, false};
   if (at_end) {
-    result.pressure_power = result.shear_power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
+    const double power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
+    result.pressure = result.shear = tail(power, power + 1, 2);
     // The zone of slip at the end, which is left out where it is shorter than the accuracy, shall be seen.
     if (own.sign == 0 && task.beta > 0) result.reach = nats;
     return result;
@@ -92,41 +92,81 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   const bool sticks_then_slips = other.zone != own.zone && (own.sign == 0) == is_right;
   if (!sticks_then_slips) result.reach = smooth_reach(nats);
   result.reach += next_to_shorter;
+  result.depth += next_to_shorter;
   if (other.zone == own.zone) return result;
-  const double a = shift(own.sign + other.sign);
-  if (sticks_then_slips)
-    result.pressure_power = result.shear_power = 0.5 - a;
-  else
-    result.shear_power = 1.5 + a;
+  const double a = shift(own.sign + other.sign), power = sticks_then_slips ? 0.5 - a : 1.5 + a;
+  result.shear = tail(power, power + 1, 2);
+  result.pressure = sticks_then_slips ? tail(power, 1, power + 1) : tail(1, power, 2);
   result.extra = own.sign == 0 && !sticks_then_slips;
   return result;
 }
 
-double ZoneMesh::smooth_reach(double nats) { return std::min(0.9 * nats, 16.0); }
+double ZoneMesh::smooth_reach(double nats) { return std::min(0.4 * nats, 12.0); }
 
 void ZoneMesh::number() {
-  const int beyond = nodes_beyond();
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     Panel& panel = panels_[k];
-    const int index = static_cast<int>(k);
-    panel.first_node = -static_cast<int>(std::ceil(panel.left.reach / step_));
-    panel.last_node = static_cast<int>(std::ceil(panel.right.reach / step_));
-    for (int j = panel.first_node - beyond; j <= panel.last_node + beyond; ++j)
-      nodes_.push_back({index, j * step_});
-    for (int j = panel.first_node - (panel.left.extra ? 1 : 0); j <= panel.last_node + 1; ++j) {
-      midpoints_.push_back({index, (j - 0.5) * step_});
-      extra_.push_back(j < panel.first_node);
-    }
     const int count = panel.last_node - panel.first_node + 1;
     panel.pressure = unknowns_;
     panel.shear = unknowns_ + count;
     unknowns_ += panel.sign == 0 ? 2 * count : count;
+    add_points(panel, static_cast<int>(k));
   }
   for (std::size_t k = 1; k < panels_.size(); ++k) {
     panels_[k].left.value = panels_[k - 1].right.value = unknowns_++;
     if (panels_[k].zone == panels_[k - 1].zone && panels_[k].sign == 0)
       panels_[k].left.shear_value = panels_[k - 1].right.shear_value = unknowns_++;
   }
+}
+
+void ZoneMesh::add_points(const Panel& panel, int index) {
+  for (int j = panel.first_of_all; j <= panel.last_of_all; ++j) nodes_.push_back({index, j * step_});
+  const int first = panel.first_node - (panel.left.extra ? 1 : 0);
+  for (int j = panel.first_node * 5 / 4 - 1; j <= panel.last_node * 5 / 4 + 1; ++j) {
+    const bool is_before_end = j <= panel.last_node + 1;
+    midpoints_.push_back({{index, (j - 0.5) * step_},
+                          j >= panel.first_node && is_before_end,
+                          panel.sign == 0 && j >= first && is_before_end});
+  }
+}
+
+ZoneMesh::Rows ZoneMesh::rows(std::size_t count, const auto& point) const {
+  std::vector<Eigen::Triplet<double>> pressure, shear;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const Share& share : shares(point(i))) {
+      pressure.emplace_back(i, share.unknown, share.pressure);
+      shear.emplace_back(i, share.unknown, share.shear);
+    }
+  }
+  Rows rows{{static_cast<long>(count), unknowns_}, {static_cast<long>(count), unknowns_}};
+  rows.pressure.setFromTriplets(pressure.begin(), pressure.end());
+  rows.shear.setFromTriplets(shear.begin(), shear.end());
+  return rows;
+}
+
+Eigen::VectorXd ZoneMesh::unknowns_of(const std::function<Traction(const Point&)>& traction) const {
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(unknowns_);
+  // What the unknowns that are known already leave of a traction.
+  const auto set = [&](int unknown, const Point& point, double whole, double Share::*part) {
+    for (const Share& share : shares(point)) whole -= share.*part * unknowns(share.unknown);
+    unknowns(unknown) = whole;
+  };
+  const auto set_both = [&](const Point& point, int pressure, int shear) {
+    const Traction whole = traction(point);
+    set(pressure, point, whole.pressure, &Share::pressure);
+    if (shear >= 0) set(shear, point, whole.shear, &Share::shear);
+  };
+  for (std::size_t k = 1; k < panels_.size(); ++k)
+    set_both({static_cast<int>(k), -farthest}, panels_[k].left.value, panels_[k].left.shear_value);
+  for (std::size_t k = 0; k < panels_.size(); ++k) {
+    const Panel& panel = panels_[k];
+    for (int j = panel.first_node; j <= panel.last_node; ++j) {
+      const int number = j - panel.first_node;
+      set_both({static_cast<int>(k), j * step_}, panel.pressure + number,
+               panel.sign == 0 ? panel.shear + number : -1);
+    }
+  }
+  return unknowns;
 }
 
 double ZoneMesh::weight(const Point& point) const {
@@ -149,10 +189,24 @@ double ZoneMesh::extent(int zone, const Point& point) const {
   return sum;
 }
 
+double ZoneMesh::stretch(int zone, const Point& a, const Point& b) const {
+  const Panel &panel_a = panels_[at(a.panel)], &panel_b = panels_[at(b.panel)];
+  if (panel_a.zone == panel_b.zone) return panel_a.zone == zone ? distance(a, b) : 0;
+  if (panel_a.zone > panel_b.zone) return -stretch(zone, b, a);
+  if (zone < panel_a.zone || zone > panel_b.zone) return 0;
+  if (zone == panel_a.zone) return -panel_a.length * (panel_a.parts - panel_a.part - 1 + a.right);
+  return -extent(zone, b);
+}
+
 double ZoneMesh::place(const Point& point) const {
   double start = 0;
   for (int k = 0; k < point.panel; ++k) start += panels_[at(k)].length;
   return start + panels_[at(point.panel)].length * point.left;
+}
+
+ZoneMesh::Point ZoneMesh::start(int zone) const {
+  const auto first = std::ranges::find(panels_, zone, &Panel::zone);
+  return {static_cast<int>(first - panels_.begin()), -farthest};
 }
 
 ZoneMesh::Point ZoneMesh::point_at(double e) const {
@@ -162,28 +216,42 @@ ZoneMesh::Point ZoneMesh::point_at(double e) const {
           std::clamp(std::log(e / std::max(panels_[k].length - e, 0.0)), -farthest, farthest)};
 }
 
-int ZoneMesh::nodes_beyond() const { return static_cast<int>(std::ceil(16 / step_)); }
+double ZoneMesh::rest(const Panel& panel, const Point& point) const {
+  const bool is_last = point.s == panel.first_of_all * step_ || point.s == panel.last_of_all * step_;
+  return is_last ? 1 / (1 - std::exp(-step_)) : 1;
+}
 
 void ZoneMesh::add_hats(const Panel& panel, const Point& point, Shares& shares) const {
-  // The first and the last of all nodes stand for what would follow: sum_k e^(-k h).
-  const bool is_last = std::round(point.s / step_) == panel.last_node + nodes_beyond() ||
-                       std::round(point.s / step_) == panel.first_node - nodes_beyond();
-  const double rest = is_last ? 1 / (1 - std::exp(-step_)) : 1;
+  const double factor = rest(panel, point);
   for (const auto& [end, shape] :
        {std::pair(&panel.left, point.right), std::pair(&panel.right, point.left)}) {
-    if (end->value >= 0) shares.push_back({end->value, rest * shape, 0});
-    if (end->shear_value >= 0) shares.push_back({end->shear_value, 0, rest * smooth_step(shape)});
+    if (end->value >= 0) shares.push_back({end->value, factor * shape, 0});
+    if (end->shear_value >= 0) shares.push_back({end->shear_value, 0, factor * smooth_step(shape)});
   }
 }
 
-void ZoneMesh::add_node(const Panel& panel, int node, double factor, Shares& shares) const {
-  const int nearest = std::clamp(node, panel.first_node, panel.last_node);
-  const PanelEnd& end = node < nearest ? panel.left : panel.right;
-  const double beyond = std::abs(node - nearest) * step_;
-  const int number = nearest - panel.first_node;
-  shares.push_back({panel.pressure + number, factor * std::exp(-end.pressure_power * beyond), 0});
-  if (panel.sign == 0)
-    shares.push_back({panel.shear + number, 0, factor * std::exp(-end.shear_power * beyond)});
+void ZoneMesh::add_nodes(const Panel& panel, double steps, Shares& shares) const {
+  const auto add = [&](int node, double pressure, double shear) {
+    const int number = node - panel.first_node;
+    shares.push_back({panel.pressure + number, pressure, 0});
+    if (panel.sign == 0) shares.push_back({panel.shear + number, 0, shear});
+  };
+  const auto add_tail = [&](const PanelEnd& end, int last, int inwards, const auto& parts_of) {
+    const Eigen::Vector3d pressure = parts_of(end.pressure), shear = parts_of(end.shear);
+    for (int k = 0; k < 3; ++k) add(last + k * inwards * end.pressure.spacing(), pressure(k), shear(k));
+  };
+  const double before = panel.first_node - steps, beyond = steps - panel.last_node;
+  if (before > 0)
+    return add_tail(panel.left, panel.first_node, 1, [&](const Tail& tail) { return tail.parts(before); });
+  if (beyond > 0)
+    return add_tail(panel.right, panel.last_node, -1, [&](const Tail& tail) { return tail.parts(beyond); });
+  if (steps == std::round(steps)) return add(static_cast<int>(steps), 1, 1);
+  for (int node = panel.first_node; node <= panel.last_node; ++node) {
+    const double sinc = std::sin(pi * (steps - node)) / (pi * (steps - node));
+    add(node, sinc, sinc);
+  }
+  add_tail(panel.left, panel.first_node, 1, [&](const Tail& tail) { return tail.sinc_sum(-before); });
+  add_tail(panel.right, panel.last_node, -1, [&](const Tail& tail) { return tail.sinc_sum(-beyond); });
 }
 
 void ZoneMesh::add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const {
@@ -197,16 +265,7 @@ ZoneMesh::Shares ZoneMesh::shares(const Point& point) const {
   const Panel& panel = panels_[at(point.panel)];
   Shares shares;
   add_hats(panel, point, shares);
-  const double steps = point.s / step_;
-  const int nearest = static_cast<int>(std::lround(steps));
-  if (std::fabs(steps - nearest) < 1e-9) {
-    add_node(panel, nearest, 1, shares);
-  } else {
-    // Here the Gaussian has fallen to e^(-2 nats), too.
-    const int most = static_cast<int>(std::ceil(0.3 * pi * window_ * window_));
-    for (int j = nearest - most; j <= nearest + most; ++j)
-      add_node(panel, j, interpolation_weight(steps - j, window_), shares);
-  }
+  add_nodes(panel, point.s / step_, shares);
   add_shear_of_step(panel, point, shares);
   return shares;
 }

@@ -1,7 +1,10 @@
 #pragma once
+#include <Eigen/SparseCore>
 #include <cmath>
+#include <functional>
 #include <vector>
 
+#include <nipref/fast/partial_slip/internal/tail.hpp>
 #include <nipref/fast/partial_slip/internal/zones.hpp>
 
 namespace nipref::fast {
@@ -13,14 +16,16 @@ namespace nipref::fast {
 /// the shear q, at the nodes s = j h; integrals over e are sums over the nodes, and the equations hold midway between
 /// them: there the trapezoidal rule's error for a Cauchy integral is as small as for a smooth function, e^(-2 pi d/h) with d
 /// = pi the width of the strip in which tractions are analytic in s. Between the nodes p and q are interpolated by the sinc
-/// function times a Gaussian, which is accurate to e^(-0.7 pi d/h): that sets h.
+/// function, which is accurate to e^(-pi d/h): that sets h.
 ///
-/// At the ends of a panel (t: distance from it, a = atan(beta mu sign)/pi with the sign of the slip zone):
-///     p ~ t^(1/2 - a) at the contact's leading end, t^(1/2 + a) at its trailing end; t^(1/2) where it sticks,
-///     p - p(0) ~ |t|^(1/2 - a), q - sign mu p ~ t^(1/2 - a)   where it sticks and then slips,
-///     p - p(0) ~ t,             q - sign mu p ~ t^(3/2 + a)   where it slips and then sticks, for
+/// At the ends of a panel (t: distance from it, a = atan(beta mu sign)/pi with the sign of the slip zone), but for factors
+/// that are analytic in t:
+///     p = t^(1/2 - a) at the contact's leading end, t^(1/2 + a) at its trailing end; t^(1/2) where it sticks,
+///     p = p(0) + t + |t|^(1/2 - a), q - sign mu p = t^(1/2 - a)   where it sticks and then slips,
+///     p = p(0) + t + |t|^(3/2 + a), q - sign mu p = t^(3/2 + a)   where it slips and then sticks, for
 /// t^(1/2 + a) would be slip along the shear. (They solve the equations with the Cauchy kernels alone, by int_0^inf
-/// s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions go on as these powers.
+/// s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions go on as the first three
+/// of these powers.
 /// Boundary values p(0) are unknowns, with the hat function of both panels; where it sticks, q is counted from mu p times a
 /// smooth step between the signs of both neighbours. A boundary where slip turns into stick has an equation more.
 class ZoneMesh {
@@ -32,19 +37,34 @@ class ZoneMesh {
     double left = power / (1 + power);  ///< distance from the panel's left end over its length
     double right = 1 / (1 + power);
   };
-  /// A traction of one unknown at a point.
+  struct Traction {
+    double pressure, shear;
+    friend Traction operator*(double factor, const Traction& traction) {
+      return {factor * traction.pressure, factor * traction.shear};
+    }
+  };
+  /// The traction of one unknown at a point.
   struct Share {
     int unknown;
     double pressure, shear;
   };
   using Shares = std::vector<Share>;
+  /// Tractions at points, rows, of all unknowns.
+  struct Rows {
+    Eigen::SparseMatrix<double> pressure, shear;
+  };
+  /// What holds midway between two nodes: the equations of u' and of v'. Beyond the last nodes there are midpoints at which
+  /// none holds; there the conditions of stick and slip are looked at.
+  struct Midpoint : Point {
+    bool matches_normal, matches_along;
+  };
 
   /// nats: -ln of the accuracy that it is made for.
   ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats);
 
-  /// Where the powers begin next to joints of panels and to boundaries where slip turns into stick: -ln of t over the
-  /// panel's length. The powers leave out what is smaller by t. That t^(1/2 + a) has no part is seen in tractions e^-reach
-  /// of the others, so that rounding shifts the boundary by e^reach of itself. Both errors are alike at about 16.
+  /// Where the powers begin at a boundary where slip turns into stick: -ln of t over the panel's length. The powers leave out
+  /// what is smaller by t^2 at least. That t^(1/2 + a) has no part is seen in tractions e^-reach of the others, so that
+  /// rounding shifts the boundary by e^reach of itself. Both errors are alike at about 12.
   [[nodiscard]] static double smooth_reach(double nats);
 
   /// The same unknowns over zones of other lengths.
@@ -53,8 +73,9 @@ class ZoneMesh {
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] int unknowns() const { return unknowns_; }
   [[nodiscard]] const std::vector<Point>& nodes() const { return nodes_; }
-  [[nodiscard]] const std::vector<Point>& midpoints() const { return midpoints_; }
-  [[nodiscard]] bool matches_normal(std::size_t midpoint) const { return !extra_[midpoint]; }
+  [[nodiscard]] const std::vector<Midpoint>& midpoints() const { return midpoints_; }
+  [[nodiscard]] const Rows& at_nodes() const { return at_nodes_; }
+  [[nodiscard]] const Rows& at_midpoints() const { return at_midpoints_; }
   [[nodiscard]] int sign(const Point& point) const { return panels_[at(point.panel)].sign; }
   [[nodiscard]] int zone(const Point& point) const { return panels_[at(point.panel)].zone; }
   /// The weight of a node, or of a midpoint for sums over midpoints.
@@ -63,25 +84,31 @@ class ZoneMesh {
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
   /// How far the zones go to e of the point, each: 0 if it is beyond.
   [[nodiscard]] double extent(int zone, const Point& point) const;
+  /// By how much e_a - e_b grows with the logarithm of a zone's length, without cancellation.
+  [[nodiscard]] double stretch(int zone, const Point& a, const Point& b) const;
   [[nodiscard]] double place(const Point& point) const;
+  [[nodiscard]] Point start(int zone) const;  ///< its left end
   /// 0 < e < the contact's length; from the nearer end of the panel that it lies in.
   [[nodiscard]] Point point_at(double e) const;
   [[nodiscard]] Shares shares(const Point& point) const;
+  /// The unknowns that give these tractions.
+  [[nodiscard]] Eigen::VectorXd unknowns_of(const std::function<Traction(const Point&)>& traction) const;
 
  private:
   struct PanelEnd {
-    double pressure_power, shear_power;  ///< of t
-    double reach;                        ///< of |s| from where on they hold
-    int value, shear_value;              ///< unknowns of the boundary's values, -1 where they are 0
+    Tail pressure, shear;
+    double reach, depth;     ///< |s| of the last node with an unknown, and of the last one
+    int value, shear_value;  ///< unknowns of the boundary's values, -1 where they are 0
     bool extra;
   };
   struct Panel {
     int zone, sign, part, parts;
     double length;
-    PanelEnd left, right;
-    int first_node, last_node;
-    int pressure, shear;  ///< first unknowns
-    double from, to;      ///< signs that the shear is counted from at the zone's ends
+    double from, to;  ///< signs that the shear is counted from at the zone's ends
+    PanelEnd left = {}, right = {};
+    int first_node = 0, last_node = 0;      ///< with unknowns
+    int first_of_all = 0, last_of_all = 0;  ///< with those beyond
+    int pressure = 0, shear = 0;            ///< first unknowns
   };
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
   void measure_gaps();
@@ -90,20 +117,22 @@ class ZoneMesh {
   [[nodiscard]] PanelEnd end(std::size_t panel, bool is_right, const PartialSlipTask& task,
                              double nats) const;
   void number();
-  /// At either end of a panel, for the powers and the hats: the place of the last one is e^-16 of the last unknown's.
-  [[nodiscard]] int nodes_beyond() const;
+  void add_points(const Panel& panel, int index);
   void add_hats(const Panel& panel, const Point& point, Shares& shares) const;
-  void add_node(const Panel& panel, int node, double factor, Shares& shares) const;
+  /// What the last nodes' hats stand for: all that would follow, sum_k e^(-k h).
+  [[nodiscard]] double rest(const Panel& panel, const Point& point) const;
+  [[nodiscard]] Rows rows(std::size_t count, const auto& point) const;
+  void add_nodes(const Panel& panel, double steps, Shares& shares) const;
   void add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const;
 
   double step_;
-  double window_;  ///< of the Gaussian, in steps
   double friction_;
   std::vector<Panel> panels_;
   std::vector<std::vector<double>> gaps_;  ///< from a panel's right end to a later one's left end
-  std::vector<Point> nodes_, midpoints_;
-  std::vector<bool> extra_;
+  std::vector<Point> nodes_;
+  std::vector<Midpoint> midpoints_;
   int unknowns_ = 0;
+  Rows at_nodes_, at_midpoints_;
 };
 
 }  // namespace nipref::fast

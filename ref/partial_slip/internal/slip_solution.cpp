@@ -33,17 +33,15 @@ Float length_of(const Zones& zones) {
   return sum;
 }
 
-/// Without zones too short to matter, e^-nats of the contact.
-Zones without_short(const Zones& zones, double nats) {
-  const Float least = length_of(zones) * exp(Float(-nats));
-  Zones rest;
-  for (const auto& [sign, length] : zones)
-    if (length > least) add_zone(rest, sign, length);
-  return rest;
-}
-
-bool are_alike(const Zones& a, const Zones& b) {
-  return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
+/// Appends to the last zone if that has the same sign; between slip of opposite signs there is stick.
+void add_zone(Zones& zones, int sign, const Float& length) {
+  if (!zones.empty() && zones.back().sign == sign) {
+    zones.back().length += length;
+    return;
+  }
+  if (!zones.empty() && zones.back().sign * sign < 0)
+    zones.push_back({0, std::min(zones.back().length, length) / 8});
+  zones.push_back({sign, length});
 }
 
 /// Newton's method for the unknowns and the logarithms of the zones' lengths together.
@@ -59,11 +57,14 @@ class Newton {
   void begin(const SlipField* near) {
     if (near != nullptr) {
       unknowns_ = contact_->unknowns_of(*near);
-    } else {
-      const Eigen::MatrixXd system = slopes(*contact_);
-      const GridIndex count = unknowns_.size();
-      change_unknowns(system.leftCols(count).colPivHouseholderQr().solve(system.col(count)), 1);
+      evaluate();
+      return;
     }
+    evaluate();
+    const Float size = largest_entry(rest_);
+    const Eigen::MatrixXd system = slopes(*contact_);
+    change_unknowns(system.leftCols(unknowns_.size()).colPivHouseholderQr().solve(in_double(rest_, size)),
+                    size);
     evaluate();
   }
 
@@ -83,8 +84,7 @@ class Newton {
       change_unknowns(change, part);
       for (GridIndex i = 0; i < zones_.count(); ++i)
         zones_[i].length *= exp(Float(-part * change(unknowns_.size() + i)));
-      const Zones before = std::exchange(zones_, without_short(zones_, grid_->nats()));
-      if (!are_alike(before, zones_)) return false;
+      if (drops_zone()) return false;
       renew();
       evaluate();
       is_new = largest_entry(rest_) > size * slow_convergence;
@@ -125,6 +125,15 @@ class Newton {
     eliminated_.compute(matrix);
   }
 
+  /// A zone too short to matter.
+  bool drops_zone() {
+    const Float least = length_of(zones_) * exp(Float(-grid_->nats()));
+    const Zones before = std::exchange(zones_, {});
+    for (const SlipZone& zone : before)
+      if (zone.length > least) add_zone(zones_, zone.sign, zone.length);
+    return zones_.count() != before.count();
+  }
+
   std::shared_ptr<const ZoneGrid> grid_;
   SheetKernels& kernels_;
   Zones zones_;
@@ -133,54 +142,48 @@ class Newton {
   Eigen::PartialPivLU<Eigen::MatrixXd> eliminated_;
 };
 
-/// The sign with which the contact slips at a sample by its inequalities, 0 where it sticks, and by how much these are violated.
-std::pair<int, Float> sign_by_inequality(const SlipField& field, const SlipField::Sample& sample) {
-  const int sign = field.contact().panels()[sample.panel].sign;
-  if (sign != 0)
-    return sign * sample.slip > 0 ? std::pair(0, Float(abs(sample.slip))) : std::pair(sign, Float(0));
+/// The sign with which the contact slips at a sample by its inequalities; 0 where it sticks. What violates them by less than what
+/// a zone of the least length would, e^-nats of the contact's, whose tractions are as the root of that, is left as it is.
+int corrected_sign(const SlipField& field, const SlipField::Sample& sample) {
+  const SlipContact& contact = field.contact();
+  const Float least = exp(Float(-contact.grid().nats() / 2)) * field.length();
+  const int sign = contact.panels()[sample.panel].sign;
+  if (sign != 0) return sign * sample.slip > least ? 0 : sign;
   const auto& [pressure, shear] = sample.tractions;
-  const Float excess = abs(shear) / field.contact().problem().friction - pressure;
-  return excess > 0 ? std::pair(shear > 0 ? 1 : -1, excess) : std::pair(0, Float(0));
+  const Float most = contact.problem().friction * (pressure + least);
+  return shear > most ? 1 : shear < -most ? -1 : 0;
 }
 
-/// Zones by the inequalities. Where these are violated by less than what a zone of the least length would, e^-nats of the
-/// contact's, whose tractions are as the root of that, they are left.
+/// Zones by the inequalities.
 Zones corrected(const SlipField& field) {
-  const double nats = field.contact().grid().nats();
-  const auto& samples = field.samples();
-  const auto begin_of = [&](GridIndex i) -> Float {
-    if (i == 0) return 0;
-    if (i == samples.count()) return field.length();
-    const GridIndex panel = samples[i].panel;
-    return samples[i - 1].panel != panel ? field.contact().panels()[panel].left
-                                         : Float((samples[i - 1].e + samples[i].e) / 2);
-  };
+  const SlipContact& contact = field.contact();
   Zones zones;
-  GridIndex first = 0;
-  while (first < samples.count()) {
-    const int old = field.contact().panels()[samples[first].panel].sign,
-              sign = sign_by_inequality(field, samples[first]).first;
-    Float most = 0;
-    GridIndex end = first;
-    for (; end < samples.count() && field.contact().panels()[samples[end].panel].sign == old; ++end) {
-      const auto [here, violation] = sign_by_inequality(field, samples[end]);
-      if (here != sign) break;
-      most = std::max(most, violation);
+  Float from = 0;
+  int last = 0;
+  const SlipField::Sample* before = nullptr;
+  for (const SlipField::Sample& sample : field.samples()) {
+    const int sign = corrected_sign(field, sample);
+    if (before != nullptr && sign != last) {
+      const auto& panel = contact.panels()[sample.panel];
+      const bool is_old = before->panel != sample.panel;
+      const Float to = is_old ? panel.left : Float((before->e + sample.e) / 2);
+      add_zone(zones, last, to - from);
+      from = to;
     }
-    add_zone(zones, most > exp(Float(-nats / 2)) * field.length() ? sign : old,
-             begin_of(end) - begin_of(first));
-    first = end;
+    last = sign;
+    before = &sample;
   }
-  return without_short(zones, nats);
+  const Float rest = field.length() - from;
+  const bool turns_around =
+      last == 0 && zones.count() > 0 && contact.zones()[contact.zones().count() - 1].sign != 0;
+  add_zone(zones, last, turns_around ? Float(2 * rest / 3) : rest);
+  // Where the slip at the trailing end is wrong up to the end it turns around, for there no sheet sticks.
+  if (turns_around) zones.push_back({-contact.zones()[contact.zones().count() - 1].sign, rest / 3});
+  return zones;
 }
 
-/// At the trailing end no sheet sticks. Where slip there is wrong up to the end, or vanishes, it turns around.
-void turn_around(Zones& zones, const Zones& before) {
-  const auto& [sign, length] = before.back();
-  if (zones.back().sign != 0 || sign == 0) return;
-  const Float part = std::min(length, zones.back().length) / 3;
-  zones.back().length -= part;
-  zones.push_back({-sign, part});
+bool are_alike(const Zones& a, const Zones& b) {
+  return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
 }
 
 /// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
@@ -194,12 +197,13 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, longest), kernels, zones);
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
-    if (converges) field = std::make_unique<SlipField>(newton.result());
-    Zones better = converges ? corrected(*field) : newton.zones();
-    turn_around(better, zones);
-    const bool is_same = are_alike(better, zones);
-    zones = converges && is_same ? newton.zones() : better;
-    if (is_same) return converges ? std::move(field) : nullptr;
+    if (!converges && are_alike(newton.zones(), zones)) return nullptr;
+    zones = newton.zones();
+    if (!converges) continue;
+    field = std::make_unique<SlipField>(newton.result());
+    Zones better = corrected(*field);
+    if (are_alike(better, zones)) return field;
+    zones = std::move(better);
   }
   return nullptr;
 }
@@ -208,20 +212,17 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
   SolvedSlip result;
-  for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
-    auto field = solved(problem, kernels, zones, goal, result.fine.get());
-    // Short zones may show on a finer grid only.
-    if (!field && goal == first_digits) continue;
-    if (!field) return {};
-    result.coarse = std::exchange(result.fine, std::move(field));
+  for (int goal : {first_digits, digits + coarse_guard, digits + fine_guard}) {
+    result.coarse = std::move(result.fine);
+    result.fine = solved(problem, kernels, zones, goal, result.coarse.get());
+    if (!result.fine) return {};
   }
   return result;
 }
 
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
 
-/// Remainders next to a panel's end are known to as many digits as they are small: twice. Over the lengths of zones that are as
-/// short, which differences are divided by, as many are lost again.
-int working_digits_of_slip(int digits) { return 3 * (digits + fine_guard) + 10; }
+/// Remainders next to a panel's end are known to as many digits as they are small: twice.
+int working_digits_of_slip(int digits) { return 2 * (digits + fine_guard) + 16; }
 
 }  // namespace nipref::ref

@@ -6,17 +6,25 @@ namespace nipref::ref {
 /// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
 inline constexpr double longest_panel = 3;
 
-/// A part of a zone. It has values of p and of q: what is left of them at the nodes when their linear interpolation between
-/// the panel's ends is taken off, then those at its left and right end. Rows of all values are by panels.
+/// A part of a zone. The values of p and q are what is left of them at the nodes when their linear interpolation between the
+/// panel's ends is taken off, then those at its left and right end.
 struct ZonePanel {
+  /// Which unknown a value is, times a factor; none where it is 0.
+  struct Source {
+    GridIndex column = -1;
+    double factor = 1;
+  };
+
   GridIndex zone;
   int sign;
   Float left, length;
   double slip_ratio;  ///< q/p where it slips
-  GridIndex first;    ///< value
+  OfBoth<Row<Source>> sources = {};
+  OfBoth<Row<Float>> values = {};
+  OfBoth<Row<Float>> loads = {};  ///< those at the nodes, times the weights of the grid over pi
 };
 
-/// A point of a panel.
+/// A point of a panel. Beside the contact the panel is -1 or their number, `at` the distance from the contact's end.
 struct ContactPoint {
   GridIndex panel;
   PanelPoint at;
@@ -25,16 +33,16 @@ struct ContactPoint {
 /// Of all zones, from the leading end.
 class ZonePanels : public Row<ZonePanel> {
  public:
-  ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid);
+  ZonePanels(const Row<SlipZone>& zones, double friction);
 
-  [[nodiscard]] GridIndex values() const { return values_; }
   [[nodiscard]] Float length() const { return back().left + back().length; }
-  [[nodiscard]] ComplexFloat place(const ContactPoint& point) const { return distance(point, 0); }  ///< e
-  /// From the left end of panel `joint`, 0 to the number of panels. Its real part is > 0.
+  /// e of a point.
+  [[nodiscard]] ComplexFloat place(const ContactPoint& point) const;
+  /// From the left end of panel `joint`, 0 to the number of panels. A complex point has it with a real part > 0.
   [[nodiscard]] ComplexFloat distance(const ContactPoint& point, GridIndex joint) const;
 
  private:
-  GridIndex values_ = 0;
+  [[nodiscard]] Float length_of(GridIndex panel) const;
 };
 
 }  // namespace nipref::ref

@@ -81,7 +81,7 @@ TEST_CASE("as friction goes to 0 slip turns around where Bentall and Johnson hav
 TEST_CASE(
     "random contacts meet all conditions of stick and slip, their energy balances, and given creep gives back traction") {
   Random random;
-  const int count = is_thorough() ? 1000 : 6;
+  const int count = is_thorough() ? 1000 : 24;
   for (int i = 0; i < count; ++i) {
     const double length = 2e-3 * std::pow(2500, random(0, 1)), mu = 0.01 * std::pow(100, random(0, 1));
     const double poisson = random(0, 0.5), load = fast::load_guess(length);
@@ -89,26 +89,27 @@ TEST_CASE(
     CAPTURE(i);
     const fast::PartialSlipTask task{
         .beta = (1 - 2 * poisson) / (2 * (1 - poisson)), .friction = mu, .load = load, .traction = traction};
-    const auto contact = fast::find_zones(task, 14);
+    const auto contact = fast::find_zones(task, 24);
     REQUIRE(contact);
-    double largest_slip = 0;
+    double largest_slip = 0, slip_where_it_sticks = 0;
     for (const auto& sample : contact->samples())
       largest_slip = std::max(largest_slip, std::fabs(sample.slip));
     for (const auto& sample : contact->samples()) {
       CHECK(sample.pressure > 0);
       if (sample.sign == 0) {
         CHECK(std::fabs(sample.shear) < (1 + 1e-4) * mu * sample.pressure);
-        CHECK(std::fabs(sample.slip) < 1e-10 * length);
+        slip_where_it_sticks += sample.weight * std::fabs(sample.slip);
       } else {
         CHECK(sample.shear == approx(sample.sign * mu * sample.pressure, 1e-14));
         CHECK(sample.slip * sample.sign < 1e-4 * largest_slip);
       }
     }
+    CHECK(slip_where_it_sticks < 1e-9 * length * length);
     const double work = contact->creep() * contact->tangential_load() + 2 * contact->moment();
     CHECK(std::fabs(contact->dissipation() - work) < 1e-7 * mu * load * length);
     if (traction == 0) continue;
     const auto back = fast::ZoneContact::solved(
-        {.beta = task.beta, .friction = mu, .load = load, .creep = contact->creep()}, contact->zones(), 14);
+        {.beta = task.beta, .friction = mu, .load = load, .creep = contact->creep()}, contact->zones(), 24);
     REQUIRE(back);
     CHECK(std::fabs(back->tangential_load() - traction) < 1e-8 * mu * load);
   }
@@ -125,16 +126,17 @@ TEST_CASE("with much friction the contact is that of full friction, with little 
   const auto of_full = [&](double mu) { return apart(with(mu).creep_ratio().value, full.creep_ratio()); };
   CHECK(of_full(0.5) < 0.1);
   CHECK(of_full(2) < 1e-3 * of_full(0.2));
-  // The load differs by the shears' part, which is as small as the friction.
-  const double tenth = apart(with(1e-2).load().value, none.load()),
-               hundredth = apart(with(1e-3).load().value, none.load());
-  CHECK(tenth < 1e-2);
-  CHECK(hundredth == doctest::Approx(tenth / 10).epsilon(0.1));
+  // The load differs like mu^2 (A ln(1/mu) + C), see limit.little_friction.load.
+  const double more = apart(with(1e-2).load().value, none.load()),
+               less = apart(with(2.5e-3).load().value, none.load());
+  const double power = std::log(more / less) / std::log(4);
+  CHECK(power > 1.5);
+  CHECK(power < 2);
 }
 
 TEST_CASE("equal elements tend to the contact as their width does") {
   const fast::PartialSlipTask task{.beta = 0.25, .friction = 0.2, .load = 0.5, .traction = 0.06};
-  const double creep = fast::find_zones(task, 14)->creep();
+  const double creep = fast::find_zones(task, 20)->creep();
   const auto error = [&](int elements) {
     return std::fabs(fast::element_contact(task, elements).creep / creep - 1);
   };

@@ -1,0 +1,76 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
+#include <nipref/fast/partial_slip/internal/zone_mesh.hpp>
+
+namespace nipref::fast {
+
+/// The equations
+///     int U(e-s) p ds - int V(e-s) q ds + beta q(e) = 2 (L1 - e)        in the contact,
+///     int V(e-s) p ds + int S(e-s) q ds - beta p(e) = creep             where it sticks,
+///     q = sign mu p                                                     where it slips,
+/// with two of load, length, traction and creep, for zones in a given order: linear in p, q, L1 and the creep, solved
+/// with the zones' lengths by Newton's method. Whether it sticks and slips where it should is not looked at.
+class ZoneEquations {
+ public:
+  ZoneEquations(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats);
+
+  /// From these zones, and from unknowns that are nearly right; false where Newton's method finds no zones of such an order.
+  bool solve();
+  bool solve_from(const Eigen::VectorXd& unknowns);
+
+  [[nodiscard]] const PartialSlipTask& task() const { return task_; }
+  [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
+  [[nodiscard]] const ZoneMesh& mesh() const { return mesh_; }
+  /// Those of the mesh, L1 and the creep.
+  [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
+  [[nodiscard]] double leading_length() const { return unknowns_(mesh_.unknowns()); }
+  [[nodiscard]] double creep() const { return unknowns_(mesh_.unknowns() + 1); }
+  [[nodiscard]] double length() const { return length_of(zones_); }
+  /// Tractions at the nodes times their weights.
+  struct Forces {
+    Eigen::ArrayXd normal, tangential;
+  };
+  [[nodiscard]] Forces forces() const;
+  /// At the midpoints: u' - 2 (L1 - e), and v' - creep.
+  struct Misfits {
+    Eigen::ArrayXd normal, along;
+  };
+  [[nodiscard]] Misfits misfits() const;
+  [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
+    return Eigen::ArrayXd::NullaryExpr(static_cast<Eigen::Index>(points.size()), [&](Eigen::Index i) {
+      return mesh_.place(points[static_cast<std::size_t>(i)]);
+    });
+  }
+
+ private:
+  /// The derivatives of the misfits by the unknowns of the mesh and the logarithms of the zones' lengths.
+  struct Rows {
+    Eigen::MatrixXd normal, along;
+  };
+  [[nodiscard]] Rows rows() const;
+  void add_length(Eigen::Index zone, const Eigen::MatrixXd& kernels, const SlopeKernels& rest,
+                  Rows& rows) const;
+  /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
+  [[nodiscard]] Eigen::VectorXd residual() const;
+  [[nodiscard]] Eigen::MatrixXd jacobian() const;
+  [[nodiscard]] bool is_square() const;
+  /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
+  [[nodiscard]] Eigen::ArrayXXd cauchy() const;
+  [[nodiscard]] SlopeKernels rests() const;
+  /// How far a zone goes to the points' e: the derivatives of e by the logarithm of its length.
+  [[nodiscard]] Eigen::ArrayXd extents(Eigen::Index zone, const auto& points) const;
+  bool iterate();
+  void step(const Eigen::VectorXd& change, double part);
+  /// Then there is no traction, by symmetry, which is an equation less.
+  [[nodiscard]] bool sticks_everywhere() const;
+
+  PartialSlipTask task_;
+  std::vector<Zone> zones_;
+  ZoneMesh mesh_;
+  Eigen::VectorXd unknowns_;
+};
+
+}  // namespace nipref::fast
