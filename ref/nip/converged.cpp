@@ -22,9 +22,8 @@ namespace {
 using data::BadInput;
 
 constexpr int fewest_digits = 16;
-/// Contact lengths in sheet thicknesses. Stresses inside sum the waves of all of the contact, so that they are computed of
-/// shorter ones only.
-constexpr double longest_nip = 1000, longest_inside = 80;
+/// L/B. Stresses inside sum the waves of all of the contact, so that they are computed of shorter ones only.
+constexpr double longest_inside = 80;
 /// Digits of the fields of line loads beyond those of the stresses that they make.
 constexpr int stress_guard = 4;
 /// The distance from the contact at which displacements are computed, half-thicknesses.
@@ -38,15 +37,15 @@ void NipTask::check_digits() const {
                    fmt::format("must be from {} to {} for {}", fewest_digits, most_digits, kind));
 }
 
-double NipTask::longest() const { return std::min(longest_nip, roller_radius / sheet_thickness); }
+double NipTask::longest() const { return std::min(most, roller_radius / sheet_thickness); }
 
 std::string NipTask::allowed_lengths() const {
   return fmt::format("must be at most the roller's radius and from {:g} to {:g} sheet thicknesses for {}",
-                     shortest, longest_nip, kind);
+                     shortest, most, kind);
 }
 
 bool NipTask::allows(double contact_length) const {
-  return contact_length >= shortest * sheet_thickness && contact_length <= longest_nip * sheet_thickness &&
+  return contact_length >= shortest * sheet_thickness && contact_length <= most * sheet_thickness &&
          contact_length <= roller_radius;
 }
 

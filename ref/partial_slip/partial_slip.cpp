@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <string>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
@@ -27,167 +24,10 @@ NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
   if (!(std::isfinite(nip.friction_coefficient) && nip.friction_coefficient > 0))
     throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
   const NipTask task{
-      nip.roller_radius, nip.sheet_thickness, "a contact with partial slip", 30, shortest_slip, digits};
+      nip.roller_radius, nip.sheet_thickness, "a contact with partial slip", 30, shortest_slip, digits,
+      longest_slip};
   task.check_digits();
   return task;
-}
-
-bool is_allowed_length(const NipTask& task, double contact_length) {
-  return task.allows(contact_length) && contact_length <= longest_slip * task.sheet_thickness;
-}
-
-std::string allowed_lengths() {
-  return fmt::format(
-      "must be at most the roller's radius and from {:g} to {:g} sheet thicknesses for a contact with partial slip",
-      shortest_slip, longest_slip);
-}
-
-}  // namespace
-
-struct PartialSlipNip::Parts {
-  using Functional = std::function<Float(const SlipField&)>;
-  /// Of results: its unit, and what their errors are measured by, without it.
-  struct Kind {
-    mpq_class unit;
-    Float scale;
-  };
-
-  NipUnits units;
-  int digits;
-  std::unique_ptr<SheetKernels> kernels;
-  SolvedSlip solved = {};
-  Kind length = {}, slope = {}, displacement = {}, pressure = {}, force = {}, power = {};
-  Float difference = 0;
-
-  [[nodiscard]] const SlipField& fine() const { return *solved.fine; }
-  [[nodiscard]] Float in_length(double y) const { return Float(y) / to_float(Exact(units.length)); }
-
-  /// What both solutions have in common is as wrong as the largest of their differences; the finer is surer than their
-  /// difference, and zones left out count for a hundredth of the last digit.
-  [[nodiscard]] Estimate number(Kind Parts::*kind, const Functional& functional) const {
-    const WorkingDigits working(working_digits_of_slip(digits));
-    const auto& [unit, scale] = this->*kind;
-    const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value),
-                in_unit = to_float(Exact(unit));
-    return {value * in_unit, (2 * apart + scale * (difference + pow(Float(10), -digits - 2))) * in_unit,
-            digits};
-  }
-  /// At a place in or next to the contact, where functionals take its distance from the leading end.
-  [[nodiscard]] Estimate number_at(
-      double y, Kind Parts::*kind,
-      const std::function<Float(const SlipField&, const Float& e)>& functional) const {
-    return number(kind, [&](const SlipField& of) { return functional(of, of.leading() - in_length(y)); });
-  }
-
-  /// From the solutions.
-  void measure() {
-    const SlipField &a = *solved.coarse, &b = fine();
-    const Float &size = b.length(), load = b.load(), mean = load / size;
-    length = {units.length, size};
-    slope = {units.slope, size + mean};
-    displacement = {units.displacement, size * slope.scale};
-    pressure = {units.pressure, mean};
-    force = {units.force, load};
-    power = {units.force * units.slope, b.contact().problem().friction * load * slope.scale};
-    const auto count = [&](const Float& apart) { difference = std::max(difference, Float(abs(apart))); };
-    count((a.length() - size) / size);
-    count((a.leading() - b.leading()) / size);
-    count((a.creep() - b.creep()) / size);
-    count((a.load() - load) / load);
-    count((a.traction() - b.traction()) / load);
-    const auto &zones = a.contact().zones(), &finer = b.contact().zones();
-    if (zones.count() != finer.count()) return;
-    for (GridIndex i = 0; i < zones.count(); ++i) count((zones[i].length - finer[i].length) / size);
-  }
-
-  void check_place(double y) const {
-    const WorkingDigits working(working_digits_of_slip(digits));
-    if (!std::isfinite(y) || abs(in_length(y)) > farthest_slip + length.scale)
-      throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
-  }
-
-  [[nodiscard]] Estimate traction(double y, std::size_t of) const {
-    if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-    return number_at(y, &Parts::pressure,
-                     [of](const SlipField& field, const Float& e) { return field.tractions(e)[of]; });
-  }
-
-  [[nodiscard]] Estimate peak(std::size_t of) const {
-    return number(&Parts::pressure, [of](const SlipField& field) { return field.largest(of).size; });
-  }
-
-  /// Both solutions' places of the same local maximum are compared. Another one that is as large, within the errors of both, may
-  /// be the largest.
-  [[nodiscard]] Estimate peak_position(std::size_t of) const {
-    const Estimate size = peak(of);
-    const WorkingDigits working(working_digits_of_slip(digits));
-    const SlipField::Hump largest = fine().largest(of);
-    const auto from_largest = [&](const SlipField::Hump& hump) -> Float { return abs(hump.e - largest.e); };
-    Estimate place = number(&Parts::length, [&](const SlipField& field) -> Float {
-      return field.leading() - std::ranges::min(field.humps(of), {}, from_largest).e;
-    });
-    Float reach = 0;
-    for (const SlipField::Hump& hump : fine().humps(of))
-      if ((largest.size - hump.size) * to_float(Exact(units.pressure)) <= 2 * size.error)
-        reach = std::max(reach, from_largest(hump));
-    place.error += reach * to_float(Exact(units.length));
-    return place;
-  }
-};
-
-namespace {
-
-using SlipParts = PartialSlipNip::Parts;
-
-/// The problem but for what is given: of Y, q and T change their signs.
-SlipProblem problem_of(const data::PartialSlipNip& nip, const NipUnits& units) {
-  SlipProblem problem;
-  const mpq_class poisson = nip.material.poisson;
-  problem.beta = to_float(Exact(mpq_class((1 - 2 * poisson) / (2 * (1 - poisson)))));
-  problem.friction = nip.friction_coefficient;
-  if (const auto* creep = std::get_if<data::GivenCreep>(&nip.drive))
-    problem.creep =
-        to_float(Exact(mpq_class(mpq_class(Exact(creep->creep_ratio, "creep_ratio").value()) / units.slope)));
-  else
-    problem.shear = -to_float(Exact(mpq_class(
-        Exact(std::get<data::GivenTraction>(nip.drive).force_per_length, "force_per_length").value() /
-        units.force)));
-  return problem;
-}
-
-void refuse_traction(const data::PartialSlipNip& nip) {
-  throw BadInput("force_per_length", std::get<data::GivenTraction>(nip.drive).force_per_length,
-                 "must be smaller in size than friction_coefficient times load");
-}
-
-/// A traction that is given must be less than what full sliding transmits.
-void check_traction(const data::PartialSlipNip& nip, const SlipProblem& problem, SheetKernels& kernels,
-                    double guess) {
-  if (problem.creep) return;
-  Float load = problem.load;
-  if (problem.length) {
-    SlipProblem sliding = problem;
-    sliding.creep = Float(problem.shear < 0 ? -1000 : 1000) * (1 + problem.friction) * *problem.length;
-    const SolvedSlip slid =
-        solved_slip(sliding, kernels, Row<SlipZone>{{problem.shear < 0 ? -1 : 1, Float(guess)}}, 16);
-    if (slid.fine) load = slid.fine->load();
-  }
-  if (!(abs(problem.shear) < problem.friction * load)) refuse_traction(nip);
-}
-
-std::unique_ptr<SlipParts> solved_parts(const data::PartialSlipNip& nip, const NipUnits& units,
-                                        SlipProblem problem, double guess, int digits) {
-  auto parts = std::make_unique<SlipParts>(
-      SlipParts{units, digits, std::make_unique<SheetKernels>(kernel_digits_of_slip(digits))});
-  problem.unit = guess;
-  check_traction(nip, problem, *parts->kernels, guess);
-  const Row<SlipZone> zones = plain_zones(problem, *parts->kernels, guess);
-  parts->solved = solved_slip(problem, *parts->kernels, zones, digits);
-  if (!parts->solved.fine)
-    throw BadInput("friction_coefficient", nip.friction_coefficient,
-                   "gives zones of stick and slip that are not found on the reference path");
-  parts->measure();
-  return parts;
 }
 
 NipUnits slip_units(const data::ElasticNip& nip) {
@@ -195,35 +35,165 @@ NipUnits slip_units(const data::ElasticNip& nip) {
   return {nip.roller_radius, nip.sheet_thickness, mpq_class(2 * (1 - poisson) * (1 + poisson) / young)};
 }
 
+Float float_of(const mpq_class& x) { return to_float(Exact(x)); }
+
 }  // namespace
 
+struct PartialSlipNip::Parts {
+  using Functional = std::function<Float(const SlipField&)>;
+  using FunctionalAt = std::function<Float(const SlipField&, const Float& e)>;
+
+  NipUnits units;
+  int digits;
+  SheetKernels kernels;
+  SlipProblem problem;
+  SolvedSlip solved = {};
+  Float size = 0, pressed = 0, steep = 0;  ///< length, load, and what strains and slopes are measured by
+  Float difference = 0;
+
+  /// The problem but for the length or load: of Y, q and T change their signs.
+  Parts(const data::PartialSlipNip& nip, int the_digits)
+      : units(slip_units(nip)), digits(the_digits), kernels(kernel_digits_of_slip(digits)) {
+    const Float poisson = nip.material.poisson;
+    problem.beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+    problem.friction = nip.friction_coefficient;
+    if (const auto* creep = std::get_if<data::GivenCreep>(&nip.drive))
+      problem.creep = to_float(Exact(creep->creep_ratio, "creep_ratio")) / float_of(units.slope);
+    else
+      problem.shear = -to_float(Exact(given_traction(nip), "force_per_length")) / float_of(units.force);
+  }
+
+  static double given_traction(const data::PartialSlipNip& nip) {
+    return std::get<data::GivenTraction>(nip.drive).force_per_length;
+  }
+
+  /// `guess`: at the length.
+  void solve(const data::PartialSlipNip& nip, double guess) {
+    problem.unit = guess;
+    const bool is_load_given = !problem.length;
+    if (is_load_given && !problem.creep) check_traction(nip, problem.load);
+    solved = solved_slip(problem, kernels, plain_zones(problem, kernels, guess), digits);
+    if (!solved.fine) {
+      if (!is_load_given && !problem.creep) check_traction(nip, load_of_sliding());
+      throw BadInput("friction_coefficient", nip.friction_coefficient,
+                     "gives zones of stick and slip that are not found on the reference path");
+    }
+    measure();
+  }
+
+  /// A traction that is given must be less than what full sliding transmits.
+  void check_traction(const data::PartialSlipNip& nip, const Float& load) const {
+    if (!(abs(problem.shear) < problem.friction * load))
+      throw BadInput("force_per_length", given_traction(nip),
+                     "must be smaller in size than friction_coefficient times load");
+  }
+
+  /// Of the contact so long; 0 where it is not found.
+  [[nodiscard]] Float load_of_sliding() {
+    const int sign = problem.shear < 0 ? -1 : 1;
+    SlipProblem sliding = problem;
+    sliding.creep = 1000 * sign * (1 + problem.friction) * *problem.length;
+    const SolvedSlip slid = solved_slip(sliding, kernels, {{sign, *problem.length}}, 16);
+    return slid.fine ? slid.fine->load() : Float(0);
+  }
+
+  void measure() {
+    const SlipField &a = *solved.coarse, &b = *solved.fine;
+    size = b.length();
+    pressed = b.load();
+    steep = size + pressed / size;
+    const auto count = [&](const Float& apart) { difference = std::max(difference, Float(abs(apart))); };
+    count((a.length() - size) / size);
+    count((a.leading() - b.leading()) / size);
+    count((a.creep() - b.creep()) / size);
+    count((a.load() - pressed) / pressed);
+    count((a.traction() - b.traction()) / pressed);
+    for (GridIndex i = 0; i < b.zones().count(); ++i)
+      count((a.zones()[std::min(i, a.zones().count() - 1)].length - b.zones()[i].length) / size);
+  }
+
+  [[nodiscard]] const SlipField& fine() const { return *solved.fine; }
+
+  /// What both solutions have in common is as wrong as the largest of their differences; the finer is surer than their
+  /// difference, and zones left out count for a hundredth of the last digit.
+  [[nodiscard]] Estimate number(const mpq_class& unit, const Float& scale,
+                                const Functional& functional) const {
+    const WorkingDigits working(working_digits_of_slip(digits));
+    const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value),
+                in_unit = float_of(unit);
+    return {value * in_unit, (2 * apart + scale * (difference + pow(Float(10), -digits - 2))) * in_unit,
+            digits};
+  }
+  [[nodiscard]] Estimate length(const Functional& of) const { return number(units.length, size, of); }
+  [[nodiscard]] Estimate slope(const Functional& of) const { return number(units.slope, steep, of); }
+  [[nodiscard]] Estimate displacement(const Functional& of) const {
+    return number(units.displacement, size * steep, of);
+  }
+  [[nodiscard]] Estimate pressure(const Functional& of) const {
+    return number(units.pressure, pressed / size, of);
+  }
+  [[nodiscard]] Estimate force(const Functional& of) const { return number(units.force, pressed, of); }
+  [[nodiscard]] Estimate power(const Functional& of) const {
+    return number(units.force * units.slope, problem.friction * pressed * steep, of);
+  }
+
+  /// A functional of the distance of a place from the leading end.
+  [[nodiscard]] Functional at(double y, const FunctionalAt& functional) const {
+    if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+    return
+        [=, this](const SlipField& of) { return functional(of, of.leading() - y / float_of(units.length)); };
+  }
+  [[nodiscard]] Functional near(double y, const FunctionalAt& functional) const {
+    const WorkingDigits working(working_digits_of_slip(digits));
+    if (!std::isfinite(y) || abs(y / float_of(units.length)) > farthest_slip + size)
+      throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
+    return at(y, functional);
+  }
+
+  [[nodiscard]] Estimate peak(std::size_t of) const {
+    return pressure([of](const SlipField& field) { return field.largest(of).size; });
+  }
+
+  /// Both solutions' places of the same local maximum are compared. Another one that is as large, within the errors of both, may
+  /// be the largest.
+  [[nodiscard]] Estimate peak_position(std::size_t of) const {
+    const Estimate highest = peak(of);
+    const WorkingDigits working(working_digits_of_slip(digits));
+    const SlipField::Hump largest = fine().largest(of);
+    const auto from_largest = [&](const SlipField::Hump& hump) -> Float { return abs(hump.e - largest.e); };
+    Estimate place = length([&](const SlipField& field) -> Float {
+      return field.leading() - std::ranges::min(field.humps(of), {}, from_largest).e;
+    });
+    Float reach = 0;
+    for (const SlipField::Hump& hump : fine().humps(of))
+      if ((largest.size - hump.size) * float_of(units.pressure) <= 2 * highest.error)
+        reach = std::max(reach, from_largest(hump));
+    place.error += reach * float_of(units.length);
+    return place;
+  }
+};
+
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits) {
-  const NipTask task = slip_task(nip, digits);
-  if (!is_allowed_length(task, contact_length))
-    throw BadInput("contact_length", contact_length, allowed_lengths());
+  const Exact half_length = slip_task(nip, digits).half_length(contact_length);
   const WorkingDigits working(working_digits_of_slip(digits));
-  const NipUnits units = slip_units(nip);
-  SlipProblem problem = problem_of(nip, units);
-  problem.length = to_float(Exact(mpq_class(mpq_class(contact_length) / units.length)));
-  const auto guess = static_cast<double>(*problem.length);
-  return PartialSlipNip(solved_parts(nip, units, std::move(problem), guess, digits));
+  auto parts = std::make_unique<PartialSlipNip::Parts>(nip, digits);
+  parts->problem.length = 2 * to_float(half_length);
+  parts->solve(nip, static_cast<double>(*parts->problem.length));
+  return PartialSlipNip(std::move(parts));
 }
 
 PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, int digits) {
   const NipTask task = slip_task(nip, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   const WorkingDigits working(working_digits_of_slip(digits));
-  const NipUnits units = slip_units(nip);
-  SlipProblem problem = problem_of(nip, units);
-  problem.load = to_float(Exact(mpq_class(mpq_class(load) / units.force)));
+  auto parts = std::make_unique<PartialSlipNip::Parts>(nip, digits);
+  const Float wanted = load / float_of(parts->units.force);
   // The guess is good to a few tens of per cent.
-  const double guess = 2 * guessed_half_length(static_cast<double>(problem.load), [](double) { return 1; });
-  const auto refuse = [&] {
-    throw BadInput("load", load, "gives a contact whose length " + allowed_lengths());
-  };
-  if (!(guess > shortest_slip && guess < 4 * longest_slip)) refuse();
-  auto parts = solved_parts(nip, units, std::move(problem), guess, digits);
-  if (!is_allowed_length(task, static_cast<double>(parts->length.scale) * nip.half_thickness())) refuse();
+  const double guess = 2 * guessed_half_length(static_cast<double>(wanted), [](double) { return 1; });
+  if (!(guess > shortest_slip && guess < 4 * longest_slip)) task.refuse_load(load);
+  parts->problem.load = wanted;
+  parts->solve(nip, guess);
+  if (!task.allows(static_cast<double>(parts->size) * nip.half_thickness())) task.refuse_load(load);
   return PartialSlipNip(std::move(parts));
 }
 
@@ -231,81 +201,51 @@ PartialSlipNip::PartialSlipNip(std::unique_ptr<const Parts> parts) : parts_(std:
 PartialSlipNip::PartialSlipNip(PartialSlipNip&&) noexcept = default;
 PartialSlipNip::~PartialSlipNip() = default;
 
-Estimate PartialSlipNip::contact_length() const { return parts_->number(&Parts::length, &SlipField::length); }
-Estimate PartialSlipNip::leading_length() const {
-  return parts_->number(&Parts::length, &SlipField::leading);
-}
-Estimate PartialSlipNip::trailing_length() const {
-  return parts_->number(&Parts::length, &SlipField::trailing);
-}
-Estimate PartialSlipNip::load() const { return parts_->number(&Parts::force, &SlipField::load); }
-Estimate PartialSlipNip::indentation() const {
-  return parts_->number(&Parts::displacement, &SlipField::indentation);
-}
+using Of = SlipField;
+
+Estimate PartialSlipNip::contact_length() const { return parts_->length(&Of::length); }
+Estimate PartialSlipNip::leading_length() const { return parts_->length(&Of::leading); }
+Estimate PartialSlipNip::trailing_length() const { return parts_->length(&Of::trailing); }
+Estimate PartialSlipNip::load() const { return parts_->force(&Of::load); }
+Estimate PartialSlipNip::indentation() const { return parts_->displacement(&Of::indentation); }
 Estimate PartialSlipNip::leading_displacement() const {
-  return parts_->number(&Parts::displacement, &SlipField::leading_displacement);
+  return parts_->displacement(&Of::leading_displacement);
 }
 Estimate PartialSlipNip::trailing_displacement() const {
-  return parts_->number(&Parts::displacement, &SlipField::trailing_displacement);
+  return parts_->displacement(&Of::trailing_displacement);
 }
-Estimate PartialSlipNip::traction() const { return -1 * parts_->number(&Parts::force, &SlipField::traction); }
-Estimate PartialSlipNip::creep_ratio() const { return parts_->number(&Parts::slope, &SlipField::creep); }
-Estimate PartialSlipNip::rolling_resistance() const {
-  return parts_->number(&Parts::slope, &SlipField::rolling_resistance);
-}
-Estimate PartialSlipNip::dissipation() const {
-  return parts_->number(&Parts::power, &SlipField::dissipation);
-}
-
+Estimate PartialSlipNip::traction() const { return -1 * parts_->force(&Of::traction); }
+Estimate PartialSlipNip::creep_ratio() const { return parts_->slope(&Of::creep); }
+Estimate PartialSlipNip::rolling_resistance() const { return parts_->slope(&Of::rolling_resistance); }
+Estimate PartialSlipNip::dissipation() const { return parts_->power(&Of::dissipation); }
 Estimate PartialSlipNip::peak_pressure() const { return parts_->peak(pressure_part); }
 Estimate PartialSlipNip::peak_pressure_position() const { return parts_->peak_position(pressure_part); }
 Estimate PartialSlipNip::peak_shear() const { return parts_->peak(shear_part); }
 Estimate PartialSlipNip::peak_shear_position() const { return parts_->peak_position(shear_part); }
-
-Estimate PartialSlipNip::pressure(double y) const { return parts_->traction(y, pressure_part); }
-Estimate PartialSlipNip::shear(double y) const { return -1 * parts_->traction(y, shear_part); }
-
+Estimate PartialSlipNip::pressure(double y) const { return parts_->pressure(parts_->at(y, &Of::pressure)); }
+Estimate PartialSlipNip::shear(double y) const { return -1 * parts_->pressure(parts_->at(y, &Of::shear)); }
 Estimate PartialSlipNip::surface_strain(double y) const {
-  parts_->check_place(y);
-  return parts_->number_at(y, &Parts::slope, &SlipField::strain);
+  return parts_->slope(parts_->near(y, &Of::strain));
 }
-
-Estimate PartialSlipNip::slip(double y) const {
-  parts_->check_place(y);
-  return parts_->number_at(y, &Parts::slope, [](const SlipField& of, const Float& e) -> Float {
-    return of.strain(e) - of.creep();
-  });
-}
-
+Estimate PartialSlipNip::slip(double y) const { return parts_->slope(parts_->near(y, &Of::slip)); }
 Estimate PartialSlipNip::normal_displacement(double y) const {
-  parts_->check_place(y);
-  return parts_->number_at(y, &Parts::displacement,
-                           [](const SlipField& of, const Float& e) { return of.displacement(e).normal; });
+  return parts_->displacement(parts_->near(y, &Of::normal_displacement));
 }
-
 Estimate PartialSlipNip::tangential_displacement(double y) const {
-  parts_->check_place(y);
-  return parts_->number_at(y, &Parts::displacement, [](const SlipField& of, const Float& e) -> Float {
-    return of.displacement(of.leading()).tangential - of.displacement(e).tangential;
-  });
+  return -1 * parts_->displacement(parts_->near(y, &Of::tangential_displacement));
 }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> boundaries;
-  for (GridIndex i = 0; i <= parts_->fine().contact().zones().count(); ++i) {
-    boundaries.push_back(parts_->number(&Parts::length, [&](const SlipField& of) {
-      Float place = of.leading();
-      for (GridIndex zone = 0; zone < std::min(i, of.contact().zones().count()); ++zone)
-        place -= of.contact().zones()[zone].length;
-      return place;
-    }));
-  }
+  for (GridIndex i = 0; i <= parts_->fine().zones().count(); ++i)
+    boundaries.push_back(
+        parts_->length([i](const SlipField& of) -> Float { return of.leading() - of.boundary(i); }));
   return boundaries;
 }
 
 std::vector<int> PartialSlipNip::zone_signs() const {
   std::vector<int> signs;
-  for (const SlipZone& zone : parts_->fine().contact().zones()) signs.push_back(-zone.sign);
+  for (const SlipZone& zone : parts_->fine().zones()) signs.push_back(-zone.sign);
   return signs;
 }
 

@@ -60,7 +60,7 @@ class PartialSlipNip {
 
 /// The contact of a given length: > 0, L <= R and 1e-8 <= L/B <= 10; digits: 16 to 30; the friction coefficient is > 0 and finite,
 /// a traction that is given smaller than this times the load. BadInput otherwise, and where the zones are not
-/// found, as of some long contacts that stick nearly everywhere.
+/// found, as of many contacts with friction coefficients above 5, or that stick nearly everywhere.
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length, int digits);
 /// The contact that carries `load` per unit width, > 0 and finite, with a length as above; BadInput otherwise.
 PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double load, int digits);

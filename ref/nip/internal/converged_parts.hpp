@@ -29,14 +29,15 @@ struct NipUnits {
         force(pressure * length) {}
 };
 
-/// A nip that is to be solved to so many digits, and of which the reference solves contacts from `shortest` sheet
-/// thicknesses on.
+/// A nip that is to be solved to so many digits, and of which the reference solves contacts from `shortest` to `most` sheet
+/// thicknesses.
 struct NipTask {
   double roller_radius, sheet_thickness;
   const char* kind;
   int most_digits;
   double shortest;
   int digits;
+  double most = 1000;  ///< L/B
 
   void check_digits() const;  ///< BadInput
   [[nodiscard]] bool allows(double contact_length) const;

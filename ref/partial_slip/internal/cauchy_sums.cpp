@@ -3,8 +3,9 @@
 namespace nipref::ref {
 namespace {
 
-/// sum_i loads_i/(distance + nodes_i), in place, as this is most of the work.
-OfBoth<ComplexFloat> quotients(const CauchyTerms& terms, const OfBoth<Row<Float>>& loads, std::size_t kinds) {
+/// sum_i loads_i/(distance + nodes_i), from the first load on; in place, as this is most of the work.
+OfBoth<ComplexFloat> quotients(const CauchyTerms& terms, const OfBoth<Row<Float>>& loads, GridIndex first,
+                               std::size_t kinds) {
   OfBoth<ComplexFloat> sums;
   const Float& height = terms.distance.im;
   const bool is_real = terms.distance.is_real();
@@ -14,14 +15,15 @@ OfBoth<ComplexFloat> quotients(const CauchyTerms& terms, const OfBoth<Row<Float>
     mpfr_add(raw(way), raw(terms.distance.re), raw(terms.nodes[i]), MPFR_RNDN);
     if (is_real) {
       mpfr_ui_div(raw(over), 1, raw(way), MPFR_RNDN);
-      for (std::size_t of = 0; of < kinds; ++of) add_product(sums[of].re, scratch, over, loads[of][i]);
+      for (std::size_t of = 0; of < kinds; ++of)
+        add_product(sums[of].re, scratch, over, loads[of][first + i]);
       continue;
     }
     mpfr_sqr(raw(over), raw(way), MPFR_RNDN);
     mpfr_add(raw(over), raw(over), raw(square), MPFR_RNDN);
     mpfr_ui_div(raw(over), 1, raw(over), MPFR_RNDN);
     for (std::size_t of = 0; of < kinds; ++of) {
-      mpfr_mul(raw(load), raw(over), raw(loads[of][i]), MPFR_RNDN);
+      mpfr_mul(raw(load), raw(over), raw(loads[of][first + i]), MPFR_RNDN);
       add_product(sums[of].re, scratch, load, way);
       mpfr_sub(raw(sums[of].im), raw(sums[of].im), raw(load), MPFR_RNDN);
     }
@@ -41,14 +43,15 @@ CauchyTerms::CauchyTerms(const ZonePanels& panels, const ZoneGrid& grid, const C
   if (point.panel == panel) distance = -distance;
 }
 
-OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid, const ContactPoint& point,
+OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid,
+                                 const OfBoth<Row<Float>>& loads, const ContactPoint& point,
                                  bool with_shear) {
   OfBoth<ComplexFloat> sums;
   for (GridIndex i = 0; i < panels.count(); ++i) {
     const ZonePanel& panel = panels[i];
     const CauchyTerms terms(panels, grid, point, i, point);
     const bool sticks = panel.sign == 0;
-    OfBoth<ComplexFloat> part = quotients(terms, panel.loads, with_shear && sticks ? 2 : 1);
+    OfBoth<ComplexFloat> part = quotients(terms, loads, panel.first, with_shear && sticks ? 2 : 1);
     if (!sticks) part[shear_part] = part[pressure_part] * Float(panel.slip_ratio);
     for (std::size_t of : {pressure_part, shear_part}) sums[of] = sums[of] + part[of] * Float(terms.sign);
   }

@@ -17,10 +17,10 @@ struct CauchyTerms {
               const ContactPoint& from);
 };
 
-/// The rule's sums of what the values have besides their linear interpolations; of q only where it is wanted. In a panel they
-/// lack what the value at the point adds.
-OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid, const ContactPoint& point,
-                                 bool with_shear);
+/// The rule's sums; of q only where it is wanted. `loads` are the values at the nodes times the rule's weights over pi. In a panel
+/// the sums lack what the value at the point adds.
+OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid,
+                                 const OfBoth<Row<Float>>& loads, const ContactPoint& point, bool with_shear);
 
 /// The integrals of the function that is 1 at a joint of panels, 0 at the others and linear between them, by the panels to the
 /// right of the joints; 0 for the first.

@@ -11,25 +11,30 @@ namespace {
 
 constexpr int elements = 120, most_changes = 200, most_lengths = 12;
 
-/// Slopes of the kernels over the distances between nodes, in the middles of elements, and edges.
-struct PlainKernels {
-  Eigen::VectorXd normal{elements + 1}, coupling{elements + 1}, tangential{elements + 1};
-
-  PlainKernels(SheetKernels& kernels, double element) {
-    for (int i = 0; i <= elements; ++i) {
-      const double alpha = (i + 0.5) * element;
-      const auto of = [&](const Float& x) { return static_cast<double>(x) / std::numbers::pi; };
-      normal(i) = of(kernels.smooth_normal_slope(alpha)) - 1 / (std::numbers::pi * alpha);
-      coupling(i) = of(kernels.coupling_slope(alpha));
-      tangential(i) = normal(i) - of(kernels.coupling(alpha));
-    }
-  }
-};
-
 class PlainContact {
  public:
   PlainContact(const SlipProblem& problem, SheetKernels& kernels, double length)
-      : problem_(problem), element_(length / elements), kernels_(kernels, element_) {}
+      : problem_(problem), element_(length / elements) {
+    for (int way = 0; way <= elements; ++way) {
+      // U, V and S from the middle of an element to an edge beside it, or so many elements away.
+      const Float alpha = (way + 0.5) * element_, normal = kernels.smooth_normal_slope(alpha) - 1 / alpha;
+      const double over_pi = element_ / std::numbers::pi, u = over_pi * static_cast<double>(normal),
+                   v = over_pi * static_cast<double>(kernels.coupling_slope(alpha)),
+                   s = u - over_pi * static_cast<double>(kernels.coupling(alpha));
+      const double beta = way == 0 ? static_cast<double>(problem.beta) / 2 : 0;
+      for (int edge = 0; edge <= elements; ++edge) {
+        for (const auto& [i, sign] : {std::pair(edge - way - 1, 1), std::pair(edge + way, -1)}) {
+          if (i < 0 || i >= elements) continue;
+          normal_(edge, i) = sign * u;
+          normal_(edge, elements + i) = beta - v;
+          tangential_(edge, i) = v - beta;
+          tangential_(edge, elements + i) = sign * s;
+        }
+      }
+    }
+    normal_.col(leading).setConstant(-2);
+    tangential_.col(creep).setConstant(-1);
+  }
 
   /// Signs of the elements' slip, from a guess at them; 0 where they stick.
   void settle(Row<int>& signs) {
@@ -43,42 +48,19 @@ class PlainContact {
   [[nodiscard]] int trailing_sign() const { return shear_(elements - 1) < 0 ? -1 : 1; }
 
  private:
-  using Rows = Eigen::MatrixXd;
-
   static constexpr int leading = 2 * elements, creep = 2 * elements + 1, unknowns = 2 * elements + 2;
 
-  /// The rows of both equations at the edge of elements `edge` - 1 and `edge`.
-  [[nodiscard]] Eigen::RowVectorXd row(int edge, bool is_normal) const {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns);
-    const auto beta = static_cast<double>(problem_.beta);
-    for (int i = 0; i < elements; ++i) {
-      const int way = i < edge ? edge - i - 1 : i - edge;
-      const double sign = i < edge ? 1 : -1;
-      const double local = i == edge || i == edge - 1 ? beta / 2 : 0;
-      row(i) = element_ * (is_normal ? sign * kernels_.normal(way) : kernels_.coupling(way)) -
-               (is_normal ? 0 : local);
-      row(elements + i) = element_ * (is_normal ? -kernels_.coupling(way) : sign * kernels_.tangential(way)) +
-                          (is_normal ? local : 0);
-    }
-    row(is_normal ? leading : creep) = is_normal ? -2 : -1;
-    return row;
-  }
-
   void solve(const Row<int>& signs) {
-    Rows matrix(unknowns, unknowns);
+    Eigen::MatrixXd matrix(unknowns, unknowns);
+    matrix << normal_, tangential_;
     Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
-    const auto friction = static_cast<double>(problem_.friction);
-    for (int edge = 0; edge <= elements; ++edge) {
-      matrix.row(edge) = row(edge, true);
-      right(edge) = -2 * edge * element_;
-    }
+    right.head(elements + 1) = Eigen::VectorXd::LinSpaced(elements + 1, 0, -2 * elements * element_);
     for (int i = 0; i < elements; ++i) {
-      auto at = matrix.row(elements + 1 + i);
-      at = row(i, false);
       if (signs[i] == 0) continue;
-      at.setZero();
-      at(elements + i) = 1;
-      at(i) = -signs[i] * friction;
+      auto row = matrix.row(elements + 1 + i);
+      row.setZero();
+      row(elements + i) = 1;
+      row(i) = -signs[i] * problem_.friction;
     }
     auto last = matrix.row(unknowns - 1);
     last.setZero();
@@ -92,18 +74,16 @@ class PlainContact {
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     pressure_ = solution.head(elements);
     shear_ = solution.segment(elements, elements);
-    slip_.resize(elements);
-    for (int i = 0; i < elements; ++i) slip_(i) = row(i, false) * solution;
+    slip_ = tangential_ * solution;
   }
 
   bool is_changed(Row<int>& signs) const {
-    const auto friction = static_cast<double>(problem_.friction);
     const Row<int> before = signs;
     int nearest = 0;
     double least = HUGE_VAL;
     for (int i = 0; i < elements; ++i) {
       int& sign = signs[i];
-      const double excess = std::fabs(shear_(i)) - friction * pressure_(i);
+      const double excess = std::fabs(shear_(i)) - problem_.friction * pressure_(i);
       if (sign == 0 && excess > 0)
         sign = shear_(i) > 0 ? 1 : -1;
       else if (sign * slip_(i) > 0)
@@ -117,7 +97,8 @@ class PlainContact {
 
   const SlipProblem& problem_;
   double element_;
-  PlainKernels kernels_;
+  /// Both equations at the edges of elements, by their tractions, L1 and creep.
+  Eigen::MatrixXd normal_ = Eigen::MatrixXd::Zero(elements + 1, unknowns), tangential_ = normal_;
   Eigen::VectorXd pressure_, shear_, slip_;
 };
 
@@ -137,11 +118,7 @@ Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, dou
     if (std::fabs(change - 1) < 1e-4) break;
   }
   Row<SlipZone> zones;
-  for (int sign : signs) {
-    if (!zones.empty() && sign * zones.back().sign < 0) zones.push_back({0, length / elements});
-    if (zones.empty() || zones.back().sign != sign) zones.push_back({sign, 0});
-    zones.back().length += length / elements;
-  }
+  for (int sign : signs) add_zone(zones, sign, length / elements);
   if (zones.back().sign == 0) {
     zones.back().length -= length / (2 * elements);
     zones.push_back({trailing, length / (2 * elements)});

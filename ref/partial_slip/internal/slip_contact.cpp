@@ -10,37 +10,40 @@ SlipContact::SlipContact(std::shared_ptr<const ZoneGrid> grid, SheetKernels& ker
                          const Row<SlipZone>& zones)
     : grid_(std::move(grid)),
       zones_(zones),
-      panels_(zones, problem().friction),
-      smooth_(panels_, *grid_, kernels) {
+      panels_(zones, *grid_),
+      smooth_(panels_, *grid_, kernels),
+      sources_{Row<Source>(panels_.values()), Row<Source>(panels_.values())},
+      weights_(panels_.values()),
+      values_{Vector(panels_.values()), Vector(panels_.values())},
+      loads_{Row<Float>(panels_.values()), Row<Float>(panels_.values())} {
   count_unknowns();
   count_equations();
+  add_conditions();
 }
 
 void SlipContact::count_unknowns() {
   const GridIndex nodes = grid_->nodes();
-  const auto add = [&](const Float& size) -> ZonePanel::Source {
+  const auto add = [&](const Float& size) -> Source {
     sizes_.push_back(size * problem().unit);
     return {sizes_.count() - 1};
   };
-  for (ZonePanel& panel : panels_) {
-    for (std::size_t of : {pressure_part, shear_part}) {
-      panel.values[of].grow(nodes + 2);
-      panel.sources[of].grow(nodes + 2);
-      for (GridIndex i = 0; i < nodes; ++i)
-        panel.sources[of][i] =
-            of == pressure_part || panel.sign == 0
-                ? add(sqrt(grid_->from_left()[i] * grid_->from_right()[i]))
-                : ZonePanel::Source{panel.sources[pressure_part][i].column, panel.slip_ratio};
+  auto& [pressures, shears] = sources_;
+  for (GridIndex number = 0; number < panels_.count(); ++number) {
+    const auto& [zone, sign, left, length, ratio, first] = panels_[number];
+    for (GridIndex i = 0; i < nodes; ++i) {
+      const Float size = sqrt(grid_->from_left()[i] * grid_->from_right()[i]);
+      pressures[first + i] = add(size);
+      shears[first + i] = sign == 0 ? add(size) : Source{pressures[first + i].column, ratio};
+      weights_(first + i) = length * grid_->weight()[i];
     }
-  }
-  for (GridIndex right = 1; right < panels_.count(); ++right) {
-    ZonePanel &before = panels_[right - 1], &after = panels_[right];
-    const ZonePanel::Source value = add(1);
-    const bool sticks = before.sign == 0 && after.sign == 0;
-    const double ratio = before.sign == 0 ? after.slip_ratio : before.slip_ratio;
-    before.sources[pressure_part][nodes + 1] = after.sources[pressure_part][nodes] = value;
-    before.sources[shear_part][nodes + 1] = after.sources[shear_part][nodes] =
-        sticks ? add(1) : ZonePanel::Source{value.column, ratio};
+    weights_(first + nodes) = weights_(first + nodes + 1) = length / 2;
+    if (number == 0) continue;
+    const auto& [zone_before, sign_before, left_before, length_before, ratio_before, first_before] =
+        panels_[number - 1];
+    const Source value = add(1);
+    pressures[first - 1] = pressures[first + nodes] = value;
+    shears[first - 1] = shears[first + nodes] =
+        sign == 0 && sign_before == 0 ? add(1) : Source{value.column, sign == 0 ? ratio_before : ratio};
   }
   leading_column_ = add(1).column;
   if (!problem().creep) creep_column_ = add(1).column;
@@ -65,21 +68,41 @@ void SlipContact::count_equations() {
   }
 }
 
+/// Where slip is followed by stick, the coefficient of the root that would slip the wrong way beyond the boundary is 0.
+void SlipContact::add_conditions() {
+  const OfBoth<Vector> none{Vector(panels_.values()), Vector(panels_.values())};
+  for (GridIndex i = 1; i < panels_.count(); ++i) {
+    const ZonePanel &before = panels_[i - 1], &after = panels_[i];
+    if (before.sign == 0 || after.sign != 0) continue;
+    const Float scale = pow(grid_->from_left()[0], Float(-Float(1) / 2 - problem().shift(before.sign)));
+    conditions_.push_back({none, 0});
+    conditions_.back().factors[shear_part](after.first) = scale;
+    conditions_.back().factors[pressure_part](after.first) = -before.slip_ratio * scale;
+  }
+  const auto add_resultant = [&](std::size_t of, const Float& wanted) {
+    conditions_.push_back({none, wanted / problem().unit});
+    conditions_.back().factors[of] = weights_ / problem().unit;
+  };
+  if (problem().length)
+    conditions_.push_back({none, *problem().length - panels_.length()});
+  else
+    add_resultant(pressure_part, problem().load);
+  if (!problem().creep) add_resultant(shear_part, problem().shear);
+}
+
 void SlipContact::set(const Vector& unknowns) {
   leading_ = unknowns(leading_column_);
   creep_ = problem().creep ? *problem().creep : unknowns(creep_column_);
-  for (ZonePanel& panel : panels_) {
-    for (std::size_t of : {pressure_part, shear_part}) {
-      for (GridIndex i = 0; i < panel.values[of].count(); ++i) {
-        const auto& [column, factor] = panel.sources[of][i];
-        if (column >= 0) panel.values[of][i] = factor * unknowns(column);
-      }
-      panel.loads[of].clear();
-      for (GridIndex i = 0; i < grid_->nodes(); ++i)
-        panel.loads[of].push_back(grid_->weight()[i] * panel.values[of][i] / pi());
+  for (std::size_t of : {pressure_part, shear_part}) {
+    for (GridIndex i = 0; i < panels_.values(); ++i) {
+      const auto& [column, factor] = sources_[of][i];
+      if (column >= 0) values_[of](i) = factor * unknowns(column);
     }
+    for (const ZonePanel& panel : panels_)
+      for (GridIndex i = 0; i < grid_->nodes(); ++i)
+        loads_[of][panel.first + i] = grid_->weight()[i] * values_[of](panel.first + i) / pi();
   }
-  smooth_.set(panels_);
+  smooth_.set(values_);
 }
 
 Vector SlipContact::unknowns_of(const SlipField& other) const {
@@ -90,7 +113,7 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
     const OfBoth<Float> at_left = other.tractions(panel.left),
                         at_right = other.tractions(panel.left + panel.length);
     const auto put = [&](GridIndex value, std::size_t of, const Float& traction) {
-      const auto& [column, factor] = panel.sources[of][value];
+      const auto& [column, factor] = sources_[of][panel.first + value];
       if (column >= 0) unknowns(column) = traction / factor;
     };
     for (std::size_t of : {shear_part, pressure_part}) {
@@ -113,29 +136,20 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
   return unknowns;
 }
 
-PointSums SlipContact::smooth_part(const ContactPoint& point) const {
-  const bool is_inside = point.panel >= 0 && point.panel < panels_.count();
-  const ComplexFloat e = panels_.place(point);
-  PointSums sums = is_inside ? smooth_.at(e) : smooth_.beside(e.re);
-  const GridIndex left = grid_->nodes();
+PointSums SlipContact::sums(const ContactPoint& point, bool with_tangential) const {
+  auto [normal, tangential] = smooth_.at(panels_.place(point));
+  const auto [pressed, sheared] = cauchy_sums(panels_, *grid_, loads_, point, with_tangential);
+  const GridIndex nodes = grid_->nodes(), left = panels_[point.panel].first + nodes;
   const auto hats = cauchy_hats(panels_, point);
   for (GridIndex i = 1; i < hats.count(); ++i) {
-    sums.normal = sums.normal + hats[i] * panels_[i].values[pressure_part][left];
-    sums.tangential = sums.tangential + hats[i] * panels_[i].values[shear_part][left];
+    normal = normal + hats[i] * values_[pressure_part](panels_[i].first + nodes);
+    tangential = tangential + hats[i] * values_[shear_part](panels_[i].first + nodes);
   }
-  if (!is_inside) return sums;
-  const auto& values = panels_[point.panel].values;
   const auto linear = [&](std::size_t of) {
-    return point.at.from_right * values[of][left] + point.at.from_left * values[of][left + 1];
+    return point.at.from_right * values_[of](left) + point.at.from_left * values_[of](left + 1);
   };
-  return {sums.normal + linear(shear_part) * problem().beta,
-          sums.tangential - linear(pressure_part) * problem().beta};
-}
-
-PointSums SlipContact::sums(const ContactPoint& point, bool with_tangential) const {
-  const auto [normal, tangential] = smooth_part(point);
-  const auto [pressed, sheared] = cauchy_sums(panels_, *grid_, point, with_tangential);
-  return {normal + pressed, tangential + sheared};
+  return {normal + pressed + linear(shear_part) * problem().beta,
+          tangential + sheared - linear(pressure_part) * problem().beta};
 }
 
 ContactPoint SlipContact::point(const PointIndex& index) const {
@@ -153,53 +167,20 @@ Vector SlipContact::residual() const {
   Row<Row<ComplexFloat>> left_sides(panels_.count());
   for (GridIndex panel = 0; panel < panels_.count(); ++panel)
     for (GridIndex i = 0; i <= grid_->nodes(); ++i) left_sides[panel].push_back(left_side(point({panel, i})));
-  const Row<Condition> last = conditions();
-  Vector result(equations_.count() + last.count());
+  Vector result(equations_.count() + conditions_.count());
   GridIndex row = 0;
   for (const auto& [at, less, part, scale] : equations_) {
     ComplexFloat value = left_sides[at.panel][at.point];
     if (less) value = value - left_sides[less->panel][less->point];
     result(row++) = (part == 0 ? value.re : value.im) * scale;
   }
-  for (const auto& [terms, wanted] : last) result(row++) = value_of(terms) - wanted;
-  return result;
-}
-
-Float SlipContact::value_of(const Row<Condition::Term>& terms) const {
-  Float sum = 0;
-  for (const auto& [panel, of, value, factor] : terms) sum += factor * panels_[panel].values[of][value];
-  return sum;
-}
-
-/// Where slip is followed by stick, the coefficient of the root that would slip the wrong way beyond the boundary is 0.
-Row<SlipContact::Condition> SlipContact::conditions() const {
-  Row<Condition> result;
-  for (GridIndex panel = 1; panel < panels_.count(); ++panel) {
-    const ZonePanel& before = panels_[panel - 1];
-    if (before.sign == 0 || panels_[panel].sign != 0) continue;
-    const Float scale = pow(grid_->from_left()[0], Float(-Float(1) / 2 - problem().shift(before.sign)));
-    result.push_back(
-        {{{panel, shear_part, 0, scale}, {panel, pressure_part, 0, -before.slip_ratio * scale}}, 0});
+  for (const auto& [factors, wanted] : conditions_) {
+    result(row) = -wanted;
+    for (std::size_t of : {pressure_part, shear_part})
+      result(row) += factors[of].cwiseProduct(values_[of]).sum();
+    ++row;
   }
-  result.push_back(problem().length ? Condition{{}, *problem().length - panels_.length()}
-                                    : resultant(pressure_part, problem().load));
-  if (!problem().creep) result.push_back(resultant(shear_part, problem().shear));
   return result;
-}
-
-SlipContact::Condition SlipContact::resultant(std::size_t of, const Float& wanted) const {
-  Condition condition{{}, wanted / problem().unit};
-  for (GridIndex panel = 0; panel < panels_.count(); ++panel) {
-    const Float length = panels_[panel].length / problem().unit;
-    for (GridIndex i = 0; i < grid_->nodes(); ++i)
-      condition.terms.push_back({panel, of, i, length * grid_->weight()[i]});
-    for (GridIndex end : {0, 1}) condition.terms.push_back({panel, of, grid_->nodes() + end, length / 2});
-  }
-  return condition;
-}
-
-Float SlipContact::integral(std::size_t of) const {
-  return value_of(resultant(of, 0).terms) * problem().unit;
 }
 
 }  // namespace nipref::ref

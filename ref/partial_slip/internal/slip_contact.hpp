@@ -20,6 +20,12 @@ class SlipContact {
   /// Those that make the tractions, L1 and creep of another contact.
   [[nodiscard]] Vector unknowns_of(const SlipField& other) const;
   void set(const Vector& unknowns);
+  /// Which unknown a value is, times a factor; none where it is 0.
+  struct Source {
+    GridIndex column = -1;
+    double factor = 1;
+  };
+  [[nodiscard]] const OfBoth<Row<Source>>& sources() const { return sources_; }
   /// How large unknowns are: next to a panel's end as the root of the distance.
   [[nodiscard]] const Row<Float>& sizes() const { return sizes_; }
   [[nodiscard]] GridIndex leading_column() const { return leading_column_; }
@@ -43,18 +49,12 @@ class SlipContact {
     }
   };
   [[nodiscard]] const Row<Equation>& equations() const { return equations_; }
-  /// The rows after these: a sum of values is to be `wanted`.
+  /// The rows after these: a sum of factors times the values is to be `wanted`.
   struct Condition {
-    struct Term {
-      GridIndex panel;
-      std::size_t of;
-      GridIndex value;
-      Float factor;
-    };
-    Row<Term> terms;
+    OfBoth<Vector> factors;
     Float wanted;
   };
-  [[nodiscard]] Row<Condition> conditions() const;
+  [[nodiscard]] const Row<Condition>& conditions() const { return conditions_; }
   /// The left sides, whose right sides are 0.
   [[nodiscard]] Vector residual() const;
 
@@ -71,24 +71,28 @@ class SlipContact {
   /// The integrals of both equations, and what the linear interpolations add at the point; tangential ones only where they are
   /// wanted. In the contact the remainders there add the rest.
   [[nodiscard]] PointSums sums(const ContactPoint& point, bool with_tangential) const;
+  [[nodiscard]] const OfBoth<Vector>& values() const { return values_; }
   /// int p de or int q de.
-  [[nodiscard]] Float integral(std::size_t of) const;
+  [[nodiscard]] Float integral(std::size_t of) const { return weights_.cwiseProduct(values_[of]).sum(); }
 
  private:
   void count_unknowns();
   void count_equations();
-  [[nodiscard]] PointSums smooth_part(const ContactPoint& point) const;
+  void add_conditions();
   /// Complex where the contact sticks.
   [[nodiscard]] ComplexFloat left_side(const ContactPoint& point) const;
-  [[nodiscard]] Float value_of(const Row<Condition::Term>& terms) const;
-  [[nodiscard]] Condition resultant(std::size_t of, const Float& wanted) const;
 
   std::shared_ptr<const ZoneGrid> grid_;
   Row<SlipZone> zones_;
   ZonePanels panels_;
   SmoothSums smooth_;
+  OfBoth<Row<Source>> sources_;
+  Vector weights_;  ///< integrals of unit values
   Row<Equation> equations_;
+  Row<Condition> conditions_;
   Row<Float> sizes_;
+  OfBoth<Vector> values_;
+  OfBoth<Row<Float>> loads_;
   Float leading_ = 0, creep_ = 0;
   GridIndex leading_column_ = 0, creep_column_ = -1;
 };

@@ -13,8 +13,7 @@ Float cotangent(const Float& place) { return 1 / tan(Float(pi() * place)); }
 
 }  // namespace
 
-SlipField::SlipField(std::unique_ptr<const SlipContact> contact)
-    : contact_(std::move(contact)), length_(contact_->panels().length()) {
+SlipField::SlipField(std::unique_ptr<const SlipContact> contact) : contact_(std::move(contact)) {
   const SlipProblem& problem = contact_->problem();
   for (GridIndex number = 0; number < contact_->panels().count(); ++number) {
     const ZonePanel& panel = contact_->panels()[number];
@@ -32,7 +31,7 @@ SlipField::SlipField(std::unique_ptr<const SlipContact> contact)
               : ComplexFloat(normal, creep() - sums.tangential.re) / ComplexFloat(cot, -problem.beta);
       const OfBoth<Float> remainders{value.re, panel.sign != 0 ? panel.slip_ratio * value.re : value.im};
       for (std::size_t of : {pressure_part, shear_part}) values[of].push_back(remainders[of]);
-      samples_.push_back({number, place.step, e, strain_at(place, sums, remainders) - creep(),
+      samples_.push_back({number, panel.sign, place.step, e, strain_at(place, sums, remainders) - creep(),
                           panel.length * contact_->grid().slope_at(place.step) / 2,
                           tractions(point, remainders)});
     }
@@ -68,11 +67,11 @@ OfBoth<Float> SlipField::remainders(const Place& place) const {
 }
 
 OfBoth<Float> SlipField::tractions(const ContactPoint& point, const OfBoth<Float>& remainders) const {
-  const auto& values = contact_->panels()[point.panel].values;
-  const GridIndex left = contact_->grid().nodes();
+  const OfBoth<Vector>& values = contact_->values();
+  const GridIndex left = contact_->panels()[point.panel].first + contact_->grid().nodes();
   const auto with_linear = [&](std::size_t of) -> Float {
-    return remainders[of] + point.at.from_right.re * values[of][left] +
-           point.at.from_left.re * values[of][left + 1];
+    return remainders[of] + point.at.from_right.re * values[of](left) +
+           point.at.from_left.re * values[of](left + 1);
   };
   return {with_linear(pressure_part), with_linear(shear_part)};
 }
@@ -92,50 +91,72 @@ Float SlipField::strain_at(const Place& place, const PointSums& sums, const OfBo
 }
 
 Float SlipField::strain(const Float& e) const {
-  if (!contains(e)) {
-    const bool is_ahead = e <= 0;
-    const Float distance = is_ahead ? Float(-e) : Float(e - length_);
-    return contact_->sums({is_ahead ? -1 : contact_->panels().count(), {distance, distance}}, true)
-        .tangential.re;
+  if (contains(e)) {
+    const Place place = place_of(e);
+    return strain_at(place, contact_->sums({place.panel, contact_->grid().at(place.step)}, true),
+                     remainders(place));
   }
-  const Place place = place_of(e);
-  return strain_at(place, contact_->sums({place.panel, contact_->grid().at(place.step)}, true),
-                   remainders(place));
+  Float sum = contact_->smooth().strain(e);
+  for_loads(e, [&](const Float& from, const Float& /*pressed*/, const Float& sheared) {
+    sum += sheared / (pi() * (from - e));
+  });
+  return sum;
 }
 
-NormalAndTangential<Float> SlipField::displacement(const Float& e) const {
-  const Float half_beta = contact_->problem().beta / 2;
-  auto sum = contact_->smooth().displacement(e);
-  // What line loads add but for the smooth kernels.
-  const auto add = [&](const Float& from, const Float& weight, const OfBoth<Float>& tractions) {
-    const Float way = e - from;
-    if (way == 0) return;
-    const Float logarithm = -log(abs(way)) / pi(), step = way < 0 ? Float(-half_beta) : half_beta;
-    const auto& [pressure, shear] = tractions;
-    sum.normal += weight * (logarithm * pressure + step * shear);
-    sum.tangential += weight * (logarithm * shear - step * pressure);
-  };
+/// The rule's, and in the panel where e is that of both parts, as potentials are logarithmic there.
+void SlipField::for_loads(const Float& e, const UseLoad& use) const {
   const ZoneGrid& grid = contact_->grid();
-  for (GridIndex number = 0; number < contact_->panels().count(); ++number) {
-    const auto& [zone, sign, left, length, ratio, sources, values, loads] = contact_->panels()[number];
-    const Float right = left + length;
-    const bool is_inside = e > left && e < right;
+  const ZonePanels& panels = contact_->panels();
+  for (GridIndex number = 0; number < panels.count(); ++number) {
+    const Float &left = panels[number].left, &length = panels[number].length;
+    const bool is_inside = e > left && e < left + length;
     for (GridIndex i = 0; i < grid.nodes(); ++i) {
       const Float &from_left = grid.from_left()[i], &weight = grid.weight()[i];
-      if (!is_inside) {
-        const ContactPoint node{number, {from_left, grid.from_right()[i]}};
-        add(left + length * from_left, length * weight,
-            tractions(node, {values[pressure_part][i], values[shear_part][i]}));
-        continue;
-      }
-      // Of both parts: the logarithm is then at an end.
-      for (const auto& [begin, part] : {std::pair<Float, Float>(left, e - left), {e, right - e}}) {
-        const Float from = begin + part * from_left;
-        add(from, part * weight, tractions(from));
+      const auto use_at = [&](const Float& begin, const Float& part, const OfBoth<Float>& tractions) {
+        use(begin + part * from_left, part * weight * tractions[pressure_part],
+            part * weight * tractions[shear_part]);
+      };
+      if (is_inside) {
+        use_at(left, e - left, tractions(Float(left + (e - left) * from_left)));
+        use_at(e, left + length - e, tractions(Float(e + (left + length - e) * from_left)));
+      } else {
+        const auto& [pressures, shears] = contact_->values();
+        const GridIndex value = panels[number].first + i;
+        use_at(left, length,
+               tractions(ContactPoint{number, {from_left, grid.from_right()[i]}},
+                         {pressures(value), shears(value)}));
       }
     }
   }
+}
+
+NormalAndTangential<Float> SlipField::displacement(const Float& e) const {
+  auto sum = contact_->smooth().displacement(e);
+  for_loads(e, [&](const Float& from, const Float& pressed, const Float& sheared) {
+    const Float way = e - from;
+    if (way == 0) return;
+    const Float logarithm = -log(abs(way)) / pi(), step = (way < 0 ? -1 : 1) * contact_->problem().beta / 2;
+    sum.normal += logarithm * pressed + step * sheared;
+    sum.tangential += logarithm * sheared - step * pressed;
+  });
   return sum;
+}
+
+/// In the contact it is the roller's.
+Float SlipField::normal_displacement(const Float& e) const {
+  const Float y = leading() - e;
+  return contains(e) ? Float(indentation() - y * y) : displacement(e).normal;
+}
+
+Float SlipField::tangential_displacement(const Float& e) const {
+  if (!tangential_in_middle_) tangential_in_middle_ = displacement(leading()).tangential;
+  return displacement(e).tangential - *tangential_in_middle_;
+}
+
+Float SlipField::boundary(GridIndex zone) const {
+  Float e = 0;
+  for (GridIndex i = 0; i < std::min(zone, zones().count()); ++i) e += zones()[i].length;
+  return e;
 }
 
 Float SlipField::rolling_resistance() const {
@@ -155,7 +176,7 @@ Row<SlipField::Hump> SlipField::humps(std::size_t of) const {
   const auto size = [of](const OfBoth<Float>& tractions) -> Float { return abs(tractions[of]); };
   const auto by_size = [&](const Sample& sample) { return size(sample.tractions); };
   // What is nearer to a joint is not told from it.
-  const Float nearest = exp(Float(-contact_->grid().nats())) * length_;
+  const Float nearest = exp(Float(-contact_->grid().nats())) * length();
   // Of the number of steps, to e^-nats.
   const int bits = static_cast<int>(contact_->grid().nats() / std::numbers::ln2) + 10;
   Row<Hump> humps;
@@ -174,7 +195,7 @@ Row<SlipField::Hump> SlipField::humps(std::size_t of) const {
   }
   // Where panels meet.
   for (const ZonePanel& panel : contact_->panels())
-    humps.push_back({abs(panel.values[of][contact_->grid().nodes()]), panel.left});
+    humps.push_back({abs(contact_->values()[of](panel.first + contact_->grid().nodes())), panel.left});
   return humps;
 }
 

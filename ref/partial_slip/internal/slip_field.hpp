@@ -1,6 +1,7 @@
 #pragma once
+#include <functional>
 #include <memory>
-#include <vector>
+#include <optional>
 
 #include <nipref/ref/partial_slip/internal/slip_contact.hpp>
 
@@ -14,40 +15,44 @@ class SlipField {
   /// Twice as many places as nodes, by rising e, where tractions and slip are known best.
   struct Sample {
     GridIndex panel;
+    int sign;
     Float step, e, slip, weight;
     OfBoth<Float> tractions;
   };
+  /// A local maximum of |p| or |q|.
   struct Hump {
     Float size, e;
   };
 
   [[nodiscard]] const SlipContact& contact() const { return *contact_; }
   [[nodiscard]] const Row<Sample>& samples() const { return samples_; }
+  [[nodiscard]] const Row<SlipZone>& zones() const { return contact_->zones(); }
 
-  [[nodiscard]] const Float& length() const { return length_; }
-  [[nodiscard]] const Float& leading() const { return contact_->leading(); }
-  [[nodiscard]] const Float& creep() const { return contact_->creep(); }
+  [[nodiscard]] Float length() const { return contact_->panels().length(); }
+  [[nodiscard]] Float leading() const { return contact_->leading(); }
   [[nodiscard]] Float trailing() const { return length() - leading(); }
+  [[nodiscard]] Float boundary(GridIndex zone) const;  ///< e where it begins
   [[nodiscard]] Float load() const { return contact_->integral(pressure_part); }
   [[nodiscard]] Float traction() const { return contact_->integral(shear_part); }
-  /// u at the ends, and what it would be in the middle.
+  [[nodiscard]] Float creep() const { return contact_->creep(); }
   [[nodiscard]] Float leading_displacement() const { return displacement(0).normal; }
   [[nodiscard]] Float trailing_displacement() const { return displacement(length()).normal; }
   [[nodiscard]] Float indentation() const { return leading_displacement() + leading() * leading(); }
-  /// 2/load int p (L1 - e) de.
-  [[nodiscard]] Float rolling_resistance() const;
-  /// -int q (dv/de - xi) de.
-  [[nodiscard]] Float dissipation() const;
-  /// All local maxima of |p| or |q|, also where zones meet.
+  [[nodiscard]] Float rolling_resistance() const;  ///< 2/load int p (L1 - e) de
+  [[nodiscard]] Float dissipation() const;         ///< -int q (dv/de - xi) de
+  /// Also where panels meet.
   [[nodiscard]] Row<Hump> humps(std::size_t of) const;
   [[nodiscard]] Hump largest(std::size_t of) const;
 
-  /// p and q, also outside.
+  // Also outside.
   [[nodiscard]] OfBoth<Float> tractions(const Float& e) const;
-  /// dv/de.
-  [[nodiscard]] Float strain(const Float& e) const;
-  /// u, and v along +e, up to a constant.
-  [[nodiscard]] NormalAndTangential<Float> displacement(const Float& e) const;
+  [[nodiscard]] Float pressure(const Float& e) const { return tractions(e)[pressure_part]; }
+  [[nodiscard]] Float shear(const Float& e) const { return tractions(e)[shear_part]; }
+  [[nodiscard]] Float strain(const Float& e) const;  ///< dv/de
+  [[nodiscard]] Float slip(const Float& e) const { return strain(e) - creep(); }
+  [[nodiscard]] Float normal_displacement(const Float& e) const;
+  /// Along +e, relative to the line through the rollers' centres.
+  [[nodiscard]] Float tangential_displacement(const Float& e) const;
 
  private:
   /// A place in a panel, in steps of the grid.
@@ -61,18 +66,23 @@ class SlipField {
     OfBoth<Row<Float>> values;
   };
 
-  [[nodiscard]] bool contains(const Float& e) const { return e > 0 && e < length_; }
+  [[nodiscard]] bool contains(const Float& e) const { return e > 0 && e < length(); }
   [[nodiscard]] Place place_of(const Float& e) const;
   [[nodiscard]] OfBoth<Float> remainders(const Place& place) const;
   [[nodiscard]] OfBoth<Float> tractions(const Place& place) const;
   [[nodiscard]] OfBoth<Float> tractions(const ContactPoint& point, const OfBoth<Float>& remainders) const;
   [[nodiscard]] Float strain_at(const Place& place, const PointSums& sums,
                                 const OfBoth<Float>& remainders) const;
+  /// Line loads, whose potentials at e have the integrals of p's and q's.
+  using UseLoad = std::function<void(const Float& from, const Float& pressed, const Float& sheared)>;
+  void for_loads(const Float& e, const UseLoad& use) const;
+  /// Up to a constant.
+  [[nodiscard]] NormalAndTangential<Float> displacement(const Float& e) const;
 
   std::unique_ptr<const SlipContact> contact_;
-  Float length_;
   Row<Remainders> remainders_;
   Row<Sample> samples_;
+  mutable std::optional<Float> tangential_in_middle_;
 };
 
 }  // namespace nipref::ref

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -35,6 +36,17 @@ struct SlipZone {
   int sign;
   Float length;
 };
+
+/// Appends to the last zone if that has the same sign; between slip of opposite signs there is stick.
+inline void add_zone(Row<SlipZone>& zones, int sign, const Float& length) {
+  if (!zones.empty() && zones.back().sign == sign) {
+    zones.back().length += length;
+    return;
+  }
+  if (!zones.empty() && zones.back().sign * sign < 0)
+    zones.push_back({0, std::min(zones.back().length, length) / 8});
+  zones.push_back({sign, length});
+}
 
 /// A contact that is sought, dimensionless. e >= 0 is the distance from the leading end, q the shear on the sheet along +e.
 struct SlipProblem {

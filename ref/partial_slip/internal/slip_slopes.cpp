@@ -55,25 +55,22 @@ class Slopes {
     OfBoth<ComplexRow> by_values;
     for (GridIndex row = 0; row < contact_.equations().count(); ++row) {
       const Equation& equation = contact_.equations()[row];
-      const auto part_of = [&](const Complex& x) { return equation.part == 0 ? x.real() : x.imag(); };
-      const ComplexRow hats = difference(hats_, equation, sides(equation, pressure_part));
-      matrix_(row, constant_) = part_of(hats(panels_.count()));
       // A place's second equation follows its first.
       if (row == 0 || !equation.is_at_place_of(contact_.equations()[row - 1]))
         by_values = slopes_of(equation);
-      for (std::size_t of : {pressure_part, shear_part})
-        for (GridIndex panel = 0; panel < panels_.count(); ++panel)
-          for (GridIndex i = 0; i < nodes_ + 2; ++i)
-            add(row, panels_[panel].sources[of][i], part_of(by_values[of](first_of(panel) + i)));
-      if (equation.less) continue;
       const bool is_first = equation.part == 0;
-      add(row, {is_first ? contact_.leading_column() : contact_.creep_column()},
-          (is_first ? -2 : -1) * static_cast<double>(equation.scale));
+      const ComplexRow place = difference(hats_, equation, sides(equation, pressure_part)).tail(1);
+      matrix_(row, constant_) = is_first ? place(0).real() : place(0).imag();
+      for (std::size_t of : {pressure_part, shear_part})
+        add(row, of,
+            is_first ? Eigen::VectorXd(by_values[of].real()) : Eigen::VectorXd(by_values[of].imag()));
+      const GridIndex common = is_first ? contact_.leading_column() : contact_.creep_column();
+      if (!equation.less && common >= 0)
+        matrix_(row, common) = (is_first ? -2 : -1) * static_cast<double>(equation.scale);
     }
     GridIndex row = contact_.equations().count();
-    for (const auto& [terms, wanted] : contact_.conditions()) {
-      for (const auto& [panel, of, value, factor] : terms)
-        add(row, panels_[panel].sources[of][value], static_cast<double>(factor));
+    for (const auto& [factors, wanted] : contact_.conditions()) {
+      for (std::size_t of : {pressure_part, shear_part}) add(row, of, factors[of].cast<double>());
       matrix_(row++, constant_) = -static_cast<double>(wanted);
     }
     for (GridIndex i = 0; i < constant_; ++i) matrix_.col(i) *= static_cast<double>(contact_.sizes()[i]);
@@ -85,9 +82,11 @@ class Slopes {
     bool at, less;
   };
 
-  [[nodiscard]] GridIndex first_of(GridIndex panel) const { return panel * (nodes_ + 2); }
-  void add(GridIndex row, const ZonePanel::Source& source, double slope) {
-    if (source.column >= 0) matrix_(row, source.column) += source.factor * slope;
+  void add(GridIndex row, std::size_t of, const Eigen::VectorXd& slopes) {
+    for (GridIndex i = 0; i < panels_.values(); ++i) {
+      const auto& [column, factor] = contact_.sources()[of][i];
+      if (column >= 0) matrix_(row, column) += factor * slopes(i);
+    }
   }
 
   /// At which of an equation's points Cauchy's integral of p or q has a part in it.
@@ -101,14 +100,14 @@ class Slopes {
     const GridIndex panel = equation.at.panel;
     OfBoth<ComplexRow> slopes;
     for (std::size_t of : {pressure_part, shear_part}) {
-      slopes[of] = ComplexRow::Zero(first_of(panels_.count()));
+      slopes[of] = ComplexRow::Zero(panels_.values());
       const Sides has = sides(equation, of);
       if (!has.at && !has.less) continue;
       for (GridIndex from = 0; from < panels_.count(); ++from)
-        slopes[of].segment(first_of(from), nodes_) = of_nodes(equation, from, has);
+        slopes[of].segment(panels_[from].first, nodes_) = of_nodes(equation, from, has);
       const ComplexRow hats = difference(hats_, equation, has);
       for (GridIndex joint = 1; joint < panels_.count(); ++joint)
-        slopes[of](first_of(joint) + nodes_) = hats(joint);
+        slopes[of](panels_[joint].first + nodes_) = hats(joint);
     }
     slopes[shear_part] *= turn;
     // Across a joint the rest goes on.
@@ -121,8 +120,8 @@ class Slopes {
     const ComplexRow coupled = lagrange * coupling;
     slopes[pressure_part] += lagrange * normal + turned * coupled;
     slopes[shear_part] += turned * (lagrange * tangential) - coupled;
-    slopes[pressure_part].segment(first_of(panel) + nodes_, 2) -= turned * ends;
-    slopes[shear_part].segment(first_of(panel) + nodes_, 2) += ends;
+    slopes[pressure_part].segment(panels_[panel].first + nodes_, 2) -= turned * ends;
+    slopes[shear_part].segment(panels_[panel].first + nodes_, 2) += ends;
     return slopes;
   }
 

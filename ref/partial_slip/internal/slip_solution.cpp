@@ -12,7 +12,7 @@ namespace {
 using Zones = Row<SlipZone>;
 
 constexpr int most_newton_steps = 40, most_corrections = 8;
-/// Digits of the grid on which zones are first sought, and of both grids beyond those asked for.
+/// Digits of the grid on which zones are first sought, which is refined once, and of both last grids beyond those asked for.
 constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
 /// A relative change of a zone's length. Next to ends slopes have lost three digits in double, which leaves seven of their change.
 constexpr double step_of_lengths = 1e-6;
@@ -27,21 +27,18 @@ Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
   return result;
 }
 
-Float length_of(const Zones& zones) {
-  Float sum = 0;
-  for (const SlipZone& zone : zones) sum += zone.length;
-  return sum;
+/// Without zones too short to matter, e^-nats of the contact.
+Zones without_short(const Zones& zones, double nats) {
+  Float least = 0;
+  for (const SlipZone& zone : zones) least += zone.length * exp(Float(-nats));
+  Zones rest;
+  for (const auto& [sign, length] : zones)
+    if (length > least) add_zone(rest, sign, length);
+  return rest;
 }
 
-/// Appends to the last zone if that has the same sign; between slip of opposite signs there is stick.
-void add_zone(Zones& zones, int sign, const Float& length) {
-  if (!zones.empty() && zones.back().sign == sign) {
-    zones.back().length += length;
-    return;
-  }
-  if (!zones.empty() && zones.back().sign * sign < 0)
-    zones.push_back({0, std::min(zones.back().length, length) / 8});
-  zones.push_back({sign, length});
+bool are_alike(const Zones& a, const Zones& b) {
+  return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
 }
 
 /// Newton's method for the unknowns and the logarithms of the zones' lengths together.
@@ -57,14 +54,11 @@ class Newton {
   void begin(const SlipField* near) {
     if (near != nullptr) {
       unknowns_ = contact_->unknowns_of(*near);
-      evaluate();
-      return;
+    } else {
+      const Eigen::MatrixXd system = slopes(*contact_);
+      const GridIndex count = unknowns_.size();
+      change_unknowns(system.leftCols(count).colPivHouseholderQr().solve(system.col(count)), 1);
     }
-    evaluate();
-    const Float size = largest_entry(rest_);
-    const Eigen::MatrixXd system = slopes(*contact_);
-    change_unknowns(system.leftCols(unknowns_.size()).colPivHouseholderQr().solve(in_double(rest_, size)),
-                    size);
     evaluate();
   }
 
@@ -84,7 +78,8 @@ class Newton {
       change_unknowns(change, part);
       for (GridIndex i = 0; i < zones_.count(); ++i)
         zones_[i].length *= exp(Float(-part * change(unknowns_.size() + i)));
-      if (drops_zone()) return false;
+      const Zones before = std::exchange(zones_, without_short(zones_, grid_->nats()));
+      if (!are_alike(before, zones_)) return false;
       renew();
       evaluate();
       is_new = largest_entry(rest_) > size * slow_convergence;
@@ -125,15 +120,6 @@ class Newton {
     eliminated_.compute(matrix);
   }
 
-  /// A zone too short to matter.
-  bool drops_zone() {
-    const Float least = length_of(zones_) * exp(Float(-grid_->nats()));
-    const Zones before = std::exchange(zones_, {});
-    for (const SlipZone& zone : before)
-      if (zone.length > least) add_zone(zones_, zone.sign, zone.length);
-    return zones_.count() != before.count();
-  }
-
   std::shared_ptr<const ZoneGrid> grid_;
   SheetKernels& kernels_;
   Zones zones_;
@@ -142,48 +128,50 @@ class Newton {
   Eigen::PartialPivLU<Eigen::MatrixXd> eliminated_;
 };
 
-/// The sign with which the contact slips at a sample by its inequalities; 0 where it sticks. What violates them by less than what
-/// a zone of the least length would, e^-nats of the contact's, whose tractions are as the root of that, is left as it is.
-int corrected_sign(const SlipField& field, const SlipField::Sample& sample) {
-  const SlipContact& contact = field.contact();
-  const Float least = exp(Float(-contact.grid().nats() / 2)) * field.length();
-  const int sign = contact.panels()[sample.panel].sign;
-  if (sign != 0) return sign * sample.slip > least ? 0 : sign;
+/// The sign with which the contact slips at a sample by its inequalities, 0 where it sticks, and by how much these are violated.
+std::pair<int, Float> sign_by_inequality(const SlipField::Sample& sample, double friction) {
   const auto& [pressure, shear] = sample.tractions;
-  const Float most = contact.problem().friction * (pressure + least);
-  return shear > most ? 1 : shear < -most ? -1 : 0;
+  const Float excess =
+      sample.sign == 0 ? Float(abs(shear) / friction - pressure) : Float(sample.sign * sample.slip);
+  if (excess <= 0) return {sample.sign, 0};
+  return {sample.sign != 0 ? 0 : shear > 0 ? 1 : -1, excess};
 }
 
-/// Zones by the inequalities.
+/// Zones by the inequalities. All along where these are violated they are changed, unless it is by less than what a zone of the
+/// least length would: e^-nats of the contact's, whose tractions are as the root of that.
 Zones corrected(const SlipField& field) {
   const SlipContact& contact = field.contact();
+  const double nats = contact.grid().nats(), friction = contact.problem().friction;
+  const Float least = exp(Float(-nats / 2)) * field.length();
+  const auto& samples = field.samples();
   Zones zones;
   Float from = 0;
-  int last = 0;
-  const SlipField::Sample* before = nullptr;
-  for (const SlipField::Sample& sample : field.samples()) {
-    const int sign = corrected_sign(field, sample);
-    if (before != nullptr && sign != last) {
-      const auto& panel = contact.panels()[sample.panel];
-      const bool is_old = before->panel != sample.panel;
-      const Float to = is_old ? panel.left : Float((before->e + sample.e) / 2);
-      add_zone(zones, last, to - from);
-      from = to;
+  for (GridIndex i = 0; i < samples.count();) {
+    const int old = samples[i].sign, sign = sign_by_inequality(samples[i], friction).first;
+    Float most = 0, to = field.length();
+    for (; i < samples.count(); ++i) {
+      const auto [here, violation] = sign_by_inequality(samples[i], friction);
+      if (here != sign || samples[i].sign != old) {
+        const bool is_joint = samples[i - 1].panel != samples[i].panel;
+        to =
+            is_joint ? contact.panels()[samples[i].panel].left : Float((samples[i - 1].e + samples[i].e) / 2);
+        break;
+      }
+      most = std::max(most, violation);
     }
-    last = sign;
-    before = &sample;
+    add_zone(zones, most > least ? sign : old, to - from);
+    from = to;
   }
-  const Float rest = field.length() - from;
-  const bool turns_around =
-      last == 0 && zones.count() > 0 && contact.zones()[contact.zones().count() - 1].sign != 0;
-  add_zone(zones, last, turns_around ? Float(2 * rest / 3) : rest);
-  // Where the slip at the trailing end is wrong up to the end it turns around, for there no sheet sticks.
-  if (turns_around) zones.push_back({-contact.zones()[contact.zones().count() - 1].sign, rest / 3});
-  return zones;
+  return without_short(zones, nats);
 }
 
-bool are_alike(const Zones& a, const Zones& b) {
-  return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
+/// At the trailing end no sheet sticks. Where slip there is wrong up to the end, or vanishes, it turns around.
+void turn_around(Zones& zones, const Zones& before) {
+  const auto& [sign, length] = before.back();
+  if (zones.back().sign != 0 || sign == 0) return;
+  const Float part = std::min(length, zones.back().length) / 3;
+  zones.back().length -= part;
+  zones.push_back({-sign, part});
 }
 
 /// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
@@ -197,13 +185,12 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, longest), kernels, zones);
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
-    if (!converges && are_alike(newton.zones(), zones)) return nullptr;
-    zones = newton.zones();
-    if (!converges) continue;
-    field = std::make_unique<SlipField>(newton.result());
-    Zones better = corrected(*field);
-    if (are_alike(better, zones)) return field;
-    zones = std::move(better);
+    if (converges) field = std::make_unique<SlipField>(newton.result());
+    Zones better = converges ? corrected(*field) : newton.zones();
+    turn_around(better, zones);
+    const bool is_same = are_alike(better, zones);
+    zones = converges && is_same ? newton.zones() : better;
+    if (is_same) return converges ? std::move(field) : nullptr;
   }
   return nullptr;
 }
@@ -212,17 +199,20 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
   SolvedSlip result;
-  for (int goal : {first_digits, digits + coarse_guard, digits + fine_guard}) {
-    result.coarse = std::move(result.fine);
-    result.fine = solved(problem, kernels, zones, goal, result.coarse.get());
-    if (!result.fine) return {};
+  for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
+    auto field = solved(problem, kernels, zones, goal, result.fine.get());
+    // Short zones may show on a finer grid only.
+    if (!field && goal == first_digits) continue;
+    if (!field) return {};
+    result.coarse = std::exchange(result.fine, std::move(field));
   }
   return result;
 }
 
 int kernel_digits_of_slip(int digits) { return digits + 2 * fine_guard; }
 
-/// Remainders next to a panel's end are known to as many digits as they are small: twice.
-int working_digits_of_slip(int digits) { return 2 * (digits + fine_guard) + 16; }
+/// Remainders next to a panel's end are known to as many digits as they are small: twice. Over the lengths of zones that are as
+/// short, which differences are divided by, as many are lost again.
+int working_digits_of_slip(int digits) { return 3 * (digits + fine_guard) + 10; }
 
 }  // namespace nipref::ref

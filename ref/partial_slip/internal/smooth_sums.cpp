@@ -25,15 +25,16 @@ SmoothSums::SmoothSums(const ZonePanels& panels, const ZoneGrid& grid, SheetKern
     places_.push_back(panels.length() * root * root);
   }
   const GridIndex nodes = grid.nodes();
-  integrals_ = Matrix(places_.count(), panels.count() * (nodes + 2));
+  integrals_ = Matrix(places_.count(), panels.values());
   for (GridIndex panel = 0; panel < panels.count(); ++panel) {
-    const GridIndex left = panel * (nodes + 2) + nodes;
+    const auto& [zone, sign, begin, panel_length, ratio, first] = panels[panel];
+    const GridIndex left = first + nodes;
     for (GridIndex i = 0; i < nodes; ++i) {
       const ContactPoint node{panel, {grid.from_left()[i], grid.from_right()[i]}};
       const auto at_node = lagrange(panels.place(node));
       for (GridIndex a = 0; a < at_node.count(); ++a) {
-        Float& integral = integrals_(a, left - nodes + i);
-        integral = panels[panel].length * grid.weight()[i] * at_node[a].re;
+        Float& integral = integrals_(a, first + i);
+        integral = panel_length * grid.weight()[i] * at_node[a].re;
         integrals_(a, left) += integral * grid.from_right()[i];
         integrals_(a, left + 1) += integral * grid.from_left()[i];
       }
@@ -51,14 +52,8 @@ SmoothSums::SmoothSums(const ZonePanels& panels, const ZoneGrid& grid, SheetKern
   }
 }
 
-void SmoothSums::set(const ZonePanels& panels) {
-  for (std::size_t of : {pressure_part, shear_part}) {
-    Vector values(integrals_.cols());
-    GridIndex column = 0;
-    for (const ZonePanel& panel : panels)
-      for (const Float& value : panel.values[of]) values(column++) = value;
-    moments_[of] = integrals_ * values;
-  }
+void SmoothSums::set(const OfBoth<Vector>& values) {
+  moments_ = {integrals_ * values[pressure_part], integrals_ * values[shear_part]};
   at_points_ = {smooth_[0] * moments_[pressure_part] - smooth_[1] * moments_[shear_part],
                 smooth_[1] * moments_[pressure_part] + smooth_[2] * moments_[shear_part]};
 }
@@ -87,10 +82,7 @@ PointSums SmoothSums::at(const ComplexFloat& e) const {
   return sums;
 }
 
-PointSums SmoothSums::beside(const Float& e) const {
-  const auto [normal, tangential] = applied(e, slope_kernels);
-  return {normal, tangential};
-}
+Float SmoothSums::strain(const Float& e) const { return applied(e, slope_kernels).tangential; }
 
 NormalAndTangential<Float> SmoothSums::displacement(const Float& e) const {
   return applied(e, [](SheetKernels& kernels, const Float& alpha) -> ThreeKernels {

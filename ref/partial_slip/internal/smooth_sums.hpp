@@ -18,11 +18,10 @@ class SmoothSums {
  public:
   SmoothSums(const ZonePanels& panels, const ZoneGrid& grid, SheetKernels& kernels);
 
-  /// Takes the values of the panels.
-  void set(const ZonePanels& panels);
+  void set(const OfBoth<Vector>& values);
   [[nodiscard]] PointSums at(const ComplexFloat& e) const;
-  /// The same beside the contact, where it is not interpolated.
-  [[nodiscard]] PointSums beside(const Float& e) const;
+  /// The tangential one beside the contact, where it is not interpolated.
+  [[nodiscard]] Float strain(const Float& e) const;
   /// Of displacements, I1 + ln|alpha|, I3 and I6 + ln|alpha| over pi; up to a constant.
   [[nodiscard]] NormalAndTangential<Float> displacement(const Float& e) const;
 

@@ -5,24 +5,17 @@
 
 namespace nipref::ref {
 
-ZonePanels::ZonePanels(const Row<SlipZone>& zones, double friction) {
+ZonePanels::ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid) {
   Float left = 0;
   for (GridIndex i = 0; i < zones.count(); ++i) {
     const auto& [sign, whole] = zones[i];
     const int parts = std::max(1, static_cast<int>(std::ceil(static_cast<double>(whole) / longest_panel)));
     for (int part = 0; part < parts; ++part) {
-      push_back({i, sign, left, whole / parts, sign * friction});
+      push_back({i, sign, left, whole / parts, sign * grid.problem().friction, values_});
       left += back().length;
+      values_ += grid.nodes() + 2;
     }
   }
-}
-
-Float ZonePanels::length_of(GridIndex panel) const {
-  return panel < 0 || panel == count() ? Float(1) : (*this)[panel].length;
-}
-
-ComplexFloat ZonePanels::place(const ContactPoint& point) const {
-  return point.panel < 0 ? -point.at.from_right : distance(point, 0);
 }
 
 ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) const {
@@ -30,7 +23,7 @@ ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) co
   Float between = 0;
   for (GridIndex i = is_ahead ? point.panel + 1 : joint; i < (is_ahead ? joint : point.panel); ++i)
     between += (*this)[i].length;
-  return (is_ahead ? point.at.from_right : point.at.from_left) * length_of(point.panel) +
+  return (is_ahead ? point.at.from_right : point.at.from_left) * (*this)[point.panel].length +
          ComplexFloat(between);
 }
 

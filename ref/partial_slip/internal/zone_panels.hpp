@@ -6,25 +6,17 @@ namespace nipref::ref {
 /// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
 inline constexpr double longest_panel = 3;
 
-/// A part of a zone. The values of p and q are what is left of them at the nodes when their linear interpolation between the
-/// panel's ends is taken off, then those at its left and right end.
+/// A part of a zone. It has values of p and of q: what is left of them at the nodes when their linear interpolation between
+/// the panel's ends is taken off, then those at its left and right end. Rows of all values are by panels.
 struct ZonePanel {
-  /// Which unknown a value is, times a factor; none where it is 0.
-  struct Source {
-    GridIndex column = -1;
-    double factor = 1;
-  };
-
   GridIndex zone;
   int sign;
   Float left, length;
   double slip_ratio;  ///< q/p where it slips
-  OfBoth<Row<Source>> sources = {};
-  OfBoth<Row<Float>> values = {};
-  OfBoth<Row<Float>> loads = {};  ///< those at the nodes, times the weights of the grid over pi
+  GridIndex first;    ///< value
 };
 
-/// A point of a panel. Beside the contact the panel is -1 or their number, `at` the distance from the contact's end.
+/// A point of a panel.
 struct ContactPoint {
   GridIndex panel;
   PanelPoint at;
@@ -33,16 +25,16 @@ struct ContactPoint {
 /// Of all zones, from the leading end.
 class ZonePanels : public Row<ZonePanel> {
  public:
-  ZonePanels(const Row<SlipZone>& zones, double friction);
+  ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid);
 
+  [[nodiscard]] GridIndex values() const { return values_; }
   [[nodiscard]] Float length() const { return back().left + back().length; }
-  /// e of a point.
-  [[nodiscard]] ComplexFloat place(const ContactPoint& point) const;
-  /// From the left end of panel `joint`, 0 to the number of panels. A complex point has it with a real part > 0.
+  [[nodiscard]] ComplexFloat place(const ContactPoint& point) const { return distance(point, 0); }  ///< e
+  /// From the left end of panel `joint`, 0 to the number of panels. Its real part is > 0.
   [[nodiscard]] ComplexFloat distance(const ContactPoint& point, GridIndex joint) const;
 
  private:
-  [[nodiscard]] Float length_of(GridIndex panel) const;
+  GridIndex values_ = 0;
 };
 
 }  // namespace nipref::ref

@@ -95,15 +95,18 @@ TEST_CASE(
   const Estimate d0 = nip.indentation();
   const Float trailing = nip.trailing_length().value;
   CHECK(apart(nip.trailing_displacement().value, d0.value - trailing * trailing * slope) <= 4 * d0.error);
-  for (double place : {-0.05, 0.0957})
-    CHECK(apart(nip.normal_displacement(place).value, d0.value - Float(place) * place * slope) <=
-          4 * d0.error);
   // Where it sticks the surface is stretched by the creep.
   const double y = 0.5 * nip.leading_length().to_double();
   const Estimate v = nip.tangential_displacement(y);
   CHECK(apart(v.value - nip.tangential_displacement(y / 2).value, nip.creep_ratio().value * y / 2) <=
         4 * v.error);
   for (double place : {-0.02, 0., 0.003}) CHECK(nip.pressure(place).value < nip.peak_pressure().value);
+  // The shear has a peak at either end of the zone that sticks, with opposite signs.
+  const Estimate highest = nip.peak_shear(), place = nip.peak_shear_position();
+  for (const Estimate& end : nip.zone_boundaries())
+    CHECK(abs(nip.shear(end.to_double()).value) < highest.value + highest.error);
+  CHECK(abs(abs(nip.shear(place.to_double()).value) - highest.value) < 1e-9 * highest.value);
+  CHECK(place.error < 1e-14 * nip.contact_length().value);
 }
 
 TEST_CASE("ref partial slip: what is no contact with partial slip is refused") {
