@@ -29,7 +29,7 @@ void SlipContact::count_unknowns() {
   };
   auto& [pressures, shears] = sources_;
   for (GridIndex number = 0; number < panels_.count(); ++number) {
-    const auto& [zone, sign, left, length, ratio, first] = panels_[number];
+    const auto& [sign, left, length, ratio, first] = panels_[number];
     for (GridIndex i = 0; i < nodes; ++i) {
       const Float size = sqrt(grid_->from_left()[i] * grid_->from_right()[i]);
       pressures[first + i] = add(size);
@@ -38,12 +38,11 @@ void SlipContact::count_unknowns() {
     }
     weights_(first + nodes) = weights_(first + nodes + 1) = length / 2;
     if (number == 0) continue;
-    const auto& [zone_before, sign_before, left_before, length_before, ratio_before, first_before] =
-        panels_[number - 1];
+    const ZonePanel& before = panels_[number - 1];
     const Source value = add(1);
     pressures[first - 1] = pressures[first + nodes] = value;
     shears[first - 1] = shears[first + nodes] =
-        sign == 0 && sign_before == 0 ? add(1) : Source{value.column, sign == 0 ? ratio_before : ratio};
+        sign == 0 && before.sign == 0 ? add(1) : Source{value.column, sign == 0 ? before.slip_ratio : ratio};
   }
   leading_column_ = add(1).column;
   if (!problem().creep) creep_column_ = add(1).column;

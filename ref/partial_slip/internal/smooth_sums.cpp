@@ -27,7 +27,7 @@ SmoothSums::SmoothSums(const ZonePanels& panels, const ZoneGrid& grid, SheetKern
   const GridIndex nodes = grid.nodes();
   integrals_ = Matrix(places_.count(), panels.values());
   for (GridIndex panel = 0; panel < panels.count(); ++panel) {
-    const auto& [zone, sign, begin, panel_length, ratio, first] = panels[panel];
+    const auto& [sign, begin, panel_length, ratio, first] = panels[panel];
     const GridIndex left = first + nodes;
     for (GridIndex i = 0; i < nodes; ++i) {
       const ContactPoint node{panel, {grid.from_left()[i], grid.from_right()[i]}};

@@ -7,11 +7,10 @@ namespace nipref::ref {
 
 ZonePanels::ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid) {
   Float left = 0;
-  for (GridIndex i = 0; i < zones.count(); ++i) {
-    const auto& [sign, whole] = zones[i];
+  for (const auto& [sign, whole] : zones) {
     const int parts = std::max(1, static_cast<int>(std::ceil(static_cast<double>(whole) / longest_panel)));
     for (int part = 0; part < parts; ++part) {
-      push_back({i, sign, left, whole / parts, sign * grid.problem().friction, values_});
+      push_back({sign, left, whole / parts, sign * grid.problem().friction, values_});
       left += back().length;
       values_ += grid.nodes() + 2;
     }

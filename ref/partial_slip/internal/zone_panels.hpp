@@ -9,7 +9,6 @@ inline constexpr double longest_panel = 3;
 /// A part of a zone. It has values of p and of q: what is left of them at the nodes when their linear interpolation between
 /// the panel's ends is taken off, then those at its left and right end. Rows of all values are by panels.
 struct ZonePanel {
-  GridIndex zone;
   int sign;
   Float left, length;
   double slip_ratio;  ///< q/p where it slips
