@@ -24,7 +24,7 @@ constexpr double longest_contact = 10;  // L/B
 /// The natural logarithm of how much smaller the second discretisation's error is.
 constexpr double nats_apart = 3;
 /// Coarser contacts may not resolve zones next to others that are much shorter.
-constexpr double least_nats = 14;
+constexpr double least_nats = 17;
 
 /// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions at
 /// corresponding places, at each sample of the second.

@@ -33,8 +33,8 @@ struct NeedsCheck {
     if (result.id == ResultId::power_loss)
       origin.refuse(key, result.name,
                     "must be left out: the scene has no speed; dissipation is power over speed");
-    if (result.needs != Needs::converged && result.needs != Needs::partial_slip &&
-        result.id != ResultId::peak_shear_position)
+    if (result.needs != Needs::nothing && result.needs != Needs::converged &&
+        result.needs != Needs::partial_slip && result.id != ResultId::peak_shear_position)
       origin.refuse(key, result.name, "must be left out: it is not computed with Coulomb's friction");
     check_converged(problem);
   }
@@ -113,7 +113,7 @@ bool check_wanted(const Scene& scene) {
     if (!result.is_of(scene.kind())) refuse_wanted(scene.kind(), scene.origin, key, result.name);
     if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
       check_half_space_wanted(*on_half_space, result, key, scene.origin);
-    if (result.needs != Needs::nothing) std::visit(NeedsCheck{scene.origin, result, key}, scene.system);
+    std::visit(NeedsCheck{scene.origin, result, key}, scene.system);
     if (!seen.insert(result.id).second) scene.origin.refuse(key, result.name, "must be wanted once");
     profile_wanted = profile_wanted || result.shape == Shape::profile;
   }

@@ -162,8 +162,8 @@ bool in_same_order(const Zones& a, const Zones& b) {
   return std::ranges::equal(a, b, {}, &Zone::sign, &Zone::sign);
 }
 
-/// Changes the zones until they meet all conditions, or as many as the accuracy can tell. Where zones that are missing are not
-/// found, the contact without them is taken if it is wrong by less than e^(-nats/2).
+/// Changes the zones until they meet all conditions, or as many as the accuracy can tell, or until zones that are missing are
+/// not found. What is left is wrongness().
 std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
                                   Zones zones, double nats) {
   constexpr int most_changes = 8;
@@ -189,10 +189,10 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
       }
       if (least < wrong / 10) break;
     }
-    if (!next && wrong < std::exp(-nats / 2)) return contact;
+    if (!next) return contact;
     contact = std::move(next);
   }
-  return std::nullopt;
+  return contact;
 }
 
 }  // namespace

@@ -8,17 +8,24 @@ namespace nipref::fast {
 
 std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction::*part) {
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
-  const auto size_at = [&](double e) { return std::fabs(contact.traction(e).*part); };
-  // The ends of the contact, where tractions are 0, and all samples.
-  std::vector<Peak> places{{0, 0}};
-  for (const ZoneContact::Sample& sample : samples) places.push_back({size_at(sample.e), sample.e});
-  places.push_back({0, contact.length()});
+  const auto size_at = [&](const ZoneMesh::Point& point) {
+    return std::fabs(contact.traction_at(point).*part);
+  };
+  // At the ends of the contact tractions are 0.
+  std::vector<double> sizes{0};
+  for (const ZoneContact::Sample& sample : samples) sizes.push_back(size_at(sample.point));
+  sizes.push_back(0);
   std::vector<Peak> found;
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-    if (places[i].size < places[i - 1].size || places[i].size < places[i + 1].size) continue;
-    const auto [e, negative] = boost::math::tools::brent_find_minima(
-        [&](double place) { return -size_at(place); }, places[i - 1].e, places[i + 1].e, 30);
-    found.push_back({-negative, e});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (sizes[i + 1] < sizes[i] || sizes[i + 1] < sizes[i + 2]) continue;
+    // In s, as a peak may be very near to a boundary.
+    const auto& [panel, middle] = std::pair(samples[i].point.panel, samples[i].point.s);
+    const auto [s, negative] = boost::math::tools::brent_find_minima(
+        [&](double place) {
+          return -size_at({panel, place});
+        },
+        middle - contact.sample_step(), middle + contact.sample_step(), 30);
+    found.push_back({-negative, contact.place({panel, s})});
   }
   double boundary = 0;
   const std::vector<Zone>& zones = contact.zones();

@@ -36,6 +36,8 @@ class ZoneContact {
 
   /// 0 outside.
   [[nodiscard]] Traction traction(double e) const;
+  [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
+  [[nodiscard]] double place(const ZoneMesh::Point& point) const { return mesh().place(point); }
   /// At the boundary after a zone, which rounding of e would miss.
   [[nodiscard]] Traction traction_after(std::size_t zone) const;
   /// Of the zone that e in the contact lies in, and where it begins.
@@ -64,6 +66,7 @@ class ZoneContact {
     double e, weight, pressure, shear, slip;
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+  [[nodiscard]] double sample_step() const { return mesh().step(); }  ///< of s
 
  private:
   explicit ZoneContact(ZoneEquations solved);
@@ -76,7 +79,6 @@ class ZoneContact {
   /// Calls add(distance, weight times traction) for the nodes of all panels but one.
   template <class Add>
   void for_nodes_beyond(int panel, double e, const Add& add) const;
-  [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
 
   ZoneEquations equations_;
   ZoneEquations::Forces forces_;

@@ -17,8 +17,8 @@ struct Size {
   double thickness, radius, length;
 };
 
-Size draw_size(Random& random) {
-  const double ratio = random.log_uniform(1e-4, 1e3);
+Size draw_size(Random& random, double longest = 1e3) {
+  const double ratio = random.log_uniform(1e-4, longest);
   const double thickness = random.log_uniform(1e-3, 10);
   // The parabola alone enters the sheet by L^2/(8R); the roller is so large that the faces do not meet.
   const double least = std::max({1.0, 1.01 * ratio, ratio * ratio});
@@ -208,6 +208,32 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
     give_load(drawn, about_load(size, material.normal_compliance(),
                                 grips ? confined : material.normal_compliance()));
   }
+  return drawn;
+}
+
+DrawnScene draw_partial_slip(Random& random) {
+  const Size size = draw_size(random, 5);
+  DrawnScene drawn = of_size(random, size);
+  const data::ElasticMaterial material{draw_modulus(random), draw_poisson(random)};
+  drawn.set("material.model", "elastic");
+  drawn.set("material.young", material.young);
+  drawn.set("material.poisson", material.poisson);
+  const double friction = random.log_uniform(1e-2, 2);
+  drawn.set("friction.model", "coulomb");
+  drawn.set("friction.coefficient", friction);
+  const double compliance = material.normal_compliance(), load = about_load(size, compliance, compliance);
+  drawn.set("traction.force_per_length",
+            random.chance(0.3) ? 0.0 : friction * load * random.uniform(-0.7, 0.7));
+  std::vector<ResultId> wanted = drawn.wanted();
+  std::erase_if(wanted, [](ResultId id) {
+    return data::scene_result(id).needs == data::Needs::inside || id == ResultId::power_loss;
+  });
+  wanted.insert(wanted.end(), {ResultId::traction, ResultId::dissipation, ResultId::peak_shear_position,
+                               ResultId::zone_boundaries});
+  drawn.set_wanted(std::move(wanted));
+  drawn.remove("field.positions");
+  drawn.remove("field.depths");
+  if (random.chance(0.5)) give_load(drawn, load);
   return drawn;
 }
 

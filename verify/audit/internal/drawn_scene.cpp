@@ -76,6 +76,7 @@ constexpr std::array kinds{
     Kind{"sphere, exact", half_space<Body::sphere, ContourRule::exact>},
     Kind{"sphere, papers' rule", half_space<Body::sphere, ContourRule::stationary_force>},
     Kind{"die, similar contour", half_space<Body::die, ContourRule::similar_contour>},
+    Kind{"rolling, Coulomb's friction", draw_partial_slip},
 };
 
 }  // namespace

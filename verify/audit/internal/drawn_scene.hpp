@@ -60,6 +60,8 @@ enum class Body { die, rolling_sphere, sphere };
 
 DrawnScene draw_elastic_nip(Random& random, data::Friction friction);
 DrawnScene draw_rolling_nip(Random& random, RollingMaterial material);
+/// The same with Coulomb's friction.
+DrawnScene draw_partial_slip(Random& random);
 DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule);
 
 }  // namespace nipref::verify

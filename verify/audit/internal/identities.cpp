@@ -142,7 +142,8 @@ std::vector<double> mirrored_stiffness(std::vector<double> upper) {
 }
 
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
-  if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
+  if ((drawn.has("rolling.speed") && !is_half_space(drawn)) || drawn.has("traction.force_per_length"))
+    return {};
   const std::vector<ResultId> odd =
       is_half_space(drawn)
           ? std::vector{ResultId::transverse_displacement, ResultId::orientation, ResultId::centre_across}

@@ -276,7 +276,7 @@ std::vector<ResultId> given_results(const DrawnScene& drawn) {
   if (drawn.has("load.per_length")) return {ResultId::load};
   if (drawn.has("load.normal_force")) return {ResultId::normal_force};
   if (drawn.has("contact.span_along")) return {ResultId::span_along};
-  if (drawn.has("rolling.speed")) return {ResultId::contact_length};
+  if (drawn.has("rolling.speed") || drawn.has("friction.coefficient")) return {ResultId::contact_length};
   return {ResultId::contact_length, ResultId::leading_length, ResultId::trailing_length};
 }
 
@@ -298,7 +298,8 @@ void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& rando
   } else {
     compare_with_ref(comparisons, drawn, solved, solvers);
     compare_at_best(comparisons, drawn, solvers);
-    compare_peak(comparisons, drawn, solved, solvers);
+    // With Coulomb's friction it may be at a cusp, where rounding of the place counts.
+    if (!drawn.has("friction.coefficient")) compare_peak(comparisons, drawn, solved, solvers);
   }
   compare_with_variants(comparisons, drawn, solved, random, solvers);
   comparisons.finish();
