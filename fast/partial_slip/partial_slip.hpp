@@ -17,10 +17,11 @@ namespace nipref::fast {
 ///
 /// Errors: the contact is solved twice, by two discretisations (internal/zone_mesh.hpp), the second with an error some
 /// twenty times smaller. A number J is that of the second. Its error is |J_2 - J_1| and, as these may agree by chance, the
-/// largest relative difference of the contact's length, place, load, traction and creep times the size of numbers like J, or
-/// for tractions their largest difference at corresponding places. To these come the rounding of sums and of places. Zones
-/// too short for the second's accuracy are left out: the mean by which conditions of stick and slip are not met, relative,
-/// adds to that difference. Boundaries where slip turns into stick are known to some 1e-7 of their zones' lengths.
+/// largest difference of numbers of its kind: relative, of the contact's length, place, load, traction and creep, times the
+/// size of numbers like J; for tractions, the largest at the 16 samples next to Y; for boundaries where slip turns into stick,
+/// over the longer of their zones. To these come the rounding of sums and of places. Zones too short to be found are left
+/// out: by how much conditions of stick and slip are not met, relative, adds in the mean to that of the whole and at Y to the
+/// shear's.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;

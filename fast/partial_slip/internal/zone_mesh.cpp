@@ -78,11 +78,11 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   };
   const Panel& own = panels_[panel];
   const bool at_end = is_right ? panel + 1 == panels_.size() : panel == 0;
-  // What the powers leave out is t^2 at most, and with p ~ t^(1/2) the forces beyond the last node are e^(-1.35 nats).
+  // The powers leave out t^2 at most, e^(-1.2 nats), and with p ~ t^(1/2) the forces beyond the last node are e^(-1.65 nats).
   PanelEnd result{tail(1, 2, 3), tail(1, 2, 3), 0.6 * nats, 1.1 * nats, -1, -1, false};
   if (at_end) {
     const double power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
-    result.pressure = result.shear = tail(power, power + 1, 2);
+    result.pressure = result.shear = tail(power, power + 1, power + 2);
     // The zone of slip at the end, which is left out where it is shorter than the accuracy, shall be seen.
     if (own.sign == 0 && task.beta > 0) result.reach = nats;
     return result;
@@ -100,8 +100,6 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   result.extra = own.sign == 0 && !sticks_then_slips;
   return result;
 }
-
-double ZoneMesh::smooth_reach(double nats) { return std::min(0.4 * nats, 12.0); }
 
 void ZoneMesh::number() {
   for (std::size_t k = 0; k < panels_.size(); ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -49,7 +50,7 @@ class ZoneMesh {
     double pressure, shear;
   };
   using Shares = std::vector<Share>;
-  /// Tractions at points, rows, of all unknowns.
+  /// Tractions of unit unknowns, columns, at points, rows.
   struct Rows {
     Eigen::SparseMatrix<double> pressure, shear;
   };
@@ -62,10 +63,11 @@ class ZoneMesh {
   /// nats: -ln of the accuracy that it is made for.
   ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats);
 
-  /// Where the powers begin at a boundary where slip turns into stick: -ln of t over the panel's length. The powers leave out
-  /// what is smaller by t^2 at least. That t^(1/2 + a) has no part is seen in tractions e^-reach of the others, so that
-  /// rounding shifts the boundary by e^reach of itself. Both errors are alike at about 12.
-  [[nodiscard]] static double smooth_reach(double nats);
+  /// Where the powers begin next to a boundary where slip turns into stick: -ln of t over the panel's length. The powers leave
+  /// out what is smaller by t^2. That t^(1/2 + a) has no part is seen in tractions e^(-reach/2) as large as others, of which
+  /// e^-nats is unknown. So much over the zone's length shifts the boundary: e^(-0.8 nats) by either. Rounding shifts it by
+  /// about e^reach of itself, which is as much at 12.
+  [[nodiscard]] static double smooth_reach(double nats) { return std::min(0.4 * nats, 12.0); }
 
   /// The same unknowns over zones of other lengths.
   void stretch_to(const std::vector<Zone>& zones);
@@ -82,7 +84,7 @@ class ZoneMesh {
   [[nodiscard]] double weight(const Point& point) const;
   /// e_a - e_b without cancellation.
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
-  /// How far the zones go to e of the point, each: 0 if it is beyond.
+  /// The length of the part of a zone that lies before the point.
   [[nodiscard]] double extent(int zone, const Point& point) const;
   /// By how much e_a - e_b grows with the logarithm of a zone's length, without cancellation.
   [[nodiscard]] double stretch(int zone, const Point& a, const Point& b) const;
