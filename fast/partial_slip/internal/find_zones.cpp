@@ -70,7 +70,7 @@ Zones first_zones(const PartialSlipTask& task, const ElementContact& elements) {
                                  [](const auto& element) { return element.presses; });
   slip_at_end(task, zones, last->shear < 0 ? -1 : 1);
   // Less than an element may stick.
-  if (task.traction && std::ranges::count(zones, 0, &Zone::sign) == 0 && zones.size() == 1) {
+  if (task.traction && zones.size() == 1 && zones.front().sign != 0) {
     zones.insert(zones.begin(), {usual_part * zones.back().length, 0});
     zones.back().length *= 1 - usual_part;
   }

@@ -11,8 +11,6 @@ using std::numbers::pi;
 
 /// Half-thicknesses: the kernels less their Cauchy parts are analytic for |Im alpha| < 2.
 constexpr double longest_panel = 3;
-/// Of s: e^-72 of a panel from its end.
-constexpr double farthest = 72;
 
 /// Steps from 0 to 1, flat at both: with x^2 it begins.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }

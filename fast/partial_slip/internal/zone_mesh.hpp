@@ -31,6 +31,9 @@ namespace nipref::fast {
 /// smooth step between the signs of both neighbours. A boundary where slip turns into stick has an equation more.
 class ZoneMesh {
  public:
+  /// Of |s|: e^-72 of a panel from its end.
+  static constexpr double farthest = 72;
+
   struct Point {
     int panel;
     double s;
