@@ -169,7 +169,7 @@ struct PartialSlipNip::Implementation {
     for (const Peak& one : peaks(second, part)) {
       if (one.size < least) continue;
       double beside = 0x1p-30 * length();
-      while (is_as_large(one.e - beside) || is_as_large(one.e + beside)) beside *= 2;
+      while (beside < length() && (is_as_large(one.e - beside) || is_as_large(one.e + beside))) beside *= 2;
       farthest = std::max(farthest, std::fabs(one.e - largest.e) + beside);
     }
     position.error += units.length * farthest;
