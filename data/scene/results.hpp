@@ -20,6 +20,7 @@ enum class Needs {
   shear,            ///< full friction: without it there is none
   line_load_creep,  ///< line loads with full friction
   partial_slip,     ///< Coulomb's friction
+  slip_heat,        ///< the same, and the converged method
 };
 
 /// How many numbers a result is.
@@ -48,6 +49,7 @@ enum class Scale {
   pressure,
   shear,
   tenth_of_pressure,
+  tenth_of_pressure_times_creep,
   flat_maximum_depth,
   flat_maximum,
   rounding_of_slope,
@@ -116,6 +118,7 @@ enum class ResultId {
   transverse_displacement,
   surface_strain,
   slip,
+  heat,
   span,
   leading_end,
   trailing_end,

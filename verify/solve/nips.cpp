@@ -232,6 +232,13 @@ void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>&
     set(ResultId::traction, &Solution::traction);
     set(ResultId::dissipation, &Solution::dissipation);
     set(ResultId::zone_boundaries, &Solution::zone_boundaries);
+    solved.set(ResultId::heat, [&solved](double y) {
+      const auto size = [&](ResultId id) {
+        const Number& number = solved.at(id, y);
+        return number * exactly(std::signbit(value_of(number)) ? -1 : 1, number);
+      };
+      return size(ResultId::shear) * size(ResultId::slip);
+    });
     solved.set(ResultId::zone_signs, [=, &solved](const Places&) {
       return mapped<Number>(std::invoke(&Solution::zone_signs, *solution), [&](int sign) {
         Number number = exactly(sign, solved.number(ResultId::load));

@@ -34,7 +34,8 @@ struct NeedsCheck {
       origin.refuse(key, result.name,
                     "must be left out: the scene has no speed; dissipation is power over speed");
     if (result.needs != Needs::nothing && result.needs != Needs::converged &&
-        result.needs != Needs::partial_slip && result.id != ResultId::peak_shear_position)
+        result.needs != Needs::partial_slip && result.needs != Needs::slip_heat &&
+        result.id != ResultId::peak_shear_position)
       origin.refuse(key, result.name, "must be left out: it is not computed with Coulomb's friction");
     check_converged(problem);
   }
@@ -45,7 +46,7 @@ struct NeedsCheck {
   void check(const Problem& problem, Friction friction) const {
     if (result.needs == Needs::shear && friction == Friction::none)
       origin.refuse(key, result.name, "must be left out: without friction there is no shear");
-    if (result.needs == Needs::partial_slip)
+    if (result.needs == Needs::partial_slip || result.needs == Needs::slip_heat)
       origin.refuse(key, result.name, "must be left out: it is of friction.model = \"coulomb\"");
     if (result.needs == Needs::line_load_creep &&
         (friction == Friction::none || std::holds_alternative<ConvergedMethod>(problem.method))) {
@@ -66,7 +67,8 @@ struct NeedsCheck {
     check_converged(problem);
   }
   void check_converged(const auto& problem) const {
-    if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
+    const bool of_continuous = result.needs == Needs::converged || result.needs == Needs::slip_heat;
+    if (of_continuous && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(
           key, result.name,
           "must be left out: between line loads the surface is stretched as under none, and at them "

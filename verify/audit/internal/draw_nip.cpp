@@ -229,7 +229,7 @@ DrawnScene draw_partial_slip(Random& random) {
     return data::scene_result(id).needs == data::Needs::inside || id == ResultId::power_loss;
   });
   wanted.insert(wanted.end(), {ResultId::traction, ResultId::dissipation, ResultId::peak_shear_position,
-                               ResultId::zone_boundaries});
+                               ResultId::zone_boundaries, ResultId::heat});
   drawn.set_wanted(std::move(wanted));
   drawn.remove("field.positions");
   drawn.remove("field.depths");

@@ -156,6 +156,8 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
       return (is_nip ? 0.1 : 1) * pressure() * growth();
     case Scale::tenth_of_pressure:
       return 0.1 * pressure();
+    case Scale::tenth_of_pressure_times_creep:
+      return 0.1 * pressure() * slope / 2;
     case Scale::flat_maximum_depth:
       return flat_maximum;
     case Scale::flat_maximum:
