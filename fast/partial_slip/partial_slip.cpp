@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -358,11 +359,15 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  const double nats = std::max(std::log(8 / accuracy), least_nats);
-  // Zones are looked for with the better accuracy.
-  auto second = find_zones(task, nats + nats_apart);
+  double nats = std::max(std::log(8 / accuracy), least_nats);
+  // Zones are looked for with the better accuracy, and a better one still where the lesser one lacks them.
+  std::optional<ZoneContact> first, second;
+  for (const double last = nats + 2 * nats_apart; !first && nats <= last; nats += nats_apart) {
+    second = find_zones(task, nats + nats_apart);
+    if (second) first = ZoneContact::solved(task, *second, nats);
+  }
+  nats -= nats_apart;
   if (!second) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length)));
-  auto first = ZoneContact::solved(task, *second, nats);
   if (!first) refuse_drive(nip, units.load * second->load());
   const Differences apart = differences(*first, *second, task);
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(PartialSlipNip::Implementation{

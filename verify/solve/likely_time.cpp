@@ -72,7 +72,10 @@ struct LikelySeconds {
            seconds_for_places(scene, problem, length);
   }
   /// With three zones; with five it takes some four times as long.
-  double operator()(const data::PartialSlipProblem&) const { return 4 * std::pow(digits / 16.0, 3.5); }
+  double operator()(const data::PartialSlipProblem& problem) const {
+    return std::holds_alternative<data::ConvergedMethod>(problem.method) ? 4 * std::pow(digits / 16.0, 3.5)
+                                                                         : 0;
+  }
   /// The displacements at a place, computed together, ask for about 2500 lines at 20 digits.
   double operator()(const data::HalfSpaceProblem& problem) const {
     const bool displaced = std::ranges::any_of(scene.wanted, [](data::ResultId id) {

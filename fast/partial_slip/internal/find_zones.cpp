@@ -206,8 +206,15 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
   constexpr double rough = 20;
   std::optional<ZoneContact> best;
   double least = infinity;
-  for (const int elements : {60, 120, 240}) {
-    const Zones zones = first_zones(task, element_contact(task, elements));
+  double length = 0;
+  for (const int elements : {60, 120, 240, 0}) {
+    // At last from a contact that sticks all along, but for its trailing end.
+    Zones zones{{length, 0}};
+    if (elements > 0)
+      zones = first_zones(task, element_contact(task, elements));
+    else
+      slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1);
+    length = length_of(zones);
     auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
     if (!contact) continue;
     if (const double wrong = wrongness(*contact, task.friction); wrong < least) {
