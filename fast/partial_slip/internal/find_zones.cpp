@@ -223,7 +223,9 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
     }
     if (least < std::exp(-rough / 2)) break;
   }
-  if (!best) return best;
+  // Then a zone is missing.
+  constexpr double too_wrong = 1e-3;
+  if (!best || least > too_wrong) return std::nullopt;
   return nats > rough ? find_zones(task, *best, nats) : ZoneContact::solved(task, *best, nats);
 }
 
