@@ -164,9 +164,17 @@ ZoneContact::Displacement ZoneContact::displacement(double e) const {
 }
 
 double ZoneContact::dissipation() const {
+  // The first and the last sample of a panel stand for what would follow: sum_k e^(-k h).
+  const double rest = 1 / (1 - std::exp(-mesh().step()));
+  const auto goes_on = [&](std::size_t i, std::size_t next) {
+    return next < samples_.size() && samples_[next].point.panel == samples_[i].point.panel;
+  };
   double sum = 0;
-  for (const Sample& sample : samples_)
-    if (sample.sign != 0) sum -= sample.weight * sample.shear * sample.slip;
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const Sample& sample = samples_[i];
+    const double factor = goes_on(i, i - 1) && goes_on(i, i + 1) ? 1 : rest;
+    if (sample.sign != 0) sum -= factor * sample.weight * sample.shear * sample.slip;
+  }
   return sum;
 }
 
