@@ -114,12 +114,27 @@ struct PartialSlipNip::Implementation {
         unit, {value, std::fabs(value - std::invoke(number, first)) + (apart.relative + rounding) * scale});
   }
   [[nodiscard]] double length() const { return second.length(); }
+  [[nodiscard]] Estimate of_length(const auto& number) const {
+    return estimate(number, units.length, length());
+  }
+  [[nodiscard]] Estimate of_displacement(const auto& number) const {
+    return estimate(number, units.displacement, std::pow(length(), 2));
+  }
+  [[nodiscard]] Estimate of_strain(const auto& number) const {
+    return estimate(number, units.creep, length());
+  }
+  /// The same at Y, where it depends on the tractions about it.
+  [[nodiscard]] Estimate of_strain_at(double y, const auto& function) const {
+    Estimate strain = of_strain(at(y, function));
+    strain.error += units.creep * error_by_tractions(place(y));
+    return strain;
+  }
   [[nodiscard]] double place(double y) const { return second.leading_length() - y / units.length; }
   /// Its value at Y, of a function of e.
   [[nodiscard]] auto at(double y, const auto& function) const {
     check_position(y);
     return [this, y, function](const ZoneContact& contact) {
-      return function(contact, contact.leading_length() - y / units.length);
+      return std::invoke(function, contact, contact.leading_length() - y / units.length);
     };
   }
   /// The error of tractions at e: the largest difference at the samples next to it, as one may be 0 by chance.
@@ -153,26 +168,29 @@ struct PartialSlipNip::Implementation {
     return times(unit, {value, std::fabs(value - before) + error_near(e).*part + rounding});
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part) const {
-    const Peak largest = peak(second, part);
-    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * largest.size;
-    return times(units.pressure, {largest.size, std::fabs(largest.size - peak(first, part).size) +
-                                                    error_near(largest.e).*part + rounding});
+    return peak_size(part, largest(peaks(first, part)), largest(peaks(second, part)));
   }
-  /// Its error reaches to any place whose traction is as large but for twice its error and rounding.
+  [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
+    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size;
+    return times(units.pressure,
+                 {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).*part + rounding});
+  }
+  /// Its error reaches to any place whose traction is as large but for twice its error.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
-    Estimate position = estimate(
-        [part](const ZoneContact& contact) { return contact.leading_length() - peak(contact, part).e; },
-        units.length, length());
-    const Peak largest = peak(second, part);
-    const double least = largest.size - 2 * (peak_size(part).error / units.pressure);
+    const std::vector<Peak> all = peaks(second, part);
+    const Peak before = largest(peaks(first, part)), peak = largest(all);
+    const double least = peak.size - 2 * (peak_size(part, before, peak).error / units.pressure);
     const auto is_as_large = [&](double e) { return std::fabs(second.traction(e).*part) >= least; };
     double farthest = 0;
-    for (const Peak& one : peaks(second, part)) {
+    for (const Peak& one : all) {
       if (one.size < least) continue;
       double beside = 0x1p-30 * length();
       while (beside < length() && (is_as_large(one.e - beside) || is_as_large(one.e + beside))) beside *= 2;
-      farthest = std::max(farthest, std::fabs(one.e - largest.e) + beside);
+      farthest = std::max(farthest, std::fabs(one.e - peak.e) + beside);
     }
+    Estimate position = of_length([&](const ZoneContact& contact) {
+      return contact.leading_length() - (&contact == &first ? before : peak).e;
+    });
     position.error += units.length * farthest;
     return position;
   }
@@ -183,20 +201,15 @@ PartialSlipNip::PartialSlipNip(std::unique_ptr<Implementation> implementation)
 PartialSlipNip::PartialSlipNip(PartialSlipNip&&) noexcept = default;
 PartialSlipNip::~PartialSlipNip() = default;
 
-Estimate PartialSlipNip::contact_length() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::length, my.units.length, my.length());
-}
+Estimate PartialSlipNip::contact_length() const { return implementation_->of_length(&ZoneContact::length); }
 
 Estimate PartialSlipNip::leading_length() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::leading_length, my.units.length, my.length());
+  return implementation_->of_length(&ZoneContact::leading_length);
 }
 
 Estimate PartialSlipNip::trailing_length() const {
-  const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return contact.length() - contact.leading_length(); },
-                     my.units.length, my.length());
+  return implementation_->of_length(
+      [](const ZoneContact& contact) { return contact.length() - contact.leading_length(); });
 }
 
 Estimate PartialSlipNip::load() const {
@@ -210,26 +223,20 @@ Estimate PartialSlipNip::traction() const {
 }
 
 Estimate PartialSlipNip::indentation() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::approach, my.units.displacement, std::pow(my.length(), 2));
+  return implementation_->of_displacement(&ZoneContact::approach);
 }
 
 Estimate PartialSlipNip::leading_displacement() const {
-  const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return contact.displacement(0).normal; },
-                     my.units.displacement, std::pow(my.length(), 2));
+  return implementation_->of_displacement(
+      [](const ZoneContact& contact) { return contact.displacement(0).normal; });
 }
 
 Estimate PartialSlipNip::trailing_displacement() const {
-  const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return contact.displacement(contact.length()).normal; },
-                     my.units.displacement, std::pow(my.length(), 2));
+  return implementation_->of_displacement(
+      [](const ZoneContact& contact) { return contact.displacement(contact.length()).normal; });
 }
 
-Estimate PartialSlipNip::creep_ratio() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::creep, my.units.creep, my.length());
-}
+Estimate PartialSlipNip::creep_ratio() const { return implementation_->of_strain(&ZoneContact::creep); }
 
 Estimate PartialSlipNip::rolling_resistance() const {
   const Implementation& my = *implementation_;
@@ -277,8 +284,7 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
       of_smooth = std::max(of_smooth, std::fabs(boundary(my.second, k) - boundary(my.first, k)) / longer(k));
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= zones.size(); ++k) {
-    all.push_back(my.estimate([&](const ZoneContact& contact) { return boundary(contact, k); },
-                              my.units.length, my.length()));
+    all.push_back(my.of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
     if (is_smooth(k)) all.back().error += my.units.length * of_smooth * longer(k);
   }
   return all;
@@ -301,28 +307,18 @@ Estimate PartialSlipNip::shear(double y) const {
 }
 
 Estimate PartialSlipNip::surface_strain(double y) const {
-  const Implementation& my = *implementation_;
-  Estimate strain =
-      my.estimate(my.at(y, [](const ZoneContact& contact, double e) { return contact.strain(e); }),
-                  my.units.creep, my.length());
-  strain.error += my.units.creep * my.error_by_tractions(my.place(y));
-  return strain;
+  return implementation_->of_strain_at(y, &ZoneContact::strain);
 }
 
 Estimate PartialSlipNip::slip(double y) const {
-  const Implementation& my = *implementation_;
-  Estimate slip = my.estimate(
-      my.at(y, [](const ZoneContact& contact, double e) { return contact.strain(e) - contact.creep(); }),
-      my.units.creep, my.length());
-  slip.error += my.units.creep * my.error_by_tractions(my.place(y));
-  return slip;
+  return implementation_->of_strain_at(
+      y, [](const ZoneContact& contact, double e) { return contact.strain(e) - contact.creep(); });
 }
 
 Estimate PartialSlipNip::normal_displacement(double y) const {
   const Implementation& my = *implementation_;
-  return my.estimate(
-      my.at(y, [](const ZoneContact& contact, double e) { return contact.displacement(e).normal; }),
-      my.units.displacement, std::pow(my.length(), 2));
+  return my.of_displacement(
+      my.at(y, [](const ZoneContact& contact, double e) { return contact.displacement(e).normal; }));
 }
 
 Estimate PartialSlipNip::tangential_displacement(double y) const {
@@ -341,15 +337,13 @@ bool PartialSlipNip::refine() {
   Implementation& my = *implementation_;
   // Rounding rules from here on.
   constexpr double most_nats = 36;
-  if (my.nats + nats_apart > most_nats) return false;
-  auto second = find_zones(my.task, my.second, my.nats + 2 * nats_apart);
-  if (!second) return false;
-  auto first = ZoneContact::solved(my.task, *second, my.nats + nats_apart);
+  const double nats = my.nats + nats_apart;
+  if (nats > most_nats) return false;
+  auto second = find_zones(my.task, my.second, nats + nats_apart);
+  auto first = second ? ZoneContact::solved(my.task, *second, nats) : std::nullopt;
   if (!first) return false;
-  my.nats += nats_apart;
-  my.first = *std::move(first);
-  my.second = *std::move(second);
-  my.apart = differences(my.first, my.second, my.task);
+  const Differences apart = differences(*first, *second, my.task);
+  my = {my.roller_radius, my.units, my.task, nats, *std::move(first), *std::move(second), apart};
   return true;
 }
 

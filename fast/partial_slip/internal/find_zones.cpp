@@ -140,7 +140,8 @@ Zones with(const Zones& zones, const Part& part) {
 }
 
 /// The zones with all those parts. Where the slip at the trailing end has the wrong sign up to the end, it turns around.
-Zones mended(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task, double new_part) {
+Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task,
+                   double new_part) {
   const double last = zones.back().length;
   const int sign = zones.back().sign;
   const double length = length_of(zones);
@@ -179,7 +180,7 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
     std::optional<ZoneContact> next;
     double least = infinity;
     for (const double new_part : {usual_part, usual_part / 4, 2 * usual_part}) {
-      zones = mended(contact->zones(), parts, task, new_part);
+      zones = with_missing(contact->zones(), parts, task, new_part);
       if (in_same_order(zones, contact->zones())) return contact;
       auto found = ZoneContact::solved(task, zones, nats);
       const double of_found = found ? wrongness(*found, task.friction) : infinity;

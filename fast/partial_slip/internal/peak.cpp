@@ -41,8 +41,6 @@ std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction
   return found;
 }
 
-Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part) {
-  return std::ranges::max(peaks(contact, part), {}, &Peak::size);
-}
+Peak largest(const std::vector<Peak>& peaks) { return std::ranges::max(peaks, {}, &Peak::size); }
 
 }  // namespace nipref::fast

@@ -12,7 +12,6 @@ struct Peak {
 /// The local maxima of a traction's size in the contact, and its size at the boundaries of zones, where it may have cusps.
 std::vector<Peak> peaks(const ZoneContact& contact, double ZoneContact::Traction::*part);
 
-/// The largest of them.
-Peak peak(const ZoneContact& contact, double ZoneContact::Traction::*part);
+Peak largest(const std::vector<Peak>& peaks);
 
 }  // namespace nipref::fast

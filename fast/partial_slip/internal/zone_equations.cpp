@@ -209,27 +209,31 @@ bool ZoneEquations::iterate() {
   };
   double last_step = std::numeric_limits<double>::infinity();
   Eigen::PartialPivLU<Eigen::MatrixXd> derivatives;
+  Eigen::VectorXd remains = residual();
   for (int number = 0; number < most_steps; ++number) {
     if (last_step > short_step) {
       derivatives.compute(jacobian());
       ++task_.work->systems;
       task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(derivatives.rows()));
     }
-    const Eigen::VectorXd change = derivatives.solve(residual());
+    const Eigen::VectorXd change = derivatives.solve(remains);
     const double size = size_of(change);
     if (!std::isfinite(size)) return false;
     // Steps shrink until rounding rules.
     if (last_step < short_step && size > last_step / 2) return true;
     // The part of the step after which the same derivatives ask for a shorter one (Deuflhard 2004, 3.3).
-    const ZoneEquations before = *this;
+    const Eigen::VectorXd unknowns = unknowns_;
+    const std::vector<Zone> zones = zones_;
     for (double part = std::min(1.0, longest_step / size);; part /= 2) {
+      unknowns_ = unknowns;
+      zones_ = zones;
       step(change, part);
       if (length() > longest ||
           std::ranges::any_of(zones_, [&](const Zone& zone) { return zone.length < 1e-13 * length(); }))
         return false;
-      if (size < short_step || size_of(derivatives.solve(residual())) < (1 - part / 4) * size) break;
+      remains = residual();
+      if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
       if (part < least_part) return false;
-      *this = before;
     }
     if (size < 1e-11) return true;
     last_step = size;

@@ -186,16 +186,21 @@ void draw_material(Random& random, RollingMaterial material, const Size& size, D
   drawn.set("material.poisson", draw_poisson(random));
 }
 
+data::ElasticMaterial draw_elastic_material(DrawnScene& drawn, Random& random) {
+  const data::ElasticMaterial material{draw_modulus(random), draw_poisson(random)};
+  drawn.set("material.model", "elastic");
+  drawn.set("material.young", material.young);
+  drawn.set("material.poisson", material.poisson);
+  return material;
+}
+
 }  // namespace
 
 DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
   const Size size = draw_size(random);
   DrawnScene drawn = of_size(random, size);
-  const data::ElasticMaterial material{draw_modulus(random), draw_poisson(random)};
+  const data::ElasticMaterial material = draw_elastic_material(drawn, random);
   const bool grips = friction == data::Friction::full;
-  drawn.set("material.model", "elastic");
-  drawn.set("material.young", material.young);
-  drawn.set("material.poisson", material.poisson);
   drawn.set("friction.model", grips ? "full" : "none");
   auto wanted = drawn.wanted();
   wanted.insert(wanted.end(), {ResultId::displacement_across, ResultId::displacement_along});
@@ -214,10 +219,7 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
 DrawnScene draw_partial_slip(Random& random) {
   const Size size = draw_size(random, 5);
   DrawnScene drawn = of_size(random, size);
-  const data::ElasticMaterial material{draw_modulus(random), draw_poisson(random)};
-  drawn.set("material.model", "elastic");
-  drawn.set("material.young", material.young);
-  drawn.set("material.poisson", material.poisson);
+  const data::ElasticMaterial material = draw_elastic_material(drawn, random);
   const double friction = random.log_uniform(1e-2, 2);
   drawn.set("friction.model", "coulomb");
   drawn.set("friction.coefficient", friction);
