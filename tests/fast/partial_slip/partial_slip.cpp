@@ -200,6 +200,19 @@ TEST_CASE("no traction is larger than the peak, and the two humps of a shear are
   CHECK(std::fabs(there.value) == approx(nip.peak_shear().value, 1e-6));
 }
 
+TEST_CASE("a peak that is nearer to a boundary than all samples is seen") {
+  // The shear goes on rising over 1e-9 of the zone that slips.
+  constexpr double length = 2.8751e-4, mu = 0.5013;
+  const auto peak = [&](double accuracy) {
+    const double traction = 0.167 * mu * fast::load_guess(length);
+    return fast::partial_slip_for_length(unit_nip(0.4999, mu, GivenTraction{traction}), length, accuracy)
+        .peak_shear();
+  };
+  const fast::Estimate rough = peak(1e-5), fine = peak(1e-12);
+  CHECK(std::fabs(rough.value - fine.value) <= rough.error + fine.error);
+  CHECK(rough.error < 1e-6 * rough.value);
+}
+
 TEST_CASE("what friction cannot pass on, and other nonsense, is refused") {
   const auto solve = [](double friction, const data::Drive& drive, double load) {
     return

@@ -67,3 +67,27 @@ TEST_CASE("a rolling contact's largest pressure is ahead, where the reference ha
   CHECK(pressure[0].value < pressure[1].value);
   CHECK(pressure[2].value < pressure[1].value);
 }
+
+TEST_CASE("the heat of slip adds up over the contact to what is dissipated, and is none where it sticks") {
+  using enum data::ResultId;
+  data::Scene scene = data::load_scene(data::example_scene("intermediate-coulomb"));
+  scene.wanted = {leading_length, trailing_length, dissipation, heat, slip};
+  auto& problem = std::get<data::PartialSlipProblem>(scene.system);
+  const double most = 0.2, step = 2e-4;  // inches, beyond both ends
+  data::Positions places;
+  for (double y = -most; y < most; y += step) places.y.push_back(y);
+  problem.profile = places;
+  const auto solution = verify::solve(scene);
+  REQUIRE(solution[leading_length].value < most);
+  REQUIRE(solution[trailing_length].value < most);
+  double sum = 0;
+  for (std::size_t i = 0; i < places.y.size(); ++i) {
+    const double here = solution.profile(heat)[i].value;
+    CHECK(here >= 0);
+    CHECK_FALSE(std::signbit(here));
+    if (solution.profile(slip)[i].value == 0) CHECK(here == 0);
+    sum += step * here;
+  }
+  // Heat is like the root of the distance from an end.
+  CHECK(sum == approx(solution[dissipation].value, 3e-3));
+}
