@@ -65,9 +65,10 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// All figures that can be drawn, the rows of data/statements/figures.csv: those of the thesis that have curves, in the
-/// order of their numbers, the curves on which the tables of the papers on half-spaces lie, and those of nips with Coulomb's
-/// friction, beyond the seeds. The seeds' own drawings are lost: the axes follow their captions and text.
+/// All figures that can be drawn, the rows of data/statements/figures.csv, whose panels are in drawings.toml: those of the
+/// thesis that have curves, in the order of their numbers, the curves on which the tables of the papers on half-spaces lie, and
+/// those of nips with Coulomb's friction, beyond the seeds. The seeds' own drawings are lost: the axes follow their captions
+/// and text.
 [[nodiscard]] std::vector<FigurePlan> figures();
 
 /// Computes a figure, which takes less than a second, or some seconds for rolling sheets and Coulomb's friction. Where the

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <nipref/verify/figures/figure.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -54,6 +55,11 @@ std::string contours_csv(const std::string& panel, const Contours& contours) {
 }
 
 }  // namespace
+
+std::optional<Mark> mark_named(const std::string& name) {
+  const auto found = std::ranges::find(mark_names, name);
+  return found == std::end(mark_names) ? std::nullopt : std::optional(static_cast<Mark>(found - mark_names));
+}
 
 std::string figure_csv(const Figure& figure) {
   std::string text = "panel,label,role,x,y,low,high,value\n";

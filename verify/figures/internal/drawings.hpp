@@ -1,73 +1,98 @@
 #pragma once
-#include <functional>
 #include <map>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 
-/// The fields of a row of data/statements/figures.csv that say what a drawing shows.
-struct FigureSubject {
-  std::string text;                ///< the row's field `of`
-  std::vector<std::string> words;  ///< the words of that field
-  std::vector<std::string> tables;
+/// What a row of data/statements/figures.csv says about a drawing.
+struct FigureRow {
+  std::vector<std::string> panels, of;
+  std::string label;
+  std::map<std::string, std::vector<std::string>> lists;
+  std::vector<Replay> tables;
 
-  FigureSubject(const std::string& of, const std::string& numbers, const std::string& table_ids);
+  /// The numbers of a list: "evenly A B N" and "ratios A B N" are N numbers from A to B, "without A" leaves one out, all
+  /// other words are numbers.
+  [[nodiscard]] std::vector<double> numbers(const std::string& list) const;
+};
 
-  /// The list of that name in the row's field `numbers`: "evenly A B N" and "ratios A B N" are N numbers from A to B,
-  /// "without A" leaves one out, all other words are numbers. Each is multiplied by the unit.
-  [[nodiscard]] std::vector<double> numbers(const std::string& name, double unit = 1) const;
-  /// The only number of such a list.
-  [[nodiscard]] double number(const std::string& name) const { return numbers(name).front(); }
-  /// The tables, replayed.
-  [[nodiscard]] std::vector<Replay> replays() const;
+/// What the formulas and texts of a panel or a curve refer to: the round of each loop around it.
+struct FigureScope {
+  const FigureRow* row;
+  const TomlTable* shown = nullptr;  ///< what is shown, of the row's `of`
+  const Replay* table = nullptr;     ///< of the loop over tables
+  std::vector<std::pair<std::string, double>> numbers = {};
+  std::vector<std::string> given = {};  ///< definitions, the outer ones first
+};
+
+/// Contacts that curves share.
+struct FigureContacts {
+  std::map<std::vector<double>, SolvedInDouble> nips;
+  std::map<std::string, SolvedInDouble> scenes;
+  Formulas::Solve others = solved_numbers();
+};
+
+/// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have
+///   - [double NAME KEY=VALUE ...]: a quantity of the catalogue by fast, without an error;
+///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain Un] and
+///     [plain Vn] those of its solid under a moving load, keys t, T, t0 in half-thicknesses b, and memory;
+///   - [creep NAME t=T rate=R]: what theta1, theta2 or normal, their sum, gives under a constant stress, over what it gives at
+///     once: one relaxation time of 1, with the rate R in theta2, which the thesis misprints as 2;
+///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy, see NipAt;
+///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or of that of what is "shown", by that method, with values
+///     of its keys;
+///   - [replayed COLUMN]: in the row of the cell that is drawn.
+class FigureFormulas {
+ public:
+  FigureFormulas(const FigureScope& scope, FigureContacts& contacts);
+
+  double value(const std::string& formula) { return formulas_.value(formula).value(); }
+  void define(const std::string& name, double number) { formulas_.define(name, Propagated::exact(number)); }
+  /// With what drawings.toml has between braces.
+  std::string text(const std::string& with_fields);
+  /// The contact of the nip that is described by its numbers.
+  const SolvedContact<fast::Estimate>& nip();
+  /// That of the loop over tables, otherwise all of the row.
+  [[nodiscard]] std::span<const Replay> tables() const;
+  /// From here on formulas know the cell's table, `key` of its row, and `coordinate` of its column.
+  void enter(const Replay& replay, const ReplayedCell& cell);
+
+  const FigureScope& scope;
 
  private:
-  std::map<std::string, std::vector<std::string>> lists_;
+  Propagated solve(const std::string& words);
+  void define_parameters(const data::Table& table);
+
+  FigureContacts& contacts_;
+  Formulas formulas_;
+  const RowValues* replayed_ = nullptr;  ///< in the row of the cell that was entered
 };
 
-/// The panels of each kind of figure, by its name in the column `drawing`.
-using Drawings = std::map<std::string, std::vector<Panel> (*)(const FigureSubject&)>;
+/// A curve that no formula describes.
+using DrawnSeries = std::vector<Series>(FigureFormulas& formulas, const Series& start);
+/// The profile of the result that is shown by the thesis's line loads, at the loads or between them.
+DrawnSeries by_line_loads;
+/// The ranges of creep ratios that the thesis's conditions leave, for the list m_beta.
+DrawnSeries creep_ranges;
+/// The zones in which a nip with the load `load` slips, for the list mu.
+DrawnSeries slip_zones;
 
-Drawings sheet_drawings();       ///< sheets under line loads, thesis 7-13, 32-38
-Drawings nip_drawings();         ///< numbers of nips, along and inside them, thesis 15, 17-29, 41-53, ch. III
-Drawings half_space_drawings();  ///< curves of the papers' tables
-Drawings partial_slip_drawings();  ///< nips with Coulomb's friction
+/// Lines of equal stress over the largest pressure.
+Contours stress_contours(FigureFormulas& formulas);
 
-// Roles of series, as the figures' keys name them.
-inline const std::string of_continuum = "continuous contact", by_thesis = "thesis's method",
-                         as_printed = "printed", at_largest = "largest";
+/// data/statements/drawings.toml
+const TomlTable& drawings_file();
 
-/// Numbers from `first` to `last`, both included, in equal steps.
-std::vector<double> evenly(double first, double last, int count);
-
-using Curve = std::function<double(double)>;
-
-/// A series with the values of `y` at these places.
-Series sampled(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y);
-
-/// The same, computed in several threads.
-Series computed(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y);
-
-/// A cell of a replayed table, with its place on an axis.
-struct PlacedCell {
-  const Replay* replay;
-  std::size_t row;
-  std::string column;
-  double printed_at;   ///< by the table
-  double replayed_at;  ///< by the replay, which may have found another load
-};
-
-/// The values of the seed's method in these cells, from the inputs as printed.
-Series replayed_series(std::string label, std::string role, const std::vector<PlacedCell>& cells);
-
-/// The printed values of these cells, with their rounding intervals. Illegible and doubtful cells are left out.
-Series printed_series(std::string label, const std::vector<PlacedCell>& cells);
-
-/// The label of an axis for a column of a table or a profile of a scene.
-std::string axis_label(const std::string& quantity);
+std::optional<Mark> mark_named(const std::string& name);
 
 }  // namespace nipref::verify

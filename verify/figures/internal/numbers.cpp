@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/results.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
+#include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/support/text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// The words of a formula's brackets behind the kind of number.
+struct NumberWords {
+  std::vector<std::string> names;
+  std::map<std::string, std::string> values;
+
+  explicit NumberWords(const std::string& words) {
+    for (const std::string& word : words_of(words)) {
+      const std::size_t equals = word.find('=');
+      if (equals == std::string::npos) {
+        names.push_back(word);
+      } else {
+        values[word.substr(0, equals)] = word.substr(equals + 1);
+      }
+    }
+  }
+};
+
+double quantity(const NumberWords& words, FigureFormulas& formulas) {
+  const Quantity& wanted = find_quantity(words.names.at(1));
+  Assignments arguments(words.values.begin(), words.values.end());
+  for (auto& [key, text] : arguments)
+    if (text.starts_with('$')) text = fmt::format("{}", formulas.value(text.substr(1)));
+  return wanted.by_fast(parse_arguments(wanted, arguments).nearest(wanted), {});
+}
+
+/// As in the thesis's viscoelastic tables; for the elastic ones it gives no number.
+constexpr int residues = 500;
+constexpr double stated_bulk = data::seed::sheet.young,
+                 stated_shear = data::thesis_shear_over_bulk * stated_bulk;
+
+double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
+  const auto number = [&](const char* key) { return formulas.value(words.values.at(key)); };
+  const std::string& name = words.names.at(1);
+  if (name == "Un" || name == "Vn") {
+    constexpr double half_thickness = 0.0025, speed = 1;
+    const fast::PlainMovingLoad load(
+        data::misprinted_thesis_solid(stated_bulk, stated_shear, number("memory")), speed, half_thickness,
+        residues);
+    return name == "Un" ? load.normal_displacement(number("t"), number("T"))
+                        : load.tangential_displacement(number("t"), number("T"), number("t0"));
+  }
+  const std::array at{number("x")};
+  std::array<double, 1> I1{}, I3{}, I6{};
+  fast::plain_series(at, residues, {I1, I3, I6});
+  return name == "I1" ? I1[0] : name == "I3" ? I3[0] : I6[0];
+}
+
+double creep_response(const NumberWords& words, FigureFormulas& formulas) {
+  const std::string& name = words.names.at(1);
+  const bool misprinted = formulas.value(words.values.at("rate")) == data::misprinted_rate_factor;
+  const auto solid = misprinted ? data::misprinted_thesis_solid(stated_bulk, stated_shear, 1)
+                                : data::single_relaxation_time_solid(stated_bulk, stated_shear, 1);
+  const data::MaterialFunctions both = *solid.functions();
+  const data::MaterialFunction theta = name == "theta1"   ? both.theta1
+                                       : name == "theta2" ? both.theta2
+                                                          : both.normal_compliance();
+  const double t = formulas.value(words.values.at("t"));
+  double compliance = theta.instantaneous;
+  for (const data::RelaxationTerm& term : theta.terms)
+    compliance -= (term.amplitude / term.rate * std::expm1(-term.rate.real() * t)).real();
+  return compliance / theta.instantaneous;
+}
+
+/// A number, or with `at` that at a place.
+double result_of(const SolvedContact<fast::Estimate>& contact, const NumberWords& words,
+                 FigureFormulas& formulas) {
+  const std::string& name = words.names.back();
+  const data::SceneResult* const result = data::find_scene_result(name);
+  if (result == nullptr || !contact.has(result->id))
+    throw data::BadInput("formula", name, "must be a result of the contact");
+  const auto at = words.values.find("at");
+  return at == words.values.end() ? contact.number(result->id).value
+                                  : contact.at(result->id, formulas.value(at->second)).value;
+}
+
+/// The contact of a scene with these values of its keys.
+const SolvedContact<fast::Estimate>& scene_of(const NumberWords& words, FigureFormulas& formulas,
+                                              FigureContacts& contacts) {
+  const std::string& name = words.names.at(1);
+  data::SceneOverrides keys{{"method.kind", words.names.at(2)}};
+  std::string all = name + " " + words.names[2];
+  for (const auto& [key, formula] : words.values) {
+    if (key == "at") continue;
+    keys.emplace_back(key, fmt::format("{}", formulas.value(formula)));
+    all += " " + keys.back().second;
+  }
+  SolvedInDouble& contact = contacts.scenes[all];
+  if (contact == nullptr) {
+    const std::string id = name == "shown" ? formulas.scope.shown->text("scene") : name;
+    const data::Scene scene = data::load_scene({id, drawings_file().entry("scene", id).text("text")}, keys);
+    contact = solve_half_space(std::get<data::HalfSpaceProblem>(scene.system));
+  }
+  return *contact;
+}
+
+}  // namespace
+
+FigureFormulas::FigureFormulas(const FigureScope& of, FigureContacts& contacts)
+    : scope(of),
+      contacts_(contacts),
+      formulas_([this](const std::string& words, Formulas&) { return solve(words); }) {
+  for (const auto& [list, words] : scope.row->lists)
+    if (words.size() == 1) define(list, scope.row->numbers(list).front());
+  if (!tables().empty()) define_parameters(tables().front().table);
+  for (const auto& [list, number] : scope.numbers) define(list, number);
+  for (const std::string& lines : scope.given) formulas_.define(lines);
+}
+
+Propagated FigureFormulas::solve(const std::string& words) {
+  const NumberWords all(words);
+  const std::string& kind = all.names.at(0);
+  static const std::map<std::string, double (*)(const NumberWords&, FigureFormulas&)> kinds{
+      {"double", quantity}, {"plain", plain_sum}, {"creep", creep_response}};
+  if (const auto known = kinds.find(kind); known != kinds.end())
+    return Propagated::exact(known->second(all, *this));
+  if (kind == "nip") return Propagated::exact(result_of(nip(), all, *this));
+  if (kind == "scene") return Propagated::exact(result_of(scene_of(all, *this, contacts_), all, *this));
+  if (kind == "replayed") return Propagated::exact(replayed_->at(all.names.at(1)));
+  return contacts_.others(words, formulas_);
+}
+
+const SolvedContact<fast::Estimate>& FigureFormulas::nip() {
+  const double thickness = value("B"), load = value("load"), memory = value("memory"),
+               accuracy = value("accuracy");
+  const bool grips = value("grips") != 0;
+  SolvedInDouble& contact = contacts_.nips[{thickness, load, memory, accuracy, grips ? 1.0 : 0.0}];
+  if (contact != nullptr) return *contact;
+  const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
+  const data::ElasticNip nip{data::seed::roller_radius, thickness, at_once};
+  const data::GivenLoad given{load};
+  if (memory == 0) {
+    const auto friction = grips ? data::Friction::full : data::Friction::none;
+    contact = solve_nip(data::ElasticNipProblem{.nip = nip, .given = given, .friction = friction}, accuracy);
+  } else {
+    const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, memory);
+    contact = solve_nip(
+        data::ViscoelasticNipProblem{.nip = {nip.roller_radius, thickness, solid, 1}, .given = given},
+        accuracy);
+  }
+  return *contact;
+}
+
+std::span<const Replay> FigureFormulas::tables() const {
+  return scope.table != nullptr ? std::span(scope.table, 1) : std::span<const Replay>(scope.row->tables);
+}
+
+void FigureFormulas::define_parameters(const data::Table& table) {
+  for (const data::TableParameter& one : table.parameters) define(one.name, one.value);
+  const auto how = std::ranges::find(line_load_tables(), table.id, &LineLoadTable::id);
+  define("grips", how != line_load_tables().end() && how->friction == data::Friction::full ? 1 : 0);
+}
+
+void FigureFormulas::enter(const Replay& replay, const ReplayedCell& cell) {
+  const data::Table& table = replay.table;
+  define_parameters(table);
+  define("key", key_of_row(table, cell.row));
+  define("coordinate", table.columns[table.column_index(cell.column)].coordinate.value_or(0));
+  replayed_ = replay.nips.empty() ? nullptr : &replay.nips[cell.row].values;
+}
+
+std::string FigureFormulas::text(const std::string& with_fields) {
+  std::string all;
+  for (std::size_t at = 0; at < with_fields.size();) {
+    const std::size_t open = std::min(with_fields.find('{', at), with_fields.size());
+    all += with_fields.substr(at, open - at);
+    if (open == with_fields.size()) break;
+    const std::size_t close = with_fields.find('}', open), colon = with_fields.find(':', open);
+    const std::string field = with_fields.substr(open + 1, std::min(close, colon) - open - 1);
+    if (colon < close) {
+      all += fmt::format(fmt::runtime("{" + with_fields.substr(colon, close - colon) + "}"), value(field));
+    } else if (field == "label") {
+      all += text(scope.row->label);
+    } else {
+      all += field == "slip" ? (value("grips") != 0 ? "no slip" : "complete slip") : scope.shown->text(field);
+    }
+    at = close + 1;
+  }
+  return all;
+}
+
+}  // namespace nipref::verify
