@@ -6,6 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -26,9 +27,11 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
       near_(half_length),
       sought_(half_length),
       exponent_(LengthSearch::usual_exponent) {
-  // The last of the terms that a panel has beyond its degree are smaller than the accuracy asks.
   if (load_) search_roughly();
-  solve_to(std::max(-std::log(accuracy) - nats_of_step, 1.0));
+  // What is left out is estimated by a term more than the degree asks for; in a panel that is the whole contact it is
+  // smaller by so many nats.
+  const double of_term = 2 * internal::log_of_ellipse({0, 2 / sought_});
+  solve_to(std::max(-std::log(accuracy) - std::min(of_term, nats_of_step), 1.0));
   while (add_terms(shortfall(), 1)) {
   }
   if (load_) meet_load();
@@ -36,8 +39,8 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
 
 std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats, double tolerance) const {
   CountedKernels kernels = this->kernels();
-  auto solved = std::make_unique<const Solution>(
-      equations_->solve(half_length, panels(near_, equations_->resolution(nats), longest_whole_), tolerance, kernels));
+  auto solved = std::make_unique<const Solution>(equations_->solve(
+      half_length, panels(near_, equations_->resolution(nats), longest_whole_), tolerance, kernels));
   kernels.count_system(solved->size());
   return solved;
 }
