@@ -6,8 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include <nipref/data/problem/friction.hpp>
-#include <nipref/data/problem/half_space.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -45,7 +43,7 @@ class DrawnScene {
   std::map<std::string, Value> keys_;
 };
 
-/// The kinds of scenes that are drawn, by name; scene `index` of any seed is of kind index modulo their number.
+/// The kinds of scenes that data/statements/drawn_scenes.toml states, by name; scene `index` of any seed is of kind index modulo their number.
 const std::vector<std::string_view>& drawn_kinds();
 
 /// Scene number `index` of `seed`, which is the same at each call. The domain: L/B 1e-4 to 1e3, R/B 1 to 1e4,
@@ -53,15 +51,5 @@ const std::vector<std::string_view>& drawn_kinds();
 /// critical one, ratios of curvatures 1e-4 to 1e4, accuracies 1e-2 to 1e-13. The scene wants all results of its kind.
 /// Every other scene has numbers of 34 bits, see variants_of. Some scenes are refused when they are read or solved.
 DrawnScene draw_scene(const std::string& seed, std::uint64_t index);
-
-enum class RollingMaterial { elastic, standard_linear, prony, operators };
-
-enum class Body { die, rolling_sphere, sphere };
-
-DrawnScene draw_elastic_nip(Random& random, data::Friction friction);
-DrawnScene draw_rolling_nip(Random& random, RollingMaterial material);
-/// The same with Coulomb's friction.
-DrawnScene draw_partial_slip(Random& random);
-DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule);
 
 }  // namespace nipref::verify
