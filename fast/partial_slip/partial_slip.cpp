@@ -323,6 +323,7 @@ Estimate PartialSlipNip::normal_displacement(double y) const {
 
 Estimate PartialSlipNip::tangential_displacement(double y) const {
   const Implementation& my = *implementation_;
+  if (y == 0) return {0, 0};
   const auto relative = [](const ZoneContact& contact, double e) {
     return contact.displacement(contact.leading_length()).along - contact.displacement(e).along;
   };

@@ -138,6 +138,7 @@ struct SearchStep {
 /// - the continuous contact of a viscoelastic nip, lengths, load, resistance and pressure mostly proven, the rest estimated;
 ///   digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);
 /// - its line loads, real rates, proven; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
+/// - the contact with Coulomb's friction, estimated; digits from 16 to 30 (ref/partial_slip/partial_slip.hpp);
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
 [[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);
