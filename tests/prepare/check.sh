@@ -53,7 +53,7 @@ never "no root" "$(grep -v simulate <<<"$asked")" "* install *"
 on_machine USER_ID=1000 INSTALLED="g++ make" BOOST=108300 APT_INSTALLS=yes
 check "no root and no tools" "$said" "Please install these packages first: cmake failed"
 on_machine USER_ID=1000 INSTALLED="${all/gnuplot-nox/}" BOOST=108300 APT_INSTALLS=yes
-check "no root and no gnuplot" "$said" "Figures, the mathematics as a page or tests of Python are left out without gnuplot-nox"
+check "no root and no gnuplot" "$said" "Without gnuplot-nox something is left out: README.md says what, under Dependencies"
 on_machine USER_ID=0 INSTALLED="$all" BOOST=107400 APT_INSTALLS=yes
 check "an old Boost stays" "$asked" "*download libboost1.81-dev*dpkg -x*"
 never "an old Boost stays" "$asked" "* install *"
