@@ -33,13 +33,7 @@ ConvergedNip::Parts parts_of(const data::ElasticNip& nip, data::Friction frictio
   return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance),
           beta,
           std::make_shared<ElasticSheet>(friction == data::Friction::full, to_float(Exact(beta))),
-          digits,
-          std::nullopt,
-          std::nullopt};
-}
-
-ConvergedNip contact_of(ConvergedNip::Parts parts) {
-  return ConvergedNip(std::make_unique<const ConvergedNip::Parts>(std::move(parts)));
+          digits};
 }
 
 }  // namespace
@@ -71,7 +65,7 @@ ConvergedNip converged_for_length(const data::ElasticNip& nip, data::Friction fr
                       ? proven_gripped(half_length, Exact(parts.beta), digits, gripped_kernels())
                       : proven_elastic(half_length, digits, I1_interval, most_terms);
   }
-  return contact_of(std::move(parts));
+  return ConvergedNip(std::move(parts));
 }
 
 ConvergedNip converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load, int digits,
@@ -95,7 +89,7 @@ ConvergedNip converged_for_load(const data::ElasticNip& nip, data::Friction fric
     const WorkingDigits working(parts.working_digits());
     parts.solved = task.solved_for_load(parts.sheet, load, to_float(wanted), guess);
   }
-  return contact_of(std::move(parts));
+  return ConvergedNip(std::move(parts));
 }
 
 }  // namespace nipref::ref

@@ -11,7 +11,6 @@
 #include <nipref/ref/number/internal/enclosed_system.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/kernel_over.hpp>
-#include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -21,16 +20,6 @@ using data::Grip;
 
 /// A system that needs more counts as singular.
 constexpr ExtraDigits extra_digits{12, 400};
-
-/// Values of a kernel at the odd multiples 1, 3 .. 4m - 1 of a/b, and a bound on the error of each.
-struct KernelValues {
-  std::vector<Float> values;
-  Float error = 0;
-
-  [[nodiscard]] const Float& at(int odd_multiple) const {
-    return values[static_cast<std::size_t>(odd_multiple / 2)];
-  }
-};
 
 struct Problem {
   const data::ElasticNip& nip;
@@ -58,41 +47,39 @@ Interval theta2_part(const data::ElasticNip& nip) {
   return (1 - 2 * poisson) / (4 * (1 - poisson)) * Interval::pi(working_bits());
 }
 
-/// Half an element over half a sheet, of all lengths.
-Interval spacing(const Problem& problem, const Lengths& lengths) {
-  const mpfr_prec_t precision = working_bits();
-  return interval_over(lengths) / (4L * problem.elements()) /
-         (Interval(problem.nip.sheet_thickness, precision) / 2L);
+/// A kernel at the odd multiples 1, 3 .. 4m - 1 of half an element over half a sheet.
+std::vector<Interval> evaluate(const Problem& problem, const Lengths& lengths, PlainKernel kernel,
+                               int digits) {
+  const Interval half_element = interval_over(lengths) / (4L * problem.elements()),
+                 unit = 2 * half_element / Interval(problem.nip.sheet_thickness, working_bits());
+  std::vector<Interval> values;
+  for (int q = 0; q < 2 * problem.elements(); ++q)
+    values.push_back(kernel_over(kernel, (2L * q + 1) * unit, problem.method.residue_terms, digits));
+  return values;
 }
 
-KernelValues evaluate(const Problem& problem, const Lengths& lengths, SheetKernel kernel, int digits) {
-  const Interval unit = spacing(problem, lengths);
-  KernelValues result;
-  for (int q = 0; q < 2 * problem.elements(); ++q) {
-    const Interval value = kernel_over(kernel, (2L * q + 1) * unit, problem.method.residue_terms, digits);
-    result.values.push_back(middle_of(value));
-    // Sums and differences of two values and a constant of order 1 round a few times.
-    const Float rounding = 8 * (2 + abs(result.values.back())) * std::numeric_limits<Float>::epsilon();
-    result.error =
-        std::max<Float>(result.error, upper_end(distance_from(result.values.back(), value)) + rounding);
-  }
-  return result;
+/// An even kernel at an odd multiple.
+const Interval& at(const std::vector<Interval>& values, int odd_multiple) {
+  return values[static_cast<std::size_t>(std::abs(odd_multiple) / 2)];
 }
 
-/// Unknowns: d0, then the normal loads. Rows: the normal displacement at 2 i a, i = 0 .. m.
+/// Where the displacements are equated, 2 i a, i = 0 .. m.
+Interval place_of(const Problem& problem, const Lengths& lengths, int i) {
+  return i * interval_over(lengths) / (2L * problem.elements());
+}
+
+/// Unknowns: d0, then the normal loads, and further ones that are not set. Rows: the normal displacement at all i.
 NearlyKnownSystem frictionless_system(const Problem& problem, const Lengths& lengths,
-                                      const KernelValues& I1_values) {
+                                      const std::vector<Interval>& I1_values, int further = 0) {
   const int m = problem.elements();
-  NearlyKnownSystem system{Matrix(m + 1, m + 1), Matrix(m + 1, 1), 2 * I1_values.error, Vector(1)};
+  auto system = NearlyKnownSystem::of_size(m + 1 + further, further > 0 ? 2 : 1);
+  const Interval diameter = 2 * Interval(problem.nip.roller_radius, working_bits());
   for (int i = 0; i <= m; ++i) {
-    const Float y = i * lengths.length / (2 * m);
-    system.right(i) = y * y / (2 * Float(problem.nip.roller_radius));
+    system.set_right(i, 0, square(place_of(problem, lengths, i)) / diameter);
     system.matrix(i, 0) = 1;
-    for (int k = 1; k <= m; ++k) {
-      system.matrix(i, k) = -(I1_values.at(std::abs(2 * (i - k) + 1)) + I1_values.at(2 * (i + k) - 1));
-    }
+    for (int k = 1; k <= m; ++k)
+      system.set(i, k, -(at(I1_values, 2 * (i - k) + 1) + at(I1_values, 2 * (i + k) - 1)));
   }
-  system.right_error(0) = 3 * lengths.spread * system.right(m);
   return system;
 }
 
@@ -100,70 +87,52 @@ NearlyKnownSystem frictionless_system(const Problem& problem, const Lengths& len
 /// sides of creep 0 and of creep 1 on an undeformed roller.
 NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths, int digits) {
   const int m = problem.elements();
-  const KernelValues normal = evaluate(problem, lengths, SheetKernel::I1, digits);
-  const KernelValues tangential = evaluate(problem, lengths, SheetKernel::I6, digits);
-  KernelValues coupling = evaluate(problem, lengths, SheetKernel::I3, digits);
-  const Float part = middle_of(theta2_part(problem.nip));
-  for (Float& value : coupling.values) value -= part;
+  const auto tangential = evaluate(problem, lengths, PlainKernel::I6_alpha_part, digits),
+             coupling = evaluate(problem, lengths, PlainKernel::I3, digits);
+  const Interval part = theta2_part(problem.nip);
   const auto coupling_at = [&](int multiple) {
-    return multiple > 0 ? coupling.at(multiple) : Float(-coupling.at(-multiple));
+    const Interval value = at(coupling, multiple) - part;
+    return multiple > 0 ? value : -value;
   };
-  const NearlyKnownSystem above = frictionless_system(problem, lengths, normal);
-  NearlyKnownSystem system{Matrix(2 * m + 1, 2 * m + 1), Matrix(2 * m + 1, 2),
-                           2 * std::max({normal.error, coupling.error, tangential.error}), Vector(2)};
-  system.matrix.topLeftCorner(above.matrix.rows(), above.matrix.cols()) = above.matrix;
-  system.right.topLeftCorner(above.right.rows(), above.right.cols()) = above.right;
+  auto system = frictionless_system(problem, lengths, evaluate(problem, lengths, PlainKernel::I1, digits), m);
   for (int i = 0; i <= m; ++i) {
     for (int k = 1; k <= m; ++k) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
-      system.matrix(i, m + k) = coupling_at(near) - coupling_at(far);
+      system.set(i, m + k, coupling_at(near) - coupling_at(far));
       if (i == 0) continue;
-      system.matrix(m + i, k) = coupling_at(near) + coupling_at(far);
-      system.matrix(m + i, m + k) = tangential.at(std::abs(near)) - tangential.at(far);
+      system.set(m + i, k, coupling_at(near) + coupling_at(far));
+      system.set(m + i, m + k, at(tangential, near) - at(tangential, far));
     }
-    if (i > 0) system.right(m + i, 1) = i * lengths.length / (2 * m);
+    if (i > 0) system.set_right(m + i, 1, place_of(problem, lengths, i));
   }
-  system.right_error(0) = above.right_error(0);
-  system.right_error(1) = 2 * lengths.spread * lengths.length;
   return system;
 }
 
 /// N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter of a shear load.
-class LoadedSheet final : public LineLoadSheet {
- public:
-  LoadedSheet(const data::ElasticNip& nip, int residue_terms, int digits)
-      : nip_(nip), residue_terms_(residue_terms), digits_(digits) {}
+struct LoadedSheet {
+  data::ElasticNip nip;
+  int residue_terms, digits;
 
-  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                             const LineLoadPlace& place) const override {
-    const Interval alpha = distance(loads, load, place);
-    const Interval pressed = loads.normal[load] * kernel(SheetKernel::I1, alpha);
-    return scale() * (loads.shear.empty() ? pressed : pressed - loads.shear[load] * coupling(alpha));
+  [[nodiscard]] Interval displacement(const SolvedLineLoads& loads, std::size_t load,
+                                      const LineLoadPlace& place, bool is_normal) const {
+    const mpfr_prec_t bits = working_bits();
+    const Interval alpha = 2 * loads.distance(load, place) / Interval(nip.sheet_thickness, bits);
+    const auto kernel = [&](PlainKernel which) { return kernel_over(which, alpha, residue_terms, digits); };
+    const auto coupling = [&] {
+      const Interval part = theta2_part(nip);
+      return kernel(PlainKernel::I3) - (sign_of(alpha) < 0 ? -part : part);
+    };
+    Interval sum = loads.normal[load] * (is_normal ? kernel(PlainKernel::I1) : coupling());
+    if (!loads.shear.empty())
+      sum = sum + loads.shear[load] * (is_normal ? -coupling() : kernel(PlainKernel::I6_alpha_part));
+    return compliance_of(nip) / Interval::pi(bits) * sum;
   }
-  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                                 const LineLoadPlace& place) const override {
-    const Interval alpha = distance(loads, load, place), pressed = loads.normal[load] * coupling(alpha);
-    if (loads.shear.empty()) return scale() * pressed;
-    return scale() * (pressed + loads.shear[load] * kernel(SheetKernel::I6, alpha));
+  [[nodiscard]] UnderLoad under_load(bool is_normal) const {
+    return [sheet = *this, is_normal](const SolvedLineLoads& loads, std::size_t load,
+                                      const LineLoadPlace& place) {
+      return sheet.displacement(loads, load, place, is_normal);
+    };
   }
-
- private:
-  [[nodiscard]] Interval scale() const { return compliance_of(nip_) / Interval::pi(working_bits()); }
-  /// In half-thicknesses.
-  [[nodiscard]] Interval distance(const SolvedLineLoads& loads, std::size_t load,
-                                  const LineLoadPlace& place) const {
-    return 2 * loads.distance(load, place) / Interval(nip_.sheet_thickness, working_bits());
-  }
-  [[nodiscard]] Interval kernel(SheetKernel which, const Interval& alpha) const {
-    return kernel_over(which, alpha, residue_terms_, digits_);
-  }
-  [[nodiscard]] Interval coupling(const Interval& alpha) const {
-    const Interval part = theta2_part(nip_);
-    return kernel(SheetKernel::I3, alpha) - (mpfr_sgn(alpha.upper()) < 0 ? -part : part);
-  }
-
-  data::ElasticNip nip_;
-  int residue_terms_, digits_;
 };
 
 /// The loads of both sides, from those of one times N/pi.
@@ -179,6 +148,7 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
   const auto m = static_cast<std::size_t>(problem.elements());
   const Interval unit = Interval::pi(working_bits()) / compliance_of(problem.nip);
   const std::span loads = std::span(unknowns).subspan(1);
+  const LoadedSheet sheet{problem.nip, problem.method.residue_terms, digits};
   return {.roller_radius = problem.nip.roller_radius,
           .leading_elements = problem.elements(),
           .is_symmetric = true,
@@ -189,14 +159,15 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
           .error = solved.error / solved.largest,
           .condition = solved.condition,
           .unknowns = static_cast<int>(unknowns.size()),
-          .sheet = std::make_shared<const LoadedSheet>(problem.nip, problem.method.residue_terms, digits)};
+          .normal_under = sheet.under_load(true),
+          .tangential_under = sheet.under_load(false)};
 }
 
 /// Nothing if the precision does not suffice to prove a bound, or which creep is the thesis's.
 std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& lengths, int digits) {
   if (!problem.grips()) {
     const auto solved = enclosed_solutions(
-        frictionless_system(problem, lengths, evaluate(problem, lengths, SheetKernel::I1, digits)));
+        frictionless_system(problem, lengths, evaluate(problem, lengths, PlainKernel::I1, digits)));
     if (!solved) return std::nullopt;
     return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
   }
@@ -205,9 +176,11 @@ std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& leng
   const std::vector<Interval>&at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
   const std::vector<Interval> loads_at_zero(at_zero.begin() + 1, at_zero.end()),
       loads_per_creep(per_creep.begin() + 1, per_creep.end());
-  const std::optional<Interval> creep = problem.grip.kind == Grip::Creep::given
-                                            ? Interval(problem.grip.creep, working_bits())
-                                            : thesis_creep(loads_at_zero, loads_per_creep);
+  std::optional<Interval> creep;
+  if (problem.grip.kind == Grip::Creep::given)
+    creep = Interval(problem.grip.creep, working_bits());
+  else if (const auto chosen = thesis_creep(loads_at_zero, loads_per_creep))
+    creep = chosen->chosen;
   if (!creep) return std::nullopt;
   std::vector<Interval> unknowns;
   solved->error = solved->largest = 0;
@@ -295,8 +268,9 @@ LineLoadNip line_loads_from_kernel_values(const data::ElasticNip& nip, std::span
   }
   auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
     const Lengths lengths{Float(contact_length)};
-    const auto solved = enclosed_solutions(
-        frictionless_system(problem, lengths, {std::vector<Float>(kernel.begin(), kernel.end()), 0}));
+    std::vector<Interval> values;
+    for (const double value : kernel) values.emplace_back(value, working_bits());
+    const auto solved = enclosed_solutions(frictionless_system(problem, lengths, values));
     if (!solved) return std::nullopt;
     return contact_of(problem, lengths, *solved, solved->unknowns.front(), kernel_digits);
   });

@@ -22,16 +22,12 @@ struct LineLoadMethod {
 
 /// Contact length L = `contact_length`, unit of length, > 0 and at most 500 sheet thicknesses; digits 16 to 300. The
 /// doubles are taken exactly. BadInput otherwise, and where no creep meets the thesis's conditions or the
-/// reference cannot tell. The bounds are those of enclosed_system.hpp; more digits are taken until they are
-/// small enough.
+/// reference cannot tell. The bounds are those of enclosed_system.hpp.
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, int digits, const data::Grip& grip = {});
 
-/// The same for a `load` per unit width, > 0 and finite, sought by secants from the length without friction.
-/// Proven: at the two ends of an interval of lengths the load is smaller and larger than that, and every length
-/// between has a system that is not singular (and a creep that goes with the length continuously), so that some
-/// length in it carries the load; the bounds of everything hold for all lengths in it. Not proven is that no
-/// other interval has one. BadInput where none is found, as where the loads are not positive.
+/// The same for a `load` per unit width, > 0 and finite. Proven is that some length within the bounds carries it, not that
+/// no other does: ref/elastic_nip/README.md, Line loads. BadInput where none is found, as where the loads are not positive.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                 int digits, const data::Grip& grip = {});
 

@@ -22,9 +22,7 @@ mpfr_prec_t inertia_bits(double nats) { return static_cast<mpfr_prec_t>(nats / s
 /// The speed of a load that has this inertia along psi.
 Interval load_speed(const ExactStiffness& solid, const Interval& inertia, const Interval& cosine) {
   const Exact squared_unit(mpq_class(solid.voigt[2][2] / solid.density));
-  Interval speed = sqrt(inertia * Interval(squared_unit, inertia.precision())) / cosine;
-  mpfi_abs(speed.get(), speed.get());
-  return speed;
+  return abs(sqrt(inertia * Interval(squared_unit, inertia.precision())) / cosine);
 }
 
 Interval oblique_cosine(const SurfaceDirection& motion, const SurfaceDirection& psi, mpfr_prec_t precision) {

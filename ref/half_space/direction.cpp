@@ -21,10 +21,7 @@ SurfaceDirection SurfaceDirection::of_degrees(const Exact& degrees) {
   return SurfaceDirection(std::function<Cosines(mpfr_prec_t)>([degrees](mpfr_prec_t precision) {
     const Interval angle =
         Interval(Exact(mpq_class(degrees.value() / 180)), precision) * Interval::pi(precision);
-    Cosines result{Interval(precision), Interval(precision)};
-    mpfi_cos(result.cosine.get(), angle.get());
-    mpfi_sin(result.sine.get(), angle.get());
-    return result;
+    return Cosines{cos(angle), sin(angle)};
   }));
 }
 

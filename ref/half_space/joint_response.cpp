@@ -8,20 +8,6 @@
 #include <nipref/ref/half_space/response.hpp>
 
 namespace nipref::ref {
-namespace {
-
-Float joined(const Float& a, const Float& b, int sign) {
-  Float total = a;
-  if (sign > 0) {
-    mpfr_add(raw(total), raw(a), raw(b), MPFR_RNDN);
-  } else {
-    mpfr_sub(raw(total), raw(a), raw(b), MPFR_RNDN);
-  }
-  return total;
-}
-
-}  // namespace
-
 struct JointResponse::SurfaceOf {
   double speed;
 
@@ -81,12 +67,12 @@ SurfaceAnswer JointResponse::answer() const {
   return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
     const LineResponse below = surface.along(surface.half_space_, degrees, digits);
     const LineResponse above = surface.along(*surface.body_, degrees, digits);
-    return {joined(below.compliance.value, above.compliance.value, 1),
-            joined(below.coupling.value, above.coupling.value, -1),
-            joined(below.coupling_across.value, above.coupling_across.value, -1),
+    return {below.compliance.value + above.compliance.value,
+            below.coupling.value - above.coupling.value,
+            below.coupling_across.value - above.coupling_across.value,
             below.in_line.value,
-            joined(below.shear_compliance.value, above.shear_compliance.value, -1),
-            joined(below.shear_compliance_across.value, above.shear_compliance_across.value, -1)};
+            below.shear_compliance.value - above.shear_compliance.value,
+            below.shear_compliance_across.value - above.shear_compliance_across.value};
   };
 }
 

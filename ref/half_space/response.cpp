@@ -20,14 +20,10 @@ constexpr int most_doublings = 2;
 
 using Components = std::vector<Interval>;
 
-ComplexInterval scaled(const Interval& factor, const ComplexInterval& x) {
-  return {factor * x.real, factor * x.imag};
-}
-
 /// Components of LineResponse in its order, from the inverse of the impedance in the axes 1, 2, 3.
 Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& n, const Interval& unit) {
-  const ComplexInterval in_line = scaled(n.cosine, y(2, 0)) + scaled(n.sine, y(2, 1));
-  const ComplexInterval across = scaled(n.cosine, y(2, 1)) - scaled(n.sine, y(2, 0));
+  const ComplexInterval in_line = n.cosine * y(2, 0) + n.sine * y(2, 1);
+  const ComplexInterval across = n.cosine * y(2, 1) - n.sine * y(2, 0);
   const Interval mixed = 2 * (n.cosine * n.sine * y(0, 1).real);
   const Interval nn = square(n.cosine) * y(0, 0).real + square(n.sine) * y(1, 1).real + mixed;
   const Interval tt = square(n.sine) * y(0, 0).real + square(n.cosine) * y(1, 1).real - mixed;
@@ -56,20 +52,10 @@ Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance
 
 /// Whether every component has an error of at most 10^-digits of the largest diagonal component.
 bool are_narrow(const Components& components, int digits) {
-  Float widest = zero_of_bits(64), width = zero_of_bits(64), largest = zero_of_bits(64),
-        magnitude = zero_of_bits(64);
-  for (const Interval& component : components) {
-    mpfi_diam_abs(raw(width), component.get());
-    mpfr_max(raw(widest), raw(widest), raw(width), MPFR_RNDU);
-  }
-  for (const std::size_t diagonal : {0UL, 5UL, 6UL}) {
-    mpfi_mig(raw(magnitude), components[diagonal].get());
-    mpfr_max(raw(largest), raw(largest), raw(magnitude), MPFR_RNDD);
-  }
-  mpfr_set_si(raw(width), -digits, MPFR_RNDN);
-  mpfr_exp10(raw(width), raw(width), MPFR_RNDD);
-  mpfr_mul(raw(width), raw(width), raw(largest), MPFR_RNDD);
-  return mpfr_lessequal_p(raw(widest), raw(width)) != 0;
+  Interval width(64), largest(64);
+  for (const Interval& component : components) width = larger_of(width, magnitude_of(component - component));
+  for (const std::size_t diagonal : {0UL, 5UL, 6UL}) largest = larger_of(largest, abs(components[diagonal]));
+  return sign_of(exp(-(digits * log(Interval(10L, 64)))) * largest - width) > 0;
 }
 
 }  // namespace

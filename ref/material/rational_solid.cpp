@@ -8,7 +8,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/material/internal/known_number.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 
 namespace nipref::ref {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/material/internal/known_number.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/material/relaxation_terms.hpp>
 

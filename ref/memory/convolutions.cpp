@@ -4,13 +4,15 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
-#include <nipref/ref/number/internal/panel_quadrature.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
 
 mpfr_prec_t bits_for(double nats) {
-  return static_cast<mpfr_prec_t>(std::ceil(std::max(nats, 1.0) / std::numbers::ln2)) + 32;
+  constexpr mpfr_prec_t spare_bits = 96;  // angles are below 2^50
+  return static_cast<mpfr_prec_t>(std::ceil(std::max(nats, 1.0) / std::numbers::ln2)) + spare_bits;
 }
 
 /// e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv with exact numbers, length > 0: the memory of a
@@ -22,9 +24,16 @@ struct DampedWave {
   mpq_class frequency;
   mpq_class length;
 
+  /// e^{-decay + i angle} (1 - e^{-z length})/z, z = rate - i frequency, with more bits where that cancels.
   [[nodiscard]] ComplexInterval integral(double nats) const {
-    const mpfr_prec_t bits = bits_for(nats);
-    return wave(decay, angle, bits) * damped_wave_integral(rate, frequency, length, bits);
+    const mpq_class turn = std::max<mpq_class>(rate, abs(frequency)) * length;
+    const double lost = turn == 0 ? 0 : std::max(0.0, -Exact(turn).log2_magnitude());
+    const mpfr_prec_t bits = bits_for(nats) + static_cast<mpfr_prec_t>(lost);
+    const auto exactly = [&](const mpq_class& x) { return Interval(Exact(x), bits); };
+    const ComplexInterval largest = exp(ComplexInterval{-exactly(decay), exactly(angle)});
+    if (turn == 0) return exactly(length) * largest;
+    const ComplexInterval z{exactly(rate), -exactly(frequency)}, one{exactly(1), exactly(0)};
+    return largest * (one - exp(-(exactly(length) * z))) * inverse(z);
   }
 };
 
@@ -67,8 +76,7 @@ void check_extent(const Exact& rate, const char* name, const Exact& t, const Exa
 /// 0, for values below e^{-7e8} times a length, which is below e^{1e8}.
 Enclosure faded_away(int digits) {
   Enclosure result = exact_zero(digits);
-  mpfr_set_si(raw(result.error), -600'000'000, MPFR_RNDU);
-  mpfr_exp(raw(result.error), raw(result.error), MPFR_RNDU);
+  result.error = upper_end(exp(Interval(-600'000'000L, 64)));
   return result;
 }
 

@@ -9,8 +9,8 @@ namespace nipref::ref {
 ///
 /// t >= 0 is the time since the load started and T has either sign, in one unit of time; lambda, a, b >= 0 are in its
 /// inverse. The product of each of these three with t and with |T| is at most 1e15. All are exact numbers; digits 16
-/// to 1000. The promise is that of Enclosure. The bound is proven: quadrature over panels in interval arithmetic, see
-/// panel_quadrature.hpp. A value below e^{-7e8}, which is out of MPFR's range, is returned as 0 with an error of
+/// to 1000. The promise is that of Enclosure. The bound is proven: ref/memory/README.md, Convolutions.
+/// A value below e^{-7e8}, which is out of MPFR's range, is returned as 0 with an error of
 /// e^{-6e8}. Arguments outside their domain throw data::BadInput. (thesis 6.20, AII)
 
 /// int_0^t H(T - tau) e^{-lambda (t - tau)} e^{-a (T - tau)} sin b(T - tau) dtau

@@ -13,6 +13,7 @@
 #include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
@@ -148,10 +149,8 @@ ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& 
 }
 
 double ln_size(const ComplexInterval& z) {
-  const Interval size = abs(z);
-  long exponent = 0;
-  const double fraction = mpfr_get_d_2exp(&exponent, size.upper(), MPFR_RNDU);
-  return fraction > 0 ? std::log(fraction) + static_cast<double>(exponent) * ln2 : 0;
+  const Float size = upper_end(abs(z));
+  return size > 0 ? log2_magnitude(size) * ln2 : 0;
 }
 
 /// The memory of a fraction: the sum over its terms, those of a conjugate pair being conjugate.

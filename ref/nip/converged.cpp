@@ -267,7 +267,7 @@ ContactField ConvergedNip::Parts::field() const {
           digits};
 }
 
-ConvergedNip::ConvergedNip(std::unique_ptr<const Parts> parts) : parts_(std::move(parts)) {
+ConvergedNip::ConvergedNip(Parts parts) : parts_(std::make_unique<const Parts>(std::move(parts))) {
   const WorkingDigits working(parts_->working_digits());
   if (!parts_->proof) (void)parts_->by_panels();
 }

@@ -62,7 +62,7 @@ class ConvergedNip {
   [[nodiscard]] long stretch_values() const;   ///< of what I6 has beside I1
 
   struct Parts;  ///< internal/converged_parts.hpp
-  explicit ConvergedNip(std::unique_ptr<const Parts> parts);
+  explicit ConvergedNip(Parts parts);
 
  private:
   std::unique_ptr<const Parts> parts_;

@@ -14,11 +14,6 @@ using data::SheetLoad;
 
 constexpr int load_guard = 6;  ///< digits
 
-/// The number with its error.
-Interval interval_of_estimate(const Estimate& x, mpfr_prec_t bits) {
-  return Interval(x.value, x.value, bits).widened(Interval(x.error, x.error, bits));
-}
-
 /// The sums over the loads of one kernel at a point.
 struct LoadSums {
   std::span<const FaceLoad> loads;
@@ -36,14 +31,14 @@ struct LoadSums {
       for (const SheetLoad kind : {SheetLoad::normal, SheetLoad::shear}) {
         const Estimate& force = kind == SheetLoad::normal ? load.normal : load.shear;
         if (force.value == 0 && force.error == 0) continue;
-        Interval here = interval_of_estimate(kernel(distance(load.y.value), kind), bits);
+        Interval here = interval_of(kernel(distance(load.y.value), kind));
         if (load.y.error > 0) {
           const Estimate moved = kernel(distance(at_working_precision(load.y.value) + load.y.error), kind);
           const Interval error(Exact(to_exact(load.y.error).value() / half_thickness), bits);
-          here = here.widened(magnitude_of(interval_of_estimate(moved, bits) - here) +
+          here = here.widened(magnitude_of(interval_of(moved) - here) +
                               square(error) * curvature());
         }
-        sum = sum + interval_of_estimate(force, bits) * here;
+        sum = sum + interval_of(force) * here;
         is_proven = is_proven && force.proven && load.y.proven && std::fabs(point.depth) < 1;
       }
     }

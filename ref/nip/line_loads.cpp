@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
@@ -14,31 +15,26 @@ using data::BadInput;
 
 std::vector<Interval> sizes_of(const std::vector<Interval>& loads) {
   std::vector<Interval> sizes;
-  for (const Interval& load : loads) sizes.push_back(larger_of(load, -load));
+  for (const Interval& load : loads) sizes.push_back(abs(load));
   return sizes;
 }
 
-/// Those of one side in a symmetric nip, otherwise all.
-std::size_t to_look_at(const SolvedLineLoads& nip) {
-  return static_cast<std::size_t>(nip.is_symmetric ? nip.leading_elements : nip.elements());
-}
+/// The largest load, in a symmetric nip of one side, and the hull of the centres of elements that may have it.
+struct Peak {
+  Interval load, place;
+};
 
-Interval largest_of(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
+Peak peak_of(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
+  const auto count = static_cast<std::size_t>(nip.is_symmetric ? nip.leading_elements : nip.elements());
   Interval largest = loads.front();
-  for (std::size_t j = 1; j < to_look_at(nip); ++j) largest = larger_of(largest, loads[j]);
-  return largest;
-}
-
-/// The hull of the centres of elements that may have the largest.
-Interval place_of_largest(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
-  const Interval largest = largest_of(nip, loads);
+  for (std::size_t j = 1; j < count; ++j) largest = larger_of(largest, loads[j]);
   std::optional<Interval> place;
-  for (std::size_t j = 0; j < to_look_at(nip); ++j) {
+  for (std::size_t j = 0; j < count; ++j) {
     if (mpfr_less_p(loads[j].upper(), largest.lower()) != 0) continue;
     const Interval here = nip.length(nip.half_elements_to(j));
     place = place ? hull(*place, here) : here;
   }
-  return *place;
+  return {largest, *place};
 }
 
 /// d0 - Y^2/(2R)
@@ -80,8 +76,6 @@ LineLoadPlace place_beside_loads(const SolvedLineLoads& nip, double y) {
   return place;
 }
 
-int sign_of(const Interval& x) { return mpfr_sgn(x.lower()) > 0 ? 1 : mpfr_sgn(x.upper()) < 0 ? -1 : 0; }
-
 }  // namespace
 
 LineLoadNip::LineLoadNip(SolvedLineLoads solved, int digits, int working_digits)
@@ -91,80 +85,76 @@ LineLoadNip::LineLoadNip(SolvedLineLoads solved, int digits, int working_digits)
 
 Enclosure LineLoadNip::enclosed(const auto& function) const {
   const WorkingDigits scope(working_digits_);
-  return enclosure_of(function(), digits_);
+  return enclosure_of(std::invoke(function, *solved_), digits_);
 }
 
-Enclosure LineLoadNip::contact_length() const {
-  return enclosed([&] { return solved_->contact_length; });
-}
+Enclosure LineLoadNip::contact_length() const { return enclosed(&SolvedLineLoads::contact_length); }
 Enclosure LineLoadNip::leading_length() const {
-  return enclosed([&] { return solved_->length(2L * solved_->leading_elements); });
+  return enclosed([&](const SolvedLineLoads& of) { return of.length(2L * of.leading_elements); });
 }
 Enclosure LineLoadNip::trailing_length() const {
-  return enclosed([&] { return solved_->length(2L * (solved_->elements() - solved_->leading_elements)); });
+  return enclosed(
+      [&](const SolvedLineLoads& of) { return of.length(2L * (of.elements() - of.leading_elements)); });
 }
-Enclosure LineLoadNip::indentation() const {
-  return enclosed([&] { return solved_->indentation; });
-}
+Enclosure LineLoadNip::indentation() const { return enclosed(&SolvedLineLoads::indentation); }
 Enclosure LineLoadNip::leading_displacement() const {
-  return enclosed([&] { return displacement_at(*solved_, 2L * solved_->leading_elements); });
+  return enclosed([&](const SolvedLineLoads& of) { return displacement_at(of, 2L * of.leading_elements); });
 }
 Enclosure LineLoadNip::trailing_displacement() const {
-  return enclosed(
-      [&] { return displacement_at(*solved_, 2L * (solved_->elements() - solved_->leading_elements)); });
+  return enclosed([](const SolvedLineLoads& of) {
+    return displacement_at(of, 2L * (of.elements() - of.leading_elements));
+  });
 }
-Enclosure LineLoadNip::load() const {
-  return enclosed([&] { return solved_->load(); });
-}
+Enclosure LineLoadNip::load() const { return enclosed(&SolvedLineLoads::load); }
 
 Enclosure LineLoadNip::peak_pressure() const {
-  return enclosed([&] { return largest_of(*solved_, solved_->normal) / solved_->length(2); });
+  return enclosed([&](const SolvedLineLoads& of) { return peak_of(of, of.normal).load / of.length(2); });
 }
 Enclosure LineLoadNip::peak_pressure_position() const {
-  return enclosed([&] { return place_of_largest(*solved_, solved_->normal); });
+  return enclosed([&](const SolvedLineLoads& of) { return peak_of(of, of.normal).place; });
 }
 Enclosure LineLoadNip::peak_shear() const {
   if (solved_->shear.empty()) return exact_zero(digits_);
-  return enclosed([&] { return largest_of(*solved_, sizes_of(solved_->shear)) / solved_->length(2); });
+  return enclosed(
+      [&](const SolvedLineLoads& of) { return peak_of(of, sizes_of(of.shear)).load / of.length(2); });
 }
 Enclosure LineLoadNip::peak_shear_position() const {
-  return enclosed([&] { return place_of_largest(*solved_, sizes_of(solved_->shear)); });
+  return enclosed([&](const SolvedLineLoads& of) { return peak_of(of, sizes_of(of.shear)).place; });
 }
 
 Enclosure LineLoadNip::leading_moment() const {
-  return enclosed([&] { return moment(*solved_, 1); });
+  return enclosed([&](const SolvedLineLoads& of) { return moment(of, 1); });
 }
 Enclosure LineLoadNip::trailing_moment() const {
-  return enclosed([&] { return moment(*solved_, -1); });
+  return enclosed([&](const SolvedLineLoads& of) { return moment(of, -1); });
 }
 Enclosure LineLoadNip::rolling_resistance() const {
   if (solved_->is_symmetric) return exact_zero(digits_);
-  return enclosed([&] {
-    return (moment(*solved_, 1) + moment(*solved_, -1)) /
-           (solved_->load() * Interval(solved_->roller_radius, working_bits()));
+  return enclosed([&](const SolvedLineLoads& of) {
+    return (moment(of, 1) + moment(of, -1)) / (of.load() * Interval(of.roller_radius, working_bits()));
   });
 }
 
 Enclosure LineLoadNip::creep_ratio() const {
-  return enclosed([&] {
-    if (solved_->gripped_creep) return *solved_->gripped_creep;
-    const long leading = 2L * solved_->leading_elements, all = 2L * solved_->elements();
+  return enclosed([&](const SolvedLineLoads& of) {
+    if (of.gripped_creep) return *of.gripped_creep;
+    const long leading = 2L * of.leading_elements, all = 2L * of.elements();
     const auto at = [&](long half_elements) {
-      return solved_->displacement(&LineLoadSheet::tangential_displacement, {0, half_elements});
+      return of.displacement(of.tangential_under, {0, half_elements});
     };
-    if (solved_->is_symmetric) return at(leading) / solved_->length(leading);
-    return (at(leading) - at(leading - all)) / solved_->contact_length;
+    if (of.is_symmetric) return at(leading) / of.length(leading);
+    return (at(leading) - at(leading - all)) / of.contact_length;
   });
 }
 
 CreepRange LineLoadNip::creep_range() const {
   const WorkingDigits scope(working_digits_);
-  const auto range = thesis_creep_range(solved_->at_zero, solved_->per_creep);
-  if (!range)
+  const auto range = thesis_creep(solved_->at_zero, solved_->per_creep);
+  if (!range || !range->lower || !range->upper)
     throw BadInput(
         "contact_length", contact_length().to_double(),
         "must be one for which some creep meets the thesis's conditions, and the bounds tell which");
-  return {enclosure_of(range->lower, digits_), enclosure_of(range->upper, digits_),
+  return {enclosure_of(*range->lower, digits_), enclosure_of(*range->upper, digits_),
           enclosure_of(range->chosen, digits_)};
 }
 
@@ -180,7 +170,8 @@ std::vector<Enclosure> LineLoadNip::shear_zeros() const {
     if (sign == 0) continue;
     const long inner = solved_->half_elements_to(load) - 1;
     if (last_sign != 0 && sign != last_sign)
-      zeros.push_back(enclosed([&] { return hull(solved_->length(last_border), solved_->length(inner)); }));
+      zeros.push_back(enclosed(
+          [&](const SolvedLineLoads& of) { return hull(of.length(last_border), of.length(inner)); }));
     last_border = inner + 2;
     last_sign = sign;
   }
@@ -200,29 +191,26 @@ Enclosure LineLoadNip::shear(double y) const {
 }
 
 Enclosure LineLoadNip::normal_displacement(double y) const {
-  return enclosed([&] {
-    return solved_->displacement(&LineLoadSheet::normal_displacement, place_beside_loads(*solved_, y));
-  });
+  return enclosed(
+      [&](const SolvedLineLoads& of) { return of.displacement(of.normal_under, place_beside_loads(of, y)); });
 }
 Enclosure LineLoadNip::tangential_displacement(double y) const {
   if (y == 0) return exact_zero(digits_);
-  return enclosed([&] {
-    const auto at = [&](const LineLoadPlace& place) {
-      return solved_->displacement(&LineLoadSheet::tangential_displacement, place);
-    };
-    const Interval to_point = at(place_beside_loads(*solved_, y));
-    return solved_->is_symmetric ? to_point : to_point - at({0, 0});
+  return enclosed([&](const SolvedLineLoads& of) {
+    const auto at = [&](const LineLoadPlace& place) { return of.displacement(of.tangential_under, place); };
+    const Interval to_point = at(place_beside_loads(of, y));
+    return of.is_symmetric ? to_point : to_point - at({0, 0});
   });
 }
 
 std::vector<FaceLoad> LineLoadNip::face_loads() const {
   std::vector<FaceLoad> loads;
   for (std::size_t j = 0; j < solved_->normal.size(); ++j) {
-    const auto of = [&](const std::vector<Interval>& all) {
-      return all.empty() ? exact_zero(digits_) : enclosed([&] { return all[j]; });
+    const auto force = [&](const std::vector<Interval>& all) {
+      return all.empty() ? exact_zero(digits_) : enclosed([&](const SolvedLineLoads&) { return all[j]; });
     };
-    loads.push_back({enclosed([&] { return solved_->length(solved_->half_elements_to(j)); }),
-                     of(solved_->normal), of(solved_->shear)});
+    loads.push_back({enclosed([&](const SolvedLineLoads& of) { return of.length(of.half_elements_to(j)); }),
+                     force(solved_->normal), force(solved_->shear)});
   }
   return loads;
 }

@@ -18,19 +18,13 @@ constexpr int most_attempts = 16;
 constexpr double most_further_nats = 30'000;
 constexpr mpfr_prec_t bound_precision = 64;
 
-double log2_magnitude(mpfr_srcptr x) {
-  long exponent = 0;
-  const double fraction = mpfr_get_d_2exp(&exponent, x, MPFR_RNDN);
-  return std::log2(std::abs(fraction)) + static_cast<double>(exponent);
-}
-
 /// The logarithm of the bound over 10^-(digits+2) min(1, |value|): positive if the bound is too large, infinite if the
 /// interval contains 0.
 double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(raw(result.error))) return -1;
   if (mpfr_cmpabs(raw(result.value), raw(result.error)) <= 0) return HUGE_VAL;
-  const double size = std::min(0.0, log2_magnitude(raw(result.value)));
-  return (log2_magnitude(raw(result.error)) - size) * std::numbers::ln2 +
+  const double size = std::min(0.0, log2_magnitude(result.value));
+  return (log2_magnitude(result.error) - size) * std::numbers::ln2 +
          (result.digits + 2) * std::numbers::ln10;
 }
 
@@ -41,11 +35,11 @@ Enclosure::Enclosure(Float the_value, Float bound, int the_digits)
   proven = true;
 }
 
-Interval interval_of(const Enclosure& enclosure) {
+Interval interval_of(const Estimate& number) {
   constexpr mpfr_prec_t spare_bits = 64;
-  const mpfr_prec_t precision = bits_of(enclosure.value) + spare_bits;
-  const Interval middle(enclosure.value, enclosure.value, precision);
-  return middle.widened(Interval(enclosure.error, enclosure.error, precision));
+  const mpfr_prec_t precision = bits_of(number.value) + spare_bits;
+  const Interval middle(number.value, number.value, precision);
+  return middle.widened(Interval(number.error, number.error, precision));
 }
 
 Enclosure enclosure_of(const Interval& interval, int digits) {
@@ -71,6 +65,13 @@ Enclosure exactly(double value, int digits) {
   Float real = zero_of_bits(bound_precision);
   mpfr_set_d(raw(real), value, MPFR_RNDN);
   return {std::move(real), zero_of_bits(bound_precision), digits};
+}
+
+Enclosure known_number(const mpq_class& value, int digits) {
+  if (value == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) {
+    return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
+  });
 }
 
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at) {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -9,7 +11,7 @@
 namespace nipref::ref {
 namespace {
 
-constexpr int largest_exponent = 5000;
+constexpr unsigned largest_exponent = 5000;
 
 mpq_class power(unsigned long base, long exponent) {
   mpz_class magnitude;
@@ -17,67 +19,43 @@ mpq_class power(unsigned long base, long exponent) {
   return exponent >= 0 ? mpq_class(magnitude) : mpq_class(mpz_class(1), magnitude);
 }
 
-bool take(std::string_view& text, char lower) {
-  if (text.empty() || std::tolower(static_cast<unsigned char>(text.front())) != lower) return false;
-  text.remove_prefix(1);
-  return true;
+/// Whether a sign is taken off that is a minus.
+bool take_minus(std::string_view& text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  return negative;
 }
 
-/// Digits before and after the point, as one integer and the number of them behind the point.
-struct Digits {
-  std::string all;
-  int behind_point = 0;
-};
-
-Digits take_digits(std::string_view& text, bool hexadecimal) {
-  Digits digits;
-  bool point = false;
-  for (; !text.empty(); text.remove_prefix(1)) {
-    const auto c = static_cast<unsigned char>(text.front());
-    if (c == '.' && !point) {
-      point = true;
-    } else if (hexadecimal ? std::isxdigit(c) != 0 : std::isdigit(c) != 0) {
-      digits.all += static_cast<char>(c);
-      digits.behind_point += point ? 1 : 0;
-    } else {
-      break;
-    }
-  }
-  return digits;
-}
-
-/// The signed exponent at the end of the text; nothing if it is malformed or too large.
-std::optional<int> take_exponent(std::string_view& text) {
-  const bool negative = take(text, '-');
-  if (!negative) take(text, '+');
-  if (text.empty() || text.size() > 4) return std::nullopt;
-  int exponent = 0;
-  for (; !text.empty(); text.remove_prefix(1)) {
-    if (std::isdigit(static_cast<unsigned char>(text.front())) == 0) return std::nullopt;
-    exponent = 10 * exponent + (text.front() - '0');
-  }
-  if (exponent > largest_exponent) return std::nullopt;
-  return negative ? -exponent : exponent;
+/// The signed exponent that is all of the text; nothing if it is malformed or too large.
+std::optional<long> exponent_of(std::string_view text) {
+  const bool negative = take_minus(text);
+  unsigned exponent = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+  if (error != std::errc() || end != text.data() + text.size() || exponent > largest_exponent)
+    return std::nullopt;
+  return negative ? -static_cast<long>(exponent) : static_cast<long>(exponent);
 }
 
 std::optional<mpq_class> parse_rational(std::string_view text) {
-  const bool negative = take(text, '-');
-  if (!negative) take(text, '+');
-  const bool hexadecimal = text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+  const bool negative = take_minus(text);
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (hexadecimal) text.remove_prefix(2);
-  const Digits digits = take_digits(text, hexadecimal);
-  if (digits.all.empty() || digits.all.size() > largest_exponent) return std::nullopt;
-  int exponent = 0;
-  if (!text.empty()) {
-    if (!take(text, hexadecimal ? 'p' : 'e')) return std::nullopt;
-    const auto given = take_exponent(text);
-    if (!given) return std::nullopt;
-    exponent = *given;
+  const std::size_t end = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
+  const std::optional<long> exponent = end < text.size() ? exponent_of(text.substr(end + 1)) : 0L;
+  // Digits before and after the point, as one integer and the number of them behind the point.
+  std::string digits(text.substr(0, end));
+  long behind_point = 0;
+  if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+    digits.erase(point, 1);
+    behind_point = static_cast<long>(digits.size() - point);
   }
-  const mpz_class integer(digits.all, hexadecimal ? 16 : 10);
-  const mpq_class scale =
-      hexadecimal ? power(2, exponent - 4 * digits.behind_point) : power(10, exponent - digits.behind_point);
-  mpq_class value = integer * scale;
+  const char* allowed = hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
+  if (!exponent || digits.empty() || digits.size() > largest_exponent ||
+      digits.find_first_not_of(allowed) != std::string::npos)
+    return std::nullopt;
+  const mpz_class integer(digits, hexadecimal ? 16 : 10);
+  mpq_class value =
+      integer * (hexadecimal ? power(2, *exponent - 4 * behind_point) : power(10, *exponent - behind_point));
   value.canonicalize();
   return negative ? mpq_class(-value) : value;
 }

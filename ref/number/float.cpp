@@ -1,8 +1,15 @@
 #include <algorithm>
+#include <cmath>
 
 #include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
+
+double log2_magnitude(const Float& x) {
+  long exponent = 0;
+  const double fraction = mpfr_get_d_2exp(&exponent, raw(x), MPFR_RNDN);
+  return std::log2(std::abs(fraction)) + static_cast<double>(exponent);
+}
 
 Float zero_of_bits(mpfr_prec_t bits) {
   Float zero;

@@ -20,6 +20,9 @@ inline mpfr_srcptr raw(const Float& x) { return x.backend().data(); }
 
 inline mpfr_prec_t bits_of(const Float& x) { return mpfr_get_prec(raw(x)); }
 
+/// Of x not 0, also where the double under- or overflows.
+double log2_magnitude(const Float& x);
+
 /// 0 with bits of its own, whatever the working precision is.
 Float zero_of_bits(mpfr_prec_t bits);
 
@@ -37,6 +40,8 @@ class WorkingDigits {
 
 /// The bits of new numbers of this thread.
 mpfr_prec_t working_bits();
+/// Decimal digits that hold so many bits.
+inline int digits_of(mpfr_prec_t bits) { return static_cast<int>(static_cast<double>(bits) * 0.30103) + 1; }
 /// The number rounded to the working precision.
 Float at_working_precision(const Float& x);
 

@@ -29,6 +29,8 @@ Interval Interval::widened(const Interval& radius) const {
   return *this + both;
 }
 
+int sign_of(const Interval& x) { return mpfr_sgn(x.lower()) > 0 ? 1 : mpfr_sgn(x.upper()) < 0 ? -1 : 0; }
+
 Interval operator-(const Interval& x) { return apply<mpfi_neg>(x); }
 Interval operator+(const Interval& x, const Interval& y) { return apply<mpfi_add>(x, y); }
 Interval operator-(const Interval& x, const Interval& y) { return apply<mpfi_sub>(x, y); }
@@ -40,6 +42,7 @@ Interval operator-(long x, const Interval& y) { return Interval(x, y.precision()
 Interval operator*(long x, const Interval& y) { return Interval(x, y.precision()) * y; }
 Interval operator/(const Interval& x, long y) { return x / Interval(y, x.precision()); }
 Interval operator/(long x, const Interval& y) { return Interval(x, y.precision()) / y; }
+Interval abs(const Interval& x) { return apply<mpfi_abs>(x); }
 Interval exp(const Interval& x) { return apply<mpfi_exp>(x); }
 Interval expm1(const Interval& x) { return apply<mpfi_expm1>(x); }
 Interval log(const Interval& x) { return apply<mpfi_log>(x); }

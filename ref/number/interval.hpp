@@ -53,6 +53,9 @@ class Interval {
   mpfi_t value_;
 };
 
+/// 1 or -1 if all numbers of the interval have that sign, otherwise 0.
+int sign_of(const Interval& x);
+
 Interval operator-(const Interval& x);
 Interval operator+(const Interval& x, const Interval& y);
 Interval operator-(const Interval& x, const Interval& y);
@@ -64,6 +67,7 @@ Interval operator-(long x, const Interval& y);
 Interval operator*(long x, const Interval& y);
 Interval operator/(const Interval& x, long y);
 Interval operator/(long x, const Interval& y);
+Interval abs(const Interval& x);
 Interval exp(const Interval& x);
 Interval expm1(const Interval& x);
 Interval log(const Interval& x);

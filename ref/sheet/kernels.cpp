@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -9,15 +10,6 @@ namespace nipref::ref {
 namespace {
 
 constexpr long largest_argument = 1000;
-
-/// -ln of the smaller of 1 and |x|, from the exponents alone so that it cannot underflow.
-double nats_below_one(const mpq_class& x) {
-  if (sgn(x) == 0) return HUGE_VAL;
-  const auto bits = [](const mpz_class& integer) {
-    return static_cast<double>(mpz_sizeinbase(integer.get_mpz_t(), 2));
-  };
-  return std::max(0.0, (bits(x.get_den()) - bits(x.get_num()) + 1) * 0.6931471805599453);
-}
 
 Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)(const Exact&, double)) {
   check_argument(x, name);
@@ -29,7 +21,8 @@ Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)
 
 double nats_of_difference(const Exact& alpha, const Exact& eta) {
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
-  return std::min(slowest_decay * nearer, nats_below_one(abs(alpha.value()) - abs(eta.value())));
+  const Exact apart(mpq_class(abs(alpha.value()) - abs(eta.value())));
+  return std::min(slowest_decay * nearer, std::max(0.0, -apart.log2_magnitude() * std::numbers::ln2));
 }
 
 void check_argument(const Exact& argument, const char* name) {

@@ -39,7 +39,7 @@ Float approximate(long n, mpfr_prec_t precision) {
   const double x = std::acosh(y);
   ComplexFloat w(x, y - x / std::sinh(x));
   const auto improve = [&](mpfr_prec_t bits) {
-    const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.30103) + 1);
+    const WorkingDigits working(digits_of(bits));
     w = {at_working_precision(w.re), at_working_precision(w.im)};
     const ComplexFloat up = exp(w), down = exp(-w);
     w = w - ((up - down) / Float(2) + w) / ((up + down) / Float(2) + ComplexFloat(1));
@@ -64,8 +64,8 @@ Interval bracket(const Float& x, long n) {
     mpfr_set_ui_2exp(raw(distance), 1, exponent, MPFR_RNDN);
     mpfr_sub(raw(left), raw(x), raw(distance), MPFR_RNDN);
     mpfr_add(raw(right), raw(x), raw(distance), MPFR_RNDN);
-    const bool rises = mpfi_is_strictly_neg(residual(interval_of(left), n).get()) > 0 &&
-                       mpfi_is_strictly_pos(residual(interval_of(right), n).get()) > 0;
+    const bool rises =
+        sign_of(residual(interval_of(left), n)) < 0 && sign_of(residual(interval_of(right), n)) > 0;
     if (rises) return {left, right, bits_of(x)};
   }
   throw std::logic_error("Newton's iteration missed the root of the sheet");

@@ -50,12 +50,7 @@ Sheet sheet_of(const data::ViscoelasticNip& nip, int digits) {
 ConvergedNip::Parts parts_of(const data::ViscoelasticNip& nip, const Sheet& sheet,
                              const std::optional<ProvenMemories>& memories, int digits) {
   const mpq_class compliance = memories ? memories->at_once : to_exact(sheet->material.compliance).value();
-  return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance),
-          0,
-          sheet,
-          digits,
-          std::nullopt,
-          std::nullopt};
+  return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance), 0, sheet, digits};
 }
 
 /// contact_at() with the working precision that it takes; nothing where the proof does not reach.
@@ -95,7 +90,7 @@ ConvergedNip converged_for_length(const data::ViscoelasticNip& nip, double conta
   parts.proof = proof_of(memories, half_length.approximate(), digits, [&] {
     return proven_rolling(*memories, Interval(half_length, working_bits()), digits);
   });
-  return ConvergedNip(std::make_unique<const ConvergedNip::Parts>(std::move(parts)));
+  return ConvergedNip(std::move(parts));
 }
 
 ConvergedNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits) {
@@ -119,7 +114,7 @@ ConvergedNip converged_for_load(const data::ViscoelasticNip& nip, double load, i
     return proven_rolling_for_load(*memories, wanted, at_working_precision(fine.half_length()), fine.growth(),
                                    digits);
   });
-  return ConvergedNip(std::make_unique<const ConvergedNip::Parts>(std::move(parts)));
+  return ConvergedNip(std::move(parts));
 }
 
 }  // namespace nipref::ref

@@ -371,9 +371,8 @@ std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
   const Float length = exp(here);
   const Interval low = interval_of(Float(length * (1 - enough))),
                  high = interval_of(Float(length * (1 + enough))), asked(load, working_bits());
-  const bool is_between = mpfr_less_p(contact(low)->load().upper(), asked.lower()) != 0 &&
-                          mpfr_greater_p(contact(high)->load().lower(), asked.upper()) != 0;
-  if (!is_between) return std::nullopt;
+  if (sign_of(contact(low)->load() - asked) >= 0 || sign_of(contact(high)->load() - asked) <= 0)
+    return std::nullopt;
   return Proof{contact(hull(low, high)), plan.working_digits};
 }
 

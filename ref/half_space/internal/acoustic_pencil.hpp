@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
 namespace nipref::ref {
@@ -27,5 +28,24 @@ struct AcousticPencil {
  private:
   using Square = Eigen::Matrix<Scalar, 3, 3>;
 };
+
+/// The s = tan(phi), in a scan of half a turn, for which the smallest eigenvalue is smallest, and its neighbours; in double.
+struct Valley {
+  double left, right;
+  double eigenvalue;
+};
+
+/// The valley for matrices at rest.
+Valley lowest_valley(const AcousticMatrices& matrices);
+
+/// The minimum of a function between `left` and `right`, by bisection with the sign of its slope.
+template <class Scalar, class Slope>
+Scalar lowest_point(const Slope& slope, Scalar left, Scalar right, int bisections) {
+  for (int step = 0; step < bisections; ++step) {
+    const Scalar middle = (left + right) / 2;
+    (slope(middle) < 0 ? left : right) = middle;
+  }
+  return (left + right) / 2;
+}
 
 }  // namespace nipref::ref

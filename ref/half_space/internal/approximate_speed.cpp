@@ -3,9 +3,8 @@
 
 #include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
-#include <nipref/ref/half_space/internal/lowest_point.hpp>
+#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
-#include <nipref/ref/half_space/internal/valley.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 // Approximations of the phase speeds in double, from which the proofs start.
@@ -17,13 +16,8 @@ using Square = DenseMatrix<double>;
 using Pencil = AcousticPencil<double>;
 
 Pencil pencil_of(const AcousticMatrices& x) {
-  const auto approximate = [](const IntervalMatrix& entries) {
-    Square result(3, 3);
-    for (std::size_t k = 0; k < 9; ++k) {
-      result(static_cast<Square::Index>(k / 3), static_cast<Square::Index>(k % 3)) =
-          mpfi_get_d(entries(k / 3, k % 3).real.get());
-    }
-    return result;
+  const auto approximate = [](const IntervalMatrix& entries) -> Square {
+    return middle(entries).re.cast<double>();
   };
   return {approximate(x.q), approximate(x.r), approximate(x.t)};
 }
@@ -39,22 +33,14 @@ Valley scan(const Pencil& pencil) {
   return best;
 }
 
-/// The determinant of the Hermitian matrix re + i im.
-double determinant(const Impedance<double>& x) {
-  const Square& a = x.re;
-  const Square& b = x.im;
-  const auto cofactor = [&](int i, int j, int k) {
-    return a(i, i) * (a(j, k) * a(j, k) + b(j, k) * b(j, k));
-  };
-  const double cycle =
-      a(0, 1) * (a(1, 2) * a(2, 0) - b(1, 2) * b(2, 0)) - b(0, 1) * (a(1, 2) * b(2, 0) + b(1, 2) * a(2, 0));
-  return a(0, 0) * a(1, 1) * a(2, 2) + 2 * cycle - cofactor(0, 1, 2) - cofactor(1, 2, 0) - cofactor(2, 0, 1);
-}
-
 double determinant(const Pencil& pencil, double inertia) {
   const Square q = pencil.q - inertia * Square::Identity(3, 3);
   const auto impedance = barnett_lothe_impedance(q, pencil.r, pencil.t, 1e-7, 60);
-  return impedance ? determinant(*impedance) : -1;
+  if (!impedance) return -1;
+  Eigen::Matrix3cd hermitian;
+  hermitian.real() = impedance->re;
+  hermitian.imag() = impedance->im;
+  return hermitian.determinant().real();
 }
 
 }  // namespace

@@ -24,7 +24,4 @@ inline ComplexMatrix middle(const IntervalMatrix& x) {
   return result;
 }
 
-/// Decimal digits that hold so many bits.
-inline int digits_of(mpfr_prec_t bits) { return static_cast<int>(static_cast<double>(bits) * 0.30103) + 1; }
-
 }  // namespace nipref::ref

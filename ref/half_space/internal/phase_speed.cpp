@@ -6,9 +6,7 @@
 #include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
-#include <nipref/ref/half_space/internal/lowest_point.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
-#include <nipref/ref/half_space/internal/valley.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 namespace nipref::ref {
@@ -66,10 +64,7 @@ Interval proven_bracket(const ExactStiffness& solid, const SurfaceDirection& psi
     const Float right = root + distance;
     const auto before = determinant(solid, psi, left, precision);
     const auto after = determinant(solid, psi, right, precision);
-    if (before && after && mpfi_is_strictly_pos(before->get()) > 0 &&
-        mpfi_is_strictly_neg(after->get()) > 0) {
-      return {left, right, precision};
-    }
+    if (before && after && sign_of(*before) > 0 && sign_of(*after) < 0) return {left, right, precision};
   }
   refuse_proof(psi, surface_wave);
 }

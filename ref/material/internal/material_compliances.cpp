@@ -50,7 +50,7 @@ Compliance compliance_of(const ExactFunction& theta) {
          partial_fractions(fraction.numerator, fraction.denominator, 2 * working_bits())) {
       if (mpfi_has_zero(rate.imag.get()) > 0) {
         result.terms.push_back({middle_of(amplitude.real), middle_of(rate.real)});
-      } else if (mpfr_sgn(rate.imag.lower()) > 0) {  // that of the conjugate rate stands with it
+      } else if (sign_of(rate.imag) > 0) {  // that of the conjugate rate stands with it
         result.terms.push_back({middle(amplitude) * Float(2), middle(rate)});
       }
     }

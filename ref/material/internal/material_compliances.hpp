@@ -11,6 +11,8 @@ struct ComplianceTerm {
   ComplexFloat amplitude;  ///< 1/(stress time); for a conjugate pair twice that of one term
   ComplexFloat rate;       ///< 1/time; imaginary part >= 0; exactly 0 if the function's is
 };
+/// Whether it never fades.
+inline bool is_flow(const ComplianceTerm& term) { return term.rate.re == 0; }
 
 /// theta(t) = at_once delta(t) + sum of the terms
 struct Compliance {

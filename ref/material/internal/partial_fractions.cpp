@@ -42,7 +42,7 @@ std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bi
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Interval between = abs(near[i] - near[j]) - radii[i] - radii[j];
-      if (mpfi_is_strictly_pos(between.get()) <= 0) return {};
+      if (sign_of(between) <= 0) return {};
     }
   }
   return roots;

@@ -68,27 +68,18 @@ std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z)
   return {std::move(value), std::move(slope)};
 }
 
-/// Approximations of all zeros by the method of Ehrlich and Aberth. It ends when no zero has a relative change above
-/// `unit` or the polynomial's values are rounding errors.
+/// A value is taken for 0 where it is a rounding error, or changes the zero by less than `unit`.
 std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
-  constexpr int most_rounds = 2000, lost_bits = 4;
+  constexpr int lost_bits = 4;
   const Float rounding = ldexp(Float(1), lost_bits - working_bits());
-  std::vector<ComplexFloat> zeros = first_guesses(p);
-  Float change = 1;
-  for (int round = 0; round < most_rounds && change > 0; ++round) {
-    change = 0;
-    for (std::size_t k = 0; k < zeros.size(); ++k) {
-      ComplexFloat& zero = zeros[k];
-      const auto [value, slope] = p.at(zero);
-      if (abs(value) <= rounding * size_of_terms(p, zero)) continue;
-      if (p.degree() * abs(value) <= unit * unit * abs(slope) * abs(zero)) continue;
-      const ComplexFloat step = zero_correction(zeros, k, slope / value);
-      zero = zero - step;
-      const Float relative = abs(step) / abs(zero);
-      if (relative > unit) change = std::max(change, relative);
-    }
-  }
-  return zeros;
+  const auto slope_over_value = [&](const ComplexFloat& z) -> std::optional<ComplexFloat> {
+    const auto [value, slope] = p.at(z);
+    if (abs(value) <= rounding * size_of_terms(p, z) ||
+        p.degree() * abs(value) <= unit * unit * abs(slope) * abs(z))
+      return std::nullopt;
+    return slope / value;
+  };
+  return zeros_by_steps(first_guesses(p), slope_over_value, unit);
 }
 
 }  // namespace
@@ -132,14 +123,28 @@ void cancel(Polynomial& numerator, Polynomial& denominator) {
   denominator = divide(denominator, common);
 }
 
-ComplexFloat zero_correction(const std::vector<ComplexFloat>& zeros, std::size_t number,
-                             const ComplexFloat& slope_over_value) {
-  ComplexFloat push;
-  for (std::size_t k = 0; k < zeros.size(); ++k) {
-    const ComplexFloat apart = zeros[number] - zeros[k];
-    if (k != number && abs(apart) > 0) push = push + ComplexFloat(1) / apart;
+std::vector<ComplexFloat> zeros_by_steps(
+    std::vector<ComplexFloat> zeros,
+    const std::function<std::optional<ComplexFloat>(const ComplexFloat& z)>& slope_over_value,
+    const Float& unit) {
+  constexpr int most_rounds = 2000;
+  Float largest = unit + 1;
+  for (int round = 0; round < most_rounds && largest > unit; ++round) {
+    largest = 0;
+    for (ComplexFloat& zero : zeros) {
+      const auto slope = slope_over_value(zero);
+      if (!slope) continue;
+      ComplexFloat push;
+      for (const ComplexFloat& other : zeros) {
+        const ComplexFloat apart = zero - other;
+        if (abs(apart) > 0) push = push + ComplexFloat(1) / apart;
+      }
+      const ComplexFloat step = ComplexFloat(1) / (*slope - push);
+      zero = zero - step;
+      largest = std::max(largest, Float(abs(step) / abs(zero)));
+    }
   }
-  return ComplexFloat(1) / (slope_over_value - push);
+  return zeros;
 }
 
 std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {

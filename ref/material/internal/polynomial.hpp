@@ -1,6 +1,8 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include <nipref/ref/number/internal/complex_float.hpp>
@@ -20,10 +22,13 @@ Polynomial divide(Polynomial& dividend, const Polynomial& divisor);
 /// Divides both by their greatest common factor; the denominator is not 0.
 void cancel(Polynomial& numerator, Polynomial& denominator);
 
-/// Aberth's and Ehrlich's correction of one of the approximate zeros of a function: Newton's for the function over the product
-/// of its distances from the others. `slope_over_value` is that of the function at the zero.
-ComplexFloat zero_correction(const std::vector<ComplexFloat>& zeros, std::size_t number,
-                             const ComplexFloat& slope_over_value);
+/// Approximations of all zeros of a function, from different guesses, by the method of Ehrlich and Aberth: Newton's for the
+/// function over the product of the distances from the others, until none changes by more than `unit` of itself. Nothing for
+/// the slope over the value where the value is taken for 0.
+std::vector<ComplexFloat> zeros_by_steps(
+    std::vector<ComplexFloat> zeros,
+    const std::function<std::optional<ComplexFloat>(const ComplexFloat& z)>& slope_over_value,
+    const Float& unit);
 
 /// Approximations of the roots to about `bits` bits. A root 0 is exact and appears as often as its multiplicity. The
 /// caller has to prove the others.

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
@@ -10,8 +9,6 @@ namespace {
 
 /// A sinh(tau) that makes C e^{-2n tau} smallest, or nearly so.
 double strip_height(double half_length, int size) { return std::max(1.0, 2 - half_length / size); }
-
-double log_of_Q(double y) { return std::log(2 / (2 - y) + 4 / ((2 - y) * (2 - y))); }
 
 }  // namespace
 
@@ -65,17 +62,12 @@ Interval square_tail(const Interval& rate, long first) {
 }
 
 int size_for(double half_length, int digits) {
-  const double wanted = digits * std::numbers::ln10;
-  // lambda is about 1/(1 + 3 A), the sum of the unknowns about 1 + A.
-  const double size = std::log((1 + 3 * half_length) * (1 + half_length) * 2 * half_length);
-  int n = 3;
-  while (true) {
-    const double height = strip_height(half_length, n);
-    const double tau = std::asinh(height / half_length);
-    const double reached = 2 * n * tau - size - log_of_Q(height) - std::log(std::cosh(tau)) -
-                           1.5 * std::log(n) - std::log(8 / std::pow(-std::expm1(-2 * n * tau), 2));
-    if (reached >= wanted) return n;
-    n += 1 + n / 64;
+  const Interval A(half_length, 64), wanted = exp(-(digits * log(Interval(10L, 64))));
+  for (int n = 3;; n += 1 + n / 64) {
+    // lambda is about 1/(1 + 3 A), the sum of the unknowns about 1 + A.
+    const Interval left = n * ((3 * A + 1) * (A + 1)) * sqrt(Interval(long{n}, 64)) *
+                          folded_entries(entry_bounds(A, n), 2L * n, 2L * n);
+    if (sign_of(wanted - left) > 0) return n;
   }
 }
 

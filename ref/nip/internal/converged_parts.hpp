@@ -62,8 +62,8 @@ struct ConvergedNip::Parts {
   mpq_class beta;  ///< theta2 at once over N; of the proof, so only without memory
   SolvedNip::Sheet sheet;
   int digits;
-  std::optional<Exact> half_length;  ///< where it is given
-  std::optional<Proof> proof;
+  std::optional<Exact> half_length = std::nullopt;  ///< where it is given
+  std::optional<Proof> proof = std::nullopt;
   /// Where it is not there yet, it is solved when it is first needed.
   mutable std::optional<SolvedNip> solved = std::nullopt;
   mutable std::map<const NipSolution*, Float> at_middle = {};

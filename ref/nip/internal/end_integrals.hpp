@@ -6,10 +6,8 @@
 namespace nipref::ref {
 
 /// Integrals of t^m T_k(2t - 1), m = 1/2 - i epsilon, over 0 <= t <= 1, alone and times what is singular at x.
-///
-/// They follow from each other by parts from t^{m+1} P_k, P_k = T_{k+1}/(k+1) - T_{k-1}/(k-1): ref/nip/README.md, Tractions
-/// on panels. Those of 1/(x - t), principal values, are C_{k+1} = 2 (2x - 1) C_k - C_{k-1} - 4 int t^m T_k. Beyond the ends they
-/// fall where their recurrence's other solution grows, which takes more digits.
+/// They follow from each other: ref/nip/README.md, Tractions on panels. Those of 1/(x - t), principal values, are C_{k+1} =
+/// 2 (2x - 1) C_k - C_{k-1} - 4 int t^m T_k, with more digits beyond the ends, where the other solution of that grows.
 class EndIntegrals {
  public:
   /// Of k < count; without x, not 0 or 1 unless 1/(x - t) is not asked for, only plain().

@@ -17,16 +17,14 @@ Interval SolvedLineLoads::load() const {
   return sum;
 }
 
-Interval SolvedLineLoads::displacement(decltype(&LineLoadSheet::normal_displacement) by_load,
-                                       const LineLoadPlace& place) const {
+Interval SolvedLineLoads::displacement(const UnderLoad& under, const LineLoadPlace& place) const {
   Interval sum(working_bits());
-  for (std::size_t load = 0; load < normal.size(); ++load) sum = sum + (*sheet.*by_load)(*this, load, place);
+  for (std::size_t load = 0; load < normal.size(); ++load) sum = sum + under(*this, load, place);
   return sum;
 }
 
 std::optional<bool> SolvedLineLoads::presses_everywhere() const {
-  if (std::ranges::any_of(normal, [](const Interval& load) { return mpfr_sgn(load.upper()) < 0; }))
-    return false;
+  if (std::ranges::any_of(normal, [](const Interval& load) { return sign_of(load) < 0; })) return false;
   if (std::ranges::all_of(normal, [](const Interval& load) { return mpfr_sgn(load.lower()) >= 0; }))
     return true;
   return std::nullopt;
@@ -66,8 +64,7 @@ std::optional<SolvedLineLoads> LengthSearch::contact_carrying(int digits, const 
     ++systems;
     const auto contact = contact_of({at});
     if (!contact) return 0;
-    const Interval excess = contact->load() - wanted;
-    return mpfr_sgn(excess.lower()) > 0 ? 1 : mpfr_sgn(excess.upper()) < 0 ? -1 : 0;
+    return sign_of(contact->load() - wanted);
   };
   const Lengths lengths{length, pow(Float(10), -digits)};
   // A thousandth within the lengths, so that rounding puts neither outside; the load still changes far more than its error.

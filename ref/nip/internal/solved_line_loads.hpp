@@ -16,16 +16,9 @@ struct LineLoadPlace {
   long half_elements;
 };
 
-/// What the surface of a sheet does under one of the loads of a contact: towards the middle plane, and along Y from a point
-/// that is the same for all places. Not at the place of the load.
-class LineLoadSheet {
- public:
-  virtual ~LineLoadSheet() = default;
-  [[nodiscard]] virtual Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                                     const LineLoadPlace& place) const = 0;
-  [[nodiscard]] virtual Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                                         const LineLoadPlace& place) const = 0;
-};
+/// What the surface of a sheet does under one of the loads of a contact, not at the place of the load.
+using UnderLoad =
+    std::function<Interval(const SolvedLineLoads& loads, std::size_t load, const LineLoadPlace& place)>;
 
 /// All lengths within `spread` of a length, relative.
 struct Lengths {
@@ -45,7 +38,8 @@ struct SolvedLineLoads {
   Float error;      ///< the largest of an unknown over the largest unknown
   Float condition;  ///< of the matrix
   int unknowns;
-  std::shared_ptr<const LineLoadSheet> sheet;
+  /// Displacements towards the middle plane, and along Y from a point that is the same for all places.
+  UnderLoad normal_under, tangential_under;
   int systems = 1;
   std::optional<Interval> gripped_creep = {};
   /// With full friction, of one side from the middle outwards, in any unit: the normal loads and then the shear loads
@@ -65,8 +59,7 @@ struct SolvedLineLoads {
   [[nodiscard]] Interval distance(std::size_t load, const LineLoadPlace& place) const;
   [[nodiscard]] Interval load() const;
   /// Under all loads.
-  [[nodiscard]] Interval displacement(decltype(&LineLoadSheet::normal_displacement) by_load,
-                                      const LineLoadPlace& place) const;
+  [[nodiscard]] Interval displacement(const UnderLoad& under, const LineLoadPlace& place) const;
   /// No normal load is negative; nothing where the bounds do not tell.
   [[nodiscard]] std::optional<bool> presses_everywhere() const;
 };

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include <nipref/ref/nip/internal/thesis_creep.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
@@ -13,162 +11,131 @@ struct Quadratic {
   [[nodiscard]] Interval at(const Interval& x) const { return constant + x * (linear + x * square); }
 };
 
-/// The sign, -1 or 1; 0 if the interval contains 0.
-int sign(const Interval& x) {
-  if (mpfr_sgn(x.lower()) > 0) return 1;
-  return mpfr_sgn(x.upper()) < 0 ? -1 : 0;
+bool is_same(const Interval& x, const Interval& y) {
+  return mpfr_equal_p(x.lower(), y.lower()) != 0 && mpfr_equal_p(x.upper(), y.upper()) != 0;
 }
 
-bool is_zero(const Interval& x) { return mpfr_zero_p(x.lower()) != 0 && mpfr_zero_p(x.upper()) != 0; }
+/// Those of a condition; nothing if the intervals do not tell how many there are.
+std::optional<std::vector<Interval>> roots_of(const Quadratic& f) {
+  if (mpfi_is_zero(f.square.get()) > 0) {
+    if (sign_of(f.linear) == 0) return std::nullopt;
+    return std::vector{-(f.constant / f.linear)};
+  }
+  const Interval discriminant = square(f.linear) - 4 * (f.square * f.constant);
+  const int has_roots = sign_of(discriminant);
+  if (has_roots < 0) return std::vector<Interval>{};
+  if (has_roots == 0 || sign_of(f.square) == 0 || sign_of(f.linear) == 0) return std::nullopt;
+  const Interval root = sqrt(discriminant);
+  const Interval q = -(sign_of(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
+  return std::vector{q / f.square, f.constant / q};
+}
 
-/// The numbers that satisfy every condition f >= 0. The one of least magnitude is 0 or a root of one of the conditions.
+/// A number at which the condition of that number is 0.
+struct Root {
+  Interval place;
+  std::size_t of;
+};
+
+/// The conditions f >= 0 for the creep, with shear loads that push outwards (sign 1) or inwards (-1). The creep of least
+/// magnitude that meets all is 0 or a root of one of them.
 class Conditions {
  public:
-  void require(Quadratic f) { all_.push_back(std::move(f)); }
+  Conditions(const std::vector<Interval>& at_zero, const std::vector<Interval>& per_creep, long sign) {
+    const std::size_t m = at_zero.size() / 2;
+    for (std::size_t k = 0; k < m; ++k) {
+      const Interval none(at_zero[k].precision());
+      all_.push_back({at_zero[k], per_creep[k], none});
+      all_.push_back({sign * at_zero[m + k], sign * per_creep[m + k], none});
+    }
+    // The shear over the normal load rises outwards.
+    for (std::size_t k = 0; k + 1 < m; ++k) {
+      const auto product = [&](std::size_t i, std::size_t j) -> Quadratic {
+        return {at_zero[i] * at_zero[j], at_zero[i] * per_creep[j] + per_creep[i] * at_zero[j],
+                per_creep[i] * per_creep[j]};
+      };
+      const Quadratic outer = product(m + k + 1, k), inner = product(m + k, k + 1);
+      all_.push_back({sign * (outer.constant - inner.constant), sign * (outer.linear - inner.linear),
+                      sign * (outer.square - inner.square)});
+    }
+  }
 
-  /// The number of least magnitude, or none if there is none; nothing if the intervals do not decide.
+  /// The creep of least magnitude, or none if there is none; nothing if the intervals do not decide.
   [[nodiscard]] std::optional<std::optional<Interval>> least() const {
-    if (all_.empty()) return std::nullopt;
     const Interval zero(all_.front().constant.precision());
-    const std::optional<bool> at_zero = met(zero, all_.size());
+    const std::optional<bool> at_zero = is_met(zero, all_.size());
     if (!at_zero) return std::nullopt;
     if (*at_zero) return std::optional(zero);
+    const auto candidates = roots();
+    if (!candidates) return std::nullopt;
     std::optional<Interval> best;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      const auto roots = roots_of(all_[k]);
-      if (!roots) return std::nullopt;
-      for (const Interval& root : *roots) {
-        const std::optional<bool> is_met = met(root, k);
-        if (!is_met) return std::nullopt;
-        if (!*is_met) continue;
-        if (!best) {
-          best = root;
-          continue;
-        }
-        const int nearer = sign(square(*best) - square(root));
-        if (nearer == 0) return std::nullopt;
-        if (nearer > 0) best = root;
-      }
+    for (const auto& [root, of] : *candidates) {
+      const std::optional<bool> meets = is_met(root, of);
+      if (!meets) return std::nullopt;
+      if (!*meets) continue;
+      const int nearer = best ? sign_of(square(*best) - square(root)) : 1;
+      if (nearer == 0) return std::nullopt;
+      if (nearer > 0) best = root;
     }
     return best;
   }
 
-  /// The range of numbers around `chosen`, which is least(), that satisfy all conditions. It ends at the nearest
-  /// roots on both sides, since all roots are simple. If `chosen` is a root itself, the range begins there.
-  [[nodiscard]] std::optional<ThesisCreepRange> around(const Interval& chosen) const {
-    std::optional<Interval> below, above;
-    for (const Quadratic& condition : all_) {
-      const auto roots = roots_of(condition);
-      if (!roots) return std::nullopt;
-      for (const Interval& root : *roots) {
-        if (is_root(chosen, root)) continue;
-        const int side = sign(root - chosen);
-        if (side == 0) return std::nullopt;
-        std::optional<Interval>& nearest = side < 0 ? below : above;
-        // If the intervals of two roots overlap, the bound covers both.
-        const auto nearer = [&](const Interval& other) {
-          return side < 0 ? larger_of(root, other) : -larger_of(-root, -other);
-        };
-        nearest = nearest ? nearer(*nearest) : root;
-      }
+  /// The range around `chosen`, which is least(). It ends at the nearest roots on both sides, since all roots are simple. If
+  /// `chosen` is a root itself, the range begins there.
+  [[nodiscard]] ThesisCreep around(const Interval& chosen) const {
+    ThesisCreep result{chosen};
+    const auto borders = roots();
+    if (!borders) return result;
+    for (const auto& [root, of] : *borders) {
+      if (is_same(chosen, root)) continue;
+      const int side = sign_of(root - chosen);
+      if (side == 0) return {chosen};
+      // If the intervals of two roots overlap, the bound covers both.
+      std::optional<Interval>& nearest = side < 0 ? result.lower : result.upper;
+      if (!nearest) nearest = root;
+      nearest = side < 0 ? larger_of(root, *nearest) : -larger_of(-root, -*nearest);
     }
-    const int at = sign(chosen);
-    if (at > 0) below = chosen;
-    if (at < 0) above = chosen;
-    if (!below || !above) return std::nullopt;
-    return ThesisCreepRange{*below, *above, chosen};
+    const int at = sign_of(chosen);
+    if (at != 0) (at > 0 ? result.lower : result.upper) = chosen;
+    return result;
   }
 
  private:
-  /// Whether x is the same interval as the root.
-  static bool is_root(const Interval& x, const Interval& root) {
-    return mpfr_equal_p(x.lower(), root.lower()) != 0 && mpfr_equal_p(x.upper(), root.upper()) != 0;
-  }
-
-  /// Whether x satisfies all conditions except number `but`, of which it is a root; nothing if the intervals do not
-  /// decide.
-  [[nodiscard]] std::optional<bool> met(const Interval& x, std::size_t but) const {
+  /// Whether all conditions are met except number `but`, of which x is a root; nothing if the intervals do not decide.
+  [[nodiscard]] std::optional<bool> is_met(const Interval& x, std::size_t but) const {
     bool is_known = true;
     for (std::size_t k = 0; k < all_.size(); ++k) {
       if (k == but) continue;
-      const int at_x = sign(all_[k].at(x));
+      const int at_x = sign_of(all_[k].at(x));
       if (at_x < 0) return false;
       if (at_x == 0) is_known = false;
     }
     return is_known ? std::optional(true) : std::nullopt;
   }
 
-  static std::optional<std::vector<Interval>> roots_of(const Quadratic& f) {
-    if (is_zero(f.square)) {
-      if (sign(f.linear) == 0) return std::nullopt;
-      return std::vector{-(f.constant / f.linear)};
+  [[nodiscard]] std::optional<std::vector<Root>> roots() const {
+    std::vector<Root> found;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const auto here = roots_of(all_[k]);
+      if (!here) return std::nullopt;
+      for (const Interval& root : *here) found.push_back({root, k});
     }
-    const Interval discriminant = square(f.linear) - 4 * (f.square * f.constant);
-    const int has_roots = sign(discriminant);
-    if (has_roots < 0) return std::vector<Interval>{};
-    if (has_roots == 0 || sign(f.square) == 0 || sign(f.linear) == 0) return std::nullopt;
-    const Interval root = sqrt(discriminant);
-    const Interval q = -(sign(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
-    return std::vector{q / f.square, f.constant / q};
+    return found;
   }
 
   std::vector<Quadratic> all_;
 };
 
-/// (a + b x) (c + d x) - (e + f x) (g + h x)
-Quadratic difference_of_products(const Interval& a, const Interval& b, const Interval& c, const Interval& d,
-                                 const Interval& e, const Interval& f, const Interval& g, const Interval& h) {
-  return {a * c - e * g, a * d + b * c - (e * h + f * g), b * d - f * h};
-}
-
-/// With shear loads that push outwards (sign 1) or inwards (-1).
-Conditions conditions(const std::vector<Interval>& at_zero, const std::vector<Interval>& per_creep,
-                      long sign) {
-  const std::size_t m = at_zero.size() / 2;
-  const Interval none(at_zero.front().precision());
-  Conditions result;
-  for (std::size_t k = 0; k < m; ++k) {
-    result.require({at_zero[k], per_creep[k], none});
-    result.require({sign * at_zero[m + k], sign * per_creep[m + k], none});
-  }
-  for (std::size_t k = 0; k + 1 < m; ++k) {
-    Quadratic rise =
-        difference_of_products(at_zero[m + k + 1], per_creep[m + k + 1], at_zero[k], per_creep[k],
-                               at_zero[m + k], per_creep[m + k], at_zero[k + 1], per_creep[k + 1]);
-    result.require({sign * rise.constant, sign * rise.linear, sign * rise.square});
-  }
-  return result;
-}
-
-/// The conditions of the sign of the shear loads whose creep is nearer to 0, and that creep.
-struct Chosen {
-  Conditions conditions;
-  Interval creep;
-};
-
-std::optional<Chosen> chosen_of(const std::vector<Interval>& at_zero,
-                                const std::vector<Interval>& per_creep) {
-  Conditions inwards = conditions(at_zero, per_creep, -1), outwards = conditions(at_zero, per_creep, 1);
-  const auto in = inwards.least(), out = outwards.least();
-  if (!in || !out || (!*in && !*out)) return std::nullopt;
-  if (!*in || !*out) return *in ? Chosen{std::move(inwards), **in} : Chosen{std::move(outwards), **out};
-  const int nearer = sign(square(**in) - square(**out));
-  if (nearer == 0) return std::nullopt;
-  return nearer > 0 ? Chosen{std::move(outwards), **out} : Chosen{std::move(inwards), **in};
-}
-
 }  // namespace
 
-std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
-                                     const std::vector<Interval>& per_creep) {
-  const auto chosen = chosen_of(at_zero, per_creep);
-  return chosen ? std::optional(chosen->creep) : std::nullopt;
-}
-
-std::optional<ThesisCreepRange> thesis_creep_range(const std::vector<Interval>& at_zero,
-                                                   const std::vector<Interval>& per_creep) {
-  const auto chosen = chosen_of(at_zero, per_creep);
-  return chosen ? chosen->conditions.around(chosen->creep) : std::nullopt;
+/// By the sign of the shear loads whose creep is nearer to 0.
+std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
+                                        const std::vector<Interval>& per_creep) {
+  const Conditions inwards(at_zero, per_creep, -1), outwards(at_zero, per_creep, 1);
+  const auto in = inwards.least(), out = outwards.least();
+  if (!in || !out || (!*in && !*out)) return std::nullopt;
+  const int nearer = !*in ? 1 : !*out ? -1 : sign_of(square(**in) - square(**out));
+  if (nearer == 0) return std::nullopt;
+  return nearer > 0 ? outwards.around(**out) : inwards.around(**in);
 }
 
 }  // namespace nipref::ref

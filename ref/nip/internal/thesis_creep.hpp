@@ -6,17 +6,16 @@
 
 namespace nipref::ref {
 
-/// The creep ratio of Grip::Creep::thesis. The loads are at_zero + creep per_creep, the normal ones before as many
-/// shear loads. Nothing if there is none, or if the intervals do not tell which: otherwise it is proven, and goes
-/// with the loads continuously. (thesis, section 5.5)
-std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
-                                     const std::vector<Interval>& per_creep);
-
-/// That creep ratio, and the lowest and the highest of those around it that meet the conditions, likewise.
-struct ThesisCreepRange {
-  Interval lower, upper, chosen;
+/// The creep ratio of Grip::Creep::thesis, and the lowest and the highest of those around it that meet the conditions as
+/// well, where the intervals tell these.
+struct ThesisCreep {
+  Interval chosen;
+  std::optional<Interval> lower = {}, upper = {};
 };
-std::optional<ThesisCreepRange> thesis_creep_range(const std::vector<Interval>& at_zero,
-                                                   const std::vector<Interval>& per_creep);
+
+/// The loads are at_zero + creep per_creep, the normal ones before as many shear loads. Nothing if there is none, or if the
+/// intervals do not tell which: otherwise it is proven, and goes with the loads continuously. (thesis, section 5.5)
+std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
+                                        const std::vector<Interval>& per_creep);
 
 }  // namespace nipref::ref

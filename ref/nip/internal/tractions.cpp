@@ -47,7 +47,7 @@ struct LegendreMoments {
 LegendreMoments legendre_moments(const Float& x, int count) {
   const double size = std::fabs(static_cast<double>(x));
   const double lost = size > 1 ? 2 * count * std::log10(size + std::sqrt(size * size - 1)) : 0;
-  const int digits = static_cast<int>(static_cast<double>(working_bits()) * 0.30103 + lost) + 2;
+  const int digits = digits_of(working_bits()) + static_cast<int>(lost) + 2;
   LegendreMoments moments;
   {
     const WorkingDigits more(digits);

@@ -19,7 +19,19 @@ Float row_sum_norm(const Matrix& matrix) {
   return largest;
 }
 
+void keep(Float& entry, Float& error, const Interval& value) {
+  entry = middle_of(value);
+  error = larger(error, upper_end(distance_from(entry, value)));
+}
+
 }  // namespace
+
+void NearlyKnownSystem::set(Matrix::Index row, Matrix::Index column, const Interval& value) {
+  keep(matrix(row, column), error, value);
+}
+void NearlyKnownSystem::set_right(Matrix::Index row, Matrix::Index column, const Interval& value) {
+  keep(right(row, column), right_error(column), value);
+}
 
 // A sum of n products has a rounding error of at most (n + 2) units of the sum of their magnitudes.
 std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system) {

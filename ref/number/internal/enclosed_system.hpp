@@ -13,6 +13,14 @@ struct NearlyKnownSystem {
   Matrix right;             ///< a column for each right-hand side
   Float error = 0;          ///< of each coefficient of the matrix
   Vector right_error = {};  ///< of each coefficient of a column, beyond rounding; a row for each column
+
+  /// With all coefficients 0.
+  static NearlyKnownSystem of_size(Matrix::Index unknowns, Matrix::Index right_sides) {
+    return {Matrix(unknowns, unknowns), Matrix(unknowns, right_sides), 0, Vector(right_sides)};
+  }
+  /// Make a coefficient the middle of what contains it.
+  void set(Matrix::Index row, Matrix::Index column, const Interval& value);
+  void set_right(Matrix::Index row, Matrix::Index column, const Interval& value);
 };
 
 /// Enclosures of the solutions of all systems within those errors, none of which is singular.

@@ -1,3 +1,4 @@
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 
 namespace nipref::ref {
@@ -16,14 +17,6 @@ ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t c
 
 Interval leading_minor(const IntervalMatrix& x) {
   return x(0, 0).real * x(1, 1).real - squared_magnitude(x(0, 1));
-}
-
-bool is_positive(const Interval& x) { return mpfi_is_strictly_pos(x.get()) > 0; }
-
-void add_magnitude(Float& sum, const Interval& x) {
-  Float magnitude = zero_of_bits(bits_of(sum));
-  mpfi_mag(raw(magnitude), x.get());
-  mpfr_add(raw(sum), raw(sum), raw(magnitude), MPFR_RNDU);
 }
 
 }  // namespace
@@ -79,20 +72,17 @@ IntervalMatrix hermitian_inverse(const IntervalMatrix& x) {
 }
 
 bool is_positive_definite(const IntervalMatrix& x) {
-  return is_positive(x(0, 0).real) && is_positive(leading_minor(x)) && is_positive(hermitian_determinant(x));
+  return sign_of(x(0, 0).real) > 0 && sign_of(leading_minor(x)) > 0 && sign_of(hermitian_determinant(x)) > 0;
 }
 
 Interval norm_bound(const IntervalMatrix& x) {
-  Float largest = zero_of_bits(x.precision());
+  Interval largest(x.precision());
   for (std::size_t i = 0; i < 3; ++i) {
-    Float sum = zero_of_bits(x.precision());
-    for (std::size_t k = 0; k < 3; ++k) {
-      add_magnitude(sum, x(i, k).real);
-      add_magnitude(sum, x(i, k).imag);
-    }
-    mpfr_max(raw(largest), raw(largest), raw(sum), MPFR_RNDU);
+    Interval sum(x.precision());
+    for (std::size_t k = 0; k < 3; ++k) sum = sum + magnitude_of(x(i, k).real) + magnitude_of(x(i, k).imag);
+    largest = larger_of(largest, sum);
   }
-  return {largest, largest, x.precision()};
+  return largest;
 }
 
 }  // namespace nipref::ref

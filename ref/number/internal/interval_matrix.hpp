@@ -41,7 +41,7 @@ IntervalMatrix hermitian_inverse(const IntervalMatrix& x);
 /// Whether every Hermitian matrix within x is positive definite; false where that is not proven.
 bool is_positive_definite(const IntervalMatrix& x);
 
-/// Upper bound of the row-sum norm, which for Hermitian matrices bounds the spectral norm. As [bound, bound].
+/// The upper end bounds the row-sum norm, which for Hermitian matrices bounds the spectral norm.
 Interval norm_bound(const IntervalMatrix& x);
 
 }  // namespace nipref::ref

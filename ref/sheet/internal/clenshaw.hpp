@@ -16,14 +16,8 @@ struct Angle {
 /// The precision that an Angle needs for the sums over `nodes`.
 mpfr_prec_t angle_precision(const Nodes& nodes);
 
-/// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence b_j = g_j + 2 cos(theta) b_{j+1} -
-/// b_{j+2}, in Reinsch's form and in fixed point: with d_j = b_j - b_{j+1}, B_j = 4 b_j and kappa =
-/// sin^2(theta/2)
-///
-///     d_j = d_{j+1} + g_j - kappa B_{j+1},    B_j = B_{j+1} + 4 d_j.
-///
-/// |error| <= 4 (last + 3) units 2^-F, which includes the last steps and the rounding of the Angle. Proof:
-/// ref/README.md, Lemma 5.
+/// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence in Reinsch's form and in fixed point, with B_j = 4 b_j;
+/// |error| <= 4 (last + 3) units 2^-F, which includes the last steps and the rounding of the Angle: ref/README.md, Lemma 5.
 Float cosine_sum(const Nodes& nodes, const Angle& angle);
 
 /// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last

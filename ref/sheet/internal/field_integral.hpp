@@ -34,10 +34,6 @@ struct FieldPoint {
   Exact alpha, depth;
 };
 
-/// The integral with an error of about e^{-nats}, times alpha where it is odd in alpha and alpha < 1, times depth
-/// where it is odd in depth. By residues from alpha = 1 on, by summation below.
-Interval field_integral(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
-
 /// The integral for alpha < 1: the parts of the symbols that are singular at the loads in closed form, the others by the
 /// trapezoidal rule with step h, whose error is the sum of
 ///
@@ -55,5 +51,12 @@ inline constexpr long field_sum_remainder = 25;
 /// (N + 1)^2 e^{-(N + 1/2) pi alpha}, times s if odd in depth. Proof: the same page.
 Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr long field_series_remainder = 1300;
+
+/// The integral with an error of about e^{-nats}, times alpha where it is odd in alpha and alpha < 1, times depth
+/// where it is odd in depth. By residues from alpha = 1 on, by summation below.
+inline Interval field_integral(const FieldIntegrand& integrand, const FieldPoint& at, double nats) {
+  return at.alpha.value() >= 1 ? field_by_residues(integrand, at, nats)
+                               : field_by_summation(integrand, at, nats);
+}
 
 }  // namespace nipref::ref

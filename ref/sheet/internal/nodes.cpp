@@ -34,109 +34,56 @@ long last_node(const NodeKey& key) {
   return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
-/// Evaluates h G(x) at equidistant x from powers of e^{-x}, each of which is the one before times a factor. What that rounds
-/// is less than the guard bits: ref/sheet/README.md, Kernels.
+/// Evaluates h G(x) at equidistant x > 0 from powers of e^{-x}, each of which is the one before times a factor. What that
+/// rounds is less than the guard bits: ref/sheet/README.md, Kernels.
 class SymbolLine {
  public:
-  SymbolLine(const NodeKey& key, mpfr_prec_t precision) : key_(key), x_(zero_of_bits(precision)) {
-    mpfr_set_d(raw(step1_), -key.step, MPFR_RNDN);
-    mpfr_exp(raw(step1_), raw(step1_), MPFR_RNDN);
-    mpfr_set_d(raw(step_u_), -1.5 * key.step, MPFR_RNDN);
-    mpfr_exp(raw(step_u_), raw(step_u_), MPFR_RNDN);
-  }
+  explicit SymbolLine(const NodeKey& key)
+      : key_(key), step1_(exp(Float(-key.step))), step_u_(exp(Float(-1.5 * key.step))) {}
 
   void start(long j) {
     place(j);
-    mpfr_neg(raw(e1_), raw(x_), MPFR_RNDN);
-    mpfr_exp(raw(e1_), raw(e1_), MPFR_RNDN);
-    if (key_.symbol != Symbol::normal) return;
-    mpfr_mul_d(raw(u_), raw(x_), -1.5, MPFR_RNDN);
-    mpfr_exp(raw(u_), raw(u_), MPFR_RNDN);
+    e1_ = exp(-x_);
+    if (key_.symbol == Symbol::normal) u_ = exp(Float(-1.5) * x_);
   }
 
   void advance(long j) {
     place(j);
-    mpfr_mul(raw(e1_), raw(e1_), raw(step1_), MPFR_RNDN);
-    if (key_.symbol == Symbol::normal) mpfr_mul(raw(u_), raw(u_), raw(step_u_), MPFR_RNDN);
+    e1_ *= step1_;
+    if (key_.symbol == Symbol::normal) u_ *= step_u_;
   }
 
-  /// h G(x) at the current x > 0.
-  const Float& value() {
-    mpfr_sqr(raw(b_), raw(e1_), MPFR_RNDN);  // e^{-2x}
-    denominator();
-    switch (key_.symbol) {
-      case Symbol::normal:
-        normal();
-        break;
-      case Symbol::I3:
-        mpfr_mul_ui(raw(a_), raw(b_), 4, MPFR_RNDN);
-        break;
-      case Symbol::I4:
-        cosh_like(-1);
-        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
-        break;
-      case Symbol::I5:
-        cosh_like(+1);
-        break;
-      case Symbol::I7:
-        cosh_like(-1);
-        break;
-      case Symbol::I6_alpha:
-        mpfr_mul_ui(raw(a_), raw(b_), 4, MPFR_RNDN);
-        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
-        break;
-      case Symbol::I6_eta:
-        cosh_like(+1);
-        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
-        break;
-    }
-    mpfr_div(raw(a_), raw(a_), raw(q_), MPFR_RNDN);
-    mpfr_mul_d(raw(a_), raw(a_), key_.step, MPFR_RNDN);
-    return a_;
+  [[nodiscard]] Float value() const {
+    const Float b = e1_ * e1_;
+    const Float q = 1 - b * b + 4 * x_ * b;  // 2 e^{-2x} S
+    return numerator(b, q) / q * key_.step;
   }
 
  private:
-  void place(long j) { mpfr_set_d(raw(x_), static_cast<double>(j) * key_.step, MPFR_RNDN); }
+  void place(long j) { x_ = static_cast<double>(j) * key_.step; }
 
-  /// q = 1 - e^{-4x} + 4 x e^{-2x} = 2 e^{-2x} S.
-  void denominator() {
-    mpfr_mul(raw(q_), raw(x_), raw(b_), MPFR_RNDN);
-    mpfr_mul_ui(raw(q_), raw(q_), 4, MPFR_RNDN);
-    mpfr_sqr(raw(a_), raw(b_), MPFR_RNDN);
-    mpfr_ui_sub(raw(a_), 1, raw(a_), MPFR_RNDN);
-    mpfr_add(raw(q_), raw(q_), raw(a_), MPFR_RNDN);
-  }
-
-  /// a = 2 e^{-x} (1 + sign e^{-2x}), the numerator of 2 cosh x/S or 2 sinh x/S over q.
-  void cosh_like(int sign) {
-    if (sign > 0) {
-      mpfr_add_ui(raw(a_), raw(b_), 1, MPFR_RNDN);
-    } else {
-      mpfr_ui_sub(raw(a_), 1, raw(b_), MPFR_RNDN);
+  /// G q. For `normal` [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)] q/x = [2u q/(1 + u) - 2b (1 + 2x - b)]/x, u = e^{-3x/2}.
+  [[nodiscard]] Float numerator(const Float& b, const Float& q) const {
+    switch (key_.symbol) {
+      case Symbol::I3:
+        return 4 * b;
+      case Symbol::I4:
+        return 2 * (e1_ * (1 - b)) / x_;
+      case Symbol::I5:
+        return 2 * (e1_ * (1 + b));
+      case Symbol::I7:
+        return 2 * (e1_ * (1 - b));
+      case Symbol::I6_alpha:
+        return 4 * b / x_;
+      case Symbol::I6_eta:
+        return 2 * (e1_ * (1 + b)) / x_;
+      default:
+        return 2 * (u_ / (1 + u_) * q - b * (1 + 2 * x_ - b)) / x_;
     }
-    mpfr_mul(raw(a_), raw(a_), raw(e1_), MPFR_RNDN);
-    mpfr_mul_ui(raw(a_), raw(a_), 2, MPFR_RNDN);
-  }
-
-  /// a/q = [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)]/x = [2u/(1+u) - 2 e^{-2x} (1 + 2x - e^{-2x})/q]/x with u =
-  /// e^{-3x/2}.
-  void normal() {
-    mpfr_mul_ui(raw(a_), raw(x_), 2, MPFR_RNDN);
-    mpfr_add_ui(raw(a_), raw(a_), 1, MPFR_RNDN);
-    mpfr_sub(raw(a_), raw(a_), raw(b_), MPFR_RNDN);
-    mpfr_mul(raw(a_), raw(a_), raw(b_), MPFR_RNDN);
-    mpfr_add_ui(raw(b_), raw(u_), 1, MPFR_RNDN);
-    mpfr_div(raw(b_), raw(u_), raw(b_), MPFR_RNDN);
-    mpfr_mul(raw(b_), raw(b_), raw(q_), MPFR_RNDN);
-    mpfr_sub(raw(a_), raw(b_), raw(a_), MPFR_RNDN);
-    mpfr_mul_ui(raw(a_), raw(a_), 2, MPFR_RNDN);
-    mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
   }
 
   const NodeKey& key_;
-  Float x_, e1_ = x_, u_ = x_;
-  Float step1_ = x_, step_u_ = x_;
-  Float a_ = x_, b_ = x_, q_ = x_;
+  Float step1_, step_u_, x_, e1_, u_;
 };
 
 mpfr_prec_t guard_bits(const NodeKey& key) {
@@ -144,20 +91,12 @@ mpfr_prec_t guard_bits(const NodeKey& key) {
 }
 
 /// g_0, see Nodes.
-void set_origin(Float& value, const NodeKey& key) {
+Float origin_of(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
-  mpfr_set_zero(raw(value), 1);
-  if (symbol.parity == Parity::odd) return;
+  if (symbol.parity == Parity::odd) return 0;
   // Every origin_value is a multiple of 1/12, exactly.
-  mpfr_set_d(raw(value), key.step * std::round(12 * symbol.origin_value), MPFR_RNDN);
-  mpfr_div_ui(raw(value), raw(value), 24, MPFR_RNDN);
-  if (symbol.origin != OriginPole::twofold) return;
-  Float residue = zero_of_bits(bits_of(value));
-  mpfr_const_pi(raw(residue), MPFR_RNDN);
-  mpfr_sqr(raw(residue), raw(residue), MPFR_RNDN);
-  mpfr_div_ui(raw(residue), raw(residue), 12, MPFR_RNDN);
-  mpfr_div_d(raw(residue), raw(residue), key.step, MPFR_RNDN);
-  mpfr_sub(raw(value), raw(value), raw(residue), MPFR_RNDN);
+  const Float half = Float(key.step * std::round(12 * symbol.origin_value)) / 24;
+  return symbol.origin == OriginPole::twofold ? Float(half - pi() * pi() / 12 / key.step) : half;
 }
 
 /// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
@@ -179,12 +118,11 @@ NodeBlock make_block(const NodeKey& key, long first, long end) {
   const long bits = std::max(1L, key.fraction_bits + magnitude + 4);  // for 4 b_j, its sign and one spare bit
   NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
-  SymbolLine line(key, precision);
-  Float origin = zero_of_bits(precision);
+  const WorkingDigits working(digits_of(precision));
+  SymbolLine line(key);
   for (long j = first; j < end; ++j) {
     j == first ? line.start(j) : line.advance(j);
-    if (j == 0) set_origin(origin, key);
-    append(block.values, block.limbs, j == 0 ? origin : line.value(), key);
+    append(block.values, block.limbs, j == 0 ? origin_of(key) : line.value(), key);
   }
   return block;
 }

@@ -29,8 +29,7 @@ struct NodeBlock {
   [[nodiscard]] std::size_t size() const { return values.size() / limbs; }
 };
 
-/// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; at a twofold pole it is h G_0/2 - pi^2/(12
-/// h), the constant part of the residue of G(z) pi cot(pi z/h) at 0.
+/// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; at a twofold pole see ref/sheet/README.md, Kernels.
 ///
 /// Promise: the error of each stored number is at most one unit 2^-F, and the nodes after the last obey
 /// sum_{j > last} |g_j| <= C' h q^{last+1}/(1 - q) <= 2^8 units with q = e^{-r h}, C' = effective_amplitude.

@@ -27,12 +27,6 @@ Interval coefficient_bound(double variation, long n, mpfr_prec_t precision) {
   return result;
 }
 
-bool is_above(const Interval& x, const Interval& bound) {
-  Float smallest = zero_of_bits(x.precision());
-  mpfi_mig(raw(smallest), x.get());
-  return mpfr_greater_p(raw(smallest), bound.upper()) != 0;
-}
-
 /// Chebyshev coefficients of the derivative: T_n' = 2n (T_{n-1} + T_{n-3} + ...), of T_0 half.
 std::vector<Float> slope_of(const std::vector<Float>& coefficients) {
   std::vector<Float> slope(coefficients.size() + 1);
@@ -79,7 +73,8 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
       coefficient = coefficient + values[static_cast<std::size_t>(k)] * cosines(n * (2 * k + 1));
     }
     coefficient = (n == 0 ? 1 : 2) * coefficient / points_;
-    if (n >= points_ - watched && is_above(coefficient, coefficient_bound(shape_.variation, n, precision))) {
+    if (n >= points_ - watched &&
+        sign_of(abs(coefficient) - coefficient_bound(shape_.variation, n, precision)) > 0) {
       throw std::logic_error("kernel values that no analytic function has");
     }
     const Float near = middle_of(coefficient);

@@ -52,8 +52,8 @@ std::optional<Interval> zero_between(const Memory& memory, Float low, Float high
   for (Float apart = ldexp(high, 8 - working_bits()); apart < (to - from) / 4; apart *= 16) {
     const Float left = high - apart, right = high + apart;
     if (!(left > from && right < to)) return std::nullopt;
-    if (mpfr_sgn(memory.compliance(interval_of(left)).upper()) < 0 &&
-        mpfr_sgn(memory.compliance(interval_of(right)).lower()) > 0)
+    if (sign_of(memory.compliance(interval_of(left))) < 0 &&
+        sign_of(memory.compliance(interval_of(right))) > 0)
       return Interval(left, right, working_bits());
   }
   return std::nullopt;
@@ -404,8 +404,8 @@ std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memor
   const Float apart = found * pow(Float(10), -(digits + spare_digits));
   const Float lower = found - apart, higher = found + apart;
   const auto carries_less = at(lower), carries_more = at(higher);
-  if (!carries_less || !carries_more || mpfr_sgn((carries_less->load() - wanted).upper()) >= 0 ||
-      mpfr_sgn((carries_more->load() - wanted).lower()) <= 0)
+  if (!carries_less || !carries_more || sign_of(carries_less->load() - wanted) >= 0 ||
+      sign_of(carries_more->load() - wanted) <= 0)
     return std::nullopt;
   return proven_rolling(memories, Interval(lower, higher, working_bits()), digits + spare_digits / 2);
 }

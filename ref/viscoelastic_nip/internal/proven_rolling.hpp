@@ -5,7 +5,6 @@
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rolling_material.hpp>
 
 namespace nipref::ref {
 

@@ -56,31 +56,6 @@ Interval half_thickness_of(const RollingLoads& problem) {
   return {Exact(problem.half_thickness()), working_bits()};
 }
 
-class StartedSheet final : public LineLoadSheet {
- public:
-  StartedSheet(RollingLoads problem, RollingGrid grid)
-      : problem_(std::move(problem)), grid_(std::move(grid)) {}
-
-  [[nodiscard]] Interval normal_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                             const LineLoadPlace& place) const override {
-    return loads.normal[load] *
-           normal_at(problem_, grid_, in_half_thicknesses(place), static_cast<int>(load));
-  }
-  [[nodiscard]] Interval tangential_displacement(const SolvedLineLoads& loads, std::size_t load,
-                                                 const LineLoadPlace& place) const override {
-    return loads.normal[load] *
-           tangential_at(problem_, grid_, in_half_thicknesses(place), static_cast<int>(load));
-  }
-
- private:
-  [[nodiscard]] RollingPlace in_half_thicknesses(const LineLoadPlace& place) const {
-    return {place.distance / problem_.half_thickness(), place.half_elements};
-  }
-
-  RollingLoads problem_;
-  RollingGrid grid_;
-};
-
 }  // namespace
 
 Interval RollingGrid::length(long half_elements) const {
@@ -116,22 +91,16 @@ Interval tangential_at(const RollingLoads& problem, const RollingGrid& grid, con
 
 std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const RollingGrid& grid) {
   const int n = problem.loads();
-  NearlyKnownSystem system{Matrix(n + 1, n + 1), Matrix(n + 1, 1), 0, Vector(1)};
+  auto system = NearlyKnownSystem::of_size(n + 1, 1);
   const Interval compliance = interval_of(problem.instantaneous());
   const Interval half_thickness = half_thickness_of(problem);
   const Interval curvature = half_thickness / (2 * Interval(problem.nip.roller_radius, working_bits()));
-  const auto keep = [](Float& entry, Float& error, const Interval& value) {
-    entry = middle_of(value);
-    error = std::max<Float>(error, upper_end(distance_from(entry, value)));
-  };
-  system.right_error(0) = 0;
   for (int i = 0; i <= n; ++i) {
     const long half_elements = 2L * (problem.leading - i);
-    keep(system.right(i), system.right_error(0), square(grid.length(half_elements)) * curvature);
+    system.set_right(i, 0, square(grid.length(half_elements)) * curvature);
     system.matrix(i, 0) = 1;
     for (int j = 0; j < n; ++j)
-      keep(system.matrix(i, j + 1), system.error,
-           -(normal_at(problem, grid, {0, half_elements}, j) / compliance));
+      system.set(i, j + 1, -(normal_at(problem, grid, {0, half_elements}, j) / compliance));
   }
   auto solved = enclosed_solutions(system);
   if (!solved) return std::nullopt;
@@ -140,6 +109,12 @@ std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const Ro
   std::vector<Interval> loads;
   for (int j = 1; j <= n; ++j)
     loads.push_back(half_thickness / compliance * unknowns[static_cast<std::size_t>(j)]);
+  const auto under = [problem, grid](auto influence_at) -> UnderLoad {
+    return [=](const SolvedLineLoads& contact, std::size_t load, const LineLoadPlace& place) {
+      const RollingPlace at{place.distance / problem.half_thickness(), place.half_elements};
+      return contact.normal[load] * influence_at(problem, grid, at, static_cast<int>(load));
+    };
+  };
   return SolvedLineLoads{.roller_radius = problem.nip.roller_radius,
                          .leading_elements = problem.leading,
                          .is_symmetric = false,
@@ -150,7 +125,8 @@ std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const Ro
                          .error = solved->error / solved->largest,
                          .condition = solved->condition,
                          .unknowns = n + 1,
-                         .sheet = std::make_shared<const StartedSheet>(problem, grid)};
+                         .normal_under = under(normal_at),
+                         .tangential_under = under(tangential_at)};
 }
 
 }  // namespace nipref::ref

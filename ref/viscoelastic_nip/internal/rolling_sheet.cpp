@@ -11,11 +11,24 @@
 namespace nipref::ref {
 namespace {
 
+using Terms = std::vector<RollingMemory>;
+
+/// The terms of equal rate, to rounding, are joined.
+void add_term(Terms& terms, const RollingMemory& term) {
+  const auto same = std::ranges::find_if(terms, [&](const RollingMemory& other) {
+    return abs(other.rate - term.rate) <= ldexp(abs(other.rate), 16 - working_bits());
+  });
+  if (same == terms.end())
+    terms.push_back(term);
+  else
+    same->amplitude = same->amplitude + term.amplitude;
+}
+
 /// Widths at an end over those without memory, times the largest rate.
 constexpr double widest_of_memory = 1.5;
 
-std::vector<RollingMemory> with_conjugates(const std::vector<RollingMemory>& terms) {
-  std::vector<RollingMemory> all;
+Terms with_conjugates(const Terms& terms) {
+  Terms all;
   for (const RollingMemory& term : terms) {
     if (abs(term.amplitude) == 0) continue;
     if (term.rate.is_real()) {
@@ -30,34 +43,40 @@ std::vector<RollingMemory> with_conjugates(const std::vector<RollingMemory>& ter
 }
 
 /// The zeros of C(-s), as those of C(-s) prod (r_i - s). They start beside the real axis, as real steps find no complex zeros.
-std::vector<ComplexFloat> zeros_of(const std::vector<RollingMemory>& terms) {
-  constexpr int most_rounds = 400;
+std::vector<ComplexFloat> zeros_of(const Terms& terms) {
   const ComplexFloat beside(1, Float(1) / 8);
-  std::vector<ComplexFloat> zeros;
-  for (const RollingMemory& term : terms) zeros.push_back(term.rate + term.amplitude * beside);
-  const Float enough = ldexp(Float(1), 8 - working_bits());
-  for (int round = 0; round < most_rounds; ++round) {
-    Float largest = 0;
-    for (std::size_t j = 0; j < zeros.size(); ++j) {
-      const ComplexFloat s = zeros[j];
-      ComplexFloat value(1), slope, poles;
-      for (const RollingMemory& term : terms) {
-        const ComplexFloat distance = term.rate - s, part = term.amplitude / distance;
-        value = value + part;
-        slope = slope + part / distance;
-        poles = poles + ComplexFloat(1) / distance;
-      }
-      if (abs(value) == 0) continue;
-      const ComplexFloat change = zero_correction(zeros, j, slope / value - poles);
-      zeros[j] = s - change;
-      largest = std::max(largest, Float(abs(change) / abs(s)));
+  std::vector<ComplexFloat> guesses;
+  for (const RollingMemory& term : terms) guesses.push_back(term.rate + term.amplitude * beside);
+  const auto slope_over_value = [&](const ComplexFloat& s) -> std::optional<ComplexFloat> {
+    ComplexFloat value(1), slope, poles;
+    for (const RollingMemory& term : terms) {
+      const ComplexFloat distance = term.rate - s, part = term.amplitude / distance;
+      value = value + part;
+      slope = slope + part / distance;
+      poles = poles + ComplexFloat(1) / distance;
     }
-    if (largest < enough) break;
-  }
-  return zeros;
+    if (abs(value) == 0) return std::nullopt;
+    return slope / value - poles;
+  };
+  return zeros_by_steps(std::move(guesses), slope_over_value, ldexp(Float(1), 8 - working_bits()));
 }
 
 }  // namespace
+
+RollingMaterial rolling_material(const data::ViscoelasticNip& nip) {
+  const auto [theta1, theta2] = material_compliances(nip.material);
+  RollingMaterial result{theta1.at_once + theta2.at_once, {}, 0, {}};
+  result.theta2_at_once = theta2.at_once / result.compliance;
+  const Float ways = Float(nip.sheet_thickness) / 2 / nip.speed;  // half-thicknesses in a unit of time
+  const auto add_rolled = [&](Terms& terms, const Terms& in_time) {
+    for (const auto& [amplitude, rate] : in_time)
+      add_term(terms, {amplitude * (ways / result.compliance), rate * ways});
+  };
+  add_rolled(result.theta2, theta2.terms);
+  add_rolled(result.normal, theta1.terms);
+  add_rolled(result.normal, theta2.terms);
+  return result;
+}
 
 RollingSheet::RollingSheet(RollingMaterial the_material)
     : material(std::move(the_material)), memory(with_conjugates(material.normal)) {

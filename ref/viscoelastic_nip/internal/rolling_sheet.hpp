@@ -1,10 +1,26 @@
 #pragma once
 #include <vector>
 
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/nip/internal/nip_solution.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rolling_material.hpp>
 
 namespace nipref::ref {
+
+/// A term of a compliance over the instantaneous part of N, as the steadily rolling sheet sees it: with the way
+/// (half-thicknesses) that a material point has gone for the time. Dimensionless.
+using RollingMemory = ComplianceTerm;
+
+/// The compliances of a steadily rolling sheet.
+struct RollingMaterial {
+  Float compliance;                   ///< N at once, 1/stress
+  std::vector<RollingMemory> normal;  ///< of N, beside 1
+  Float theta2_at_once;               ///< over that of N
+  std::vector<RollingMemory> theta2;
+};
+
+/// Errors as of material_compliances().
+RollingMaterial rolling_material(const data::ViscoelasticNip& nip);
 
 /// A steadily rolling sheet and the inverse of its compliance. With D = d/dx, x the way behind the leading end, the surface
 /// follows u = C f, C = 1 + sum_i a_i/(D + r_i), from what an elastic sheet would do, f = K p; and
