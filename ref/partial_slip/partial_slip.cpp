@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
-#include <nipref/ref/partial_slip/internal/plain_zones.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 #include <nipref/ref/partial_slip/partial_slip.hpp>
 

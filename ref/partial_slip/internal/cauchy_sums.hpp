@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/partial_slip/internal/zone_panels.hpp>
+#include <nipref/ref/partial_slip/internal/zone_grid.hpp>
 
 namespace nipref::ref {
 

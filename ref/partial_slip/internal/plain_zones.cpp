@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include <nipref/ref/partial_slip/internal/plain_zones.hpp>
+#include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,7 +1,7 @@
 #include <complex>
 #include <utility>
 
-#include <nipref/ref/partial_slip/internal/slip_slopes.hpp>
+#include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {
 namespace {

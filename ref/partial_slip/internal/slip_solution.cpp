@@ -3,7 +3,6 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/ref/partial_slip/internal/slip_slopes.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {

@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
-#include <nipref/ref/partial_slip/internal/zone_panels.hpp>
+#include <nipref/ref/partial_slip/internal/zone_grid.hpp>
 
 namespace nipref::ref {
 
