@@ -36,12 +36,6 @@ RefNumber ref_number(const ref::Estimate& number) {
           mpfr_get_d(ref::raw(number.error), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
-/// A value with which a number is compared.
-struct Other {
-  RefNumber number;
-  bool is_truth;  ///< false for an identity
-};
-
 /// The numbers of one solved scene with the findings of all comparisons.
 class Comparisons {
  public:
@@ -51,13 +45,14 @@ class Comparisons {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// Compares each number of these results with other_of(result, i), if that exists.
-  void against(const std::string& name, const std::vector<ResultId>& results, const auto& other_of) {
+  /// Compares each number of these results with other_of(result, i), if that exists: the truth, or what an identity gives.
+  void against(const std::string& name, bool is_truth, const std::vector<ResultId>& results,
+               const auto& other_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
       if (std::ranges::find(results, result.what->id) == results.end()) continue;
       for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-        if (const std::optional<Other> other = other_of(result, i)) compare(name, k, i, *other);
+        if (const std::optional<RefNumber> other = other_of(result, i)) compare(name, k, i, *other, is_truth);
       }
     }
   }
@@ -85,8 +80,7 @@ class Comparisons {
     std::optional<double> overestimate;
   };
 
-  void compare(const std::string& name, std::size_t k, std::size_t i, const Other& with) {
-    const RefNumber& other = with.number;
+  void compare(const std::string& name, std::size_t k, std::size_t i, const RefNumber& other, bool is_truth) {
     const Solution::Result& result = solved_.results[k];
     const Estimate& mine = result.numbers[i];
     Checked& checked = checked_[k][i];
@@ -95,14 +89,13 @@ class Comparisons {
     const bool covered = difference <= both;
     if (!covered) checked.uncovered = true;
     // An identity is as accurate as the scene itself, except for a rounding or two.
-    if (!covered || other.error <= (with.is_truth ? 1 : 2) * mine.error) checked.at_all = true;
+    if (!covered || other.error <= (is_truth ? 1 : 2) * mine.error) checked.at_all = true;
     if (!result.allowed.empty() && mine.error <= result.allowed[i] &&
         difference - other.error > result.allowed[i])
       checked.missed = true;
     // The first truth is the best one.
     const bool is_given = std::ranges::find(given_, result.what->id) != given_.end();
-    if (with.is_truth && !is_given && !checked.overestimate && mine.error > 0 &&
-        other.error <= 0.1 * mine.error) {
+    if (is_truth && !is_given && !checked.overestimate && mine.error > 0 && other.error <= 0.1 * mine.error) {
       const double least = std::max(other.error, 0x1p-53 * std::fabs(mine.value));
       checked.overestimate = mine.error / std::max(difference, least);
     }
@@ -134,11 +127,9 @@ class Comparisons {
   }
 
   [[nodiscard]] std::string place_of(const Solution::Result& result, std::size_t i) const {
-    if (result.what->shape == data::Shape::profile) return fmt::format(" at {}", solved_.positions[i]);
-    if (result.what->shape != data::Shape::field) return "";
-    const std::vector<double>& positions = solved_.field.positions;
-    return fmt::format(" at {}, depth {}", positions[i % positions.size()],
-                       solved_.field.depths[i / positions.size()]);
+    const auto [position, depth] = solved_.place(*result.what, i);
+    return (position ? fmt::format(" at {}", *position) : "") +
+           (depth ? fmt::format(", depth {}", *depth) : "");
   }
 
   SceneFindings& findings_;
@@ -152,22 +143,19 @@ struct OtherOf {
   const Solution& solution;
   const Variant* variant = nullptr;  ///< null: the truth
 
-  std::optional<Other> operator()(const Solution::Result& result, std::size_t i) const {
-    const Estimate number = other_number(result, i);
-    if (variant == nullptr) return Other{{number.value, number.error}, true};
-    const Estimate back = variant->back(*result.what, number);
-    return Other{{back.value, back.error}, false};
-  }
-
- private:
-  /// Of a list this is the nearest number, as the two lists may have different lengths.
-  [[nodiscard]] Estimate other_number(const Solution::Result& result, std::size_t i) const {
+  std::optional<RefNumber> operator()(const Solution::Result& result, std::size_t i) const {
     const std::vector<Estimate>& numbers = solution.profile(result.what->name);
-    if (result.what->shape != data::Shape::list) return numbers[i];
-    return *std::ranges::min_element(numbers, {}, [&](const Estimate& other) {
-      const Estimate back = variant == nullptr ? other : variant->back(*result.what, other);
-      return std::fabs(back.value - result.numbers[i].value);
-    });
+    const auto back = [&](const Estimate& other) {
+      return variant == nullptr ? other : variant->back(*result.what, other);
+    };
+    // Of a list this is the nearest number, as the two lists may have different lengths.
+    const Estimate& other = result.what->shape != data::Shape::list
+                                ? numbers[i]
+                                : *std::ranges::min_element(numbers, {}, [&](const Estimate& one) {
+                                    return std::fabs(back(one).value - result.numbers[i].value);
+                                  });
+    const Estimate number = back(other);
+    return RefNumber{number.value, number.error};
   }
 };
 
@@ -200,17 +188,17 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   const bool includes_costly = random.chance(surface.all_lines_are_alike() ? costly_share : costliest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved[ResultId::critical_speed].value;
-  comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
+  comparisons.against("ref", true, wanted, [&](const Solution::Result& result, std::size_t i) {
     const ResultId id = result.what->id;
     if (is_too_costly(problem, surface, id, critical_speed) ||
         (!includes_costly && is_costly(problem, surface, id)))
-      return std::optional<Other>();
+      return std::optional<RefNumber>();
     try {
       const bool is_profile = result.what->shape == data::Shape::profile;
       const auto& numbers = contact->get(id, is_profile ? Places{{solved.positions[i]}} : Places{});
-      return std::optional(Other{ref_number(numbers.front()), true});
+      return std::optional(ref_number(numbers.front()));
     } catch (const data::BadInput&) {
-      return std::optional<Other>();  // no proof is found, or the digits are not reached
+      return std::optional<RefNumber>();  // no proof is found, or the digits are not reached
     }
   });
 }
@@ -233,9 +221,8 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
   drawn.set_wanted(known);
   try {
     const auto truth = solvers.ref(drawn.scene(), ref_digits);
-    comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
-      const ref::Estimate& number = truth.profile(result.what->id)[i];
-      return std::optional(Other{ref_number(number), true});
+    comparisons.against("ref", true, known, [&](const Solution::Result& result, std::size_t i) {
+      return std::optional(ref_number(truth.profile(result.what->id)[i]));
     });
   } catch (const data::BadInput&) {
     // Positions far outside the contact of a very thin sheet are outside the domain of the reference's kernels.
@@ -245,7 +232,7 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
 void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolvers& solvers) {
   drawn.set("accuracy", best_accuracy);
   const Solution best = solvers.fast(drawn.scene());
-  comparisons.against("the same at 1e-13", drawn.wanted(), OtherOf{best});
+  comparisons.against("the same at 1e-13", true, drawn.wanted(), OtherOf{best});
 }
 
 /// The largest pressure, with the pressure where it is said to be.
@@ -254,9 +241,10 @@ void compare_peak(Comparisons& comparisons, DrawnScene drawn, const Solution& so
   drawn.set("profile.positions", std::vector{solved[ResultId::peak_pressure_position].value});
   drawn.set_wanted({ResultId::pressure});
   const Estimate there = solvers.fast(drawn.scene()).profile(ResultId::pressure)[0];
-  comparisons.against("pressure there", {ResultId::peak_pressure}, [&](const Solution::Result&, std::size_t) {
-    return std::optional(Other{{there.value, there.error}, false});
-  });
+  comparisons.against("pressure there", false, {ResultId::peak_pressure},
+                      [&](const Solution::Result&, std::size_t) {
+                        return std::optional(RefNumber{there.value, there.error});
+                      });
 }
 
 void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
@@ -264,7 +252,7 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
   for (const Variant& variant : variants_of(drawn, solved, random)) {
     try {
       const Solution other = solvers.fast(variant.scene.scene());
-      comparisons.against(variant.name, variant.scene.wanted(), OtherOf{other, &variant});
+      comparisons.against(variant.name, false, variant.scene.wanted(), OtherOf{other, &variant});
     } catch (const data::BadInput&) {
       // For a scene at the limit of a domain the variant may be outside it.
     }

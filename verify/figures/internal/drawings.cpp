@@ -89,6 +89,8 @@ Curves curves_of(const TomlTable& curve, const std::string& label, const FigureS
   if (const auto other = others.find(curve.text_or("by", "")); other != others.end())
     return other->second(formulas, series);
   const std::string along = curve.text_or("along", "");
+  if (!along.empty() && !scope.row->lists.contains(along))
+    curve.refuse(fmt::format("must have a figure with numbers for '{}'", along));
   for (const double number : along.empty() ? std::vector{0.0} : scope.row->numbers(along)) {
     formulas.define(along, number);
     series.x.push_back(formulas.value(curve.text_or("x", along)));

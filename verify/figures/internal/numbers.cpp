@@ -20,12 +20,13 @@
 namespace nipref::verify {
 namespace {
 
-/// The words of a formula's brackets behind the kind of number.
+/// The words of a formula's brackets: names, the kind of number first, and KEY=VALUE.
 struct NumberWords {
+  std::string text;
   std::vector<std::string> names;
   std::map<std::string, std::string> values;
 
-  explicit NumberWords(const std::string& words) {
+  explicit NumberWords(const std::string& words) : text(words) {
     for (const std::string& word : words_of(words)) {
       const std::size_t equals = word.find('=');
       if (equals == std::string::npos) {
@@ -35,10 +36,22 @@ struct NumberWords {
       }
     }
   }
+  [[nodiscard]] const std::string& name(std::size_t i) const {
+    if (i >= names.size()) refuse(fmt::format("{} names", i + 1));
+    return names[i];
+  }
+  [[nodiscard]] const std::string& value(const std::string& key) const {
+    const auto found = values.find(key);
+    if (found == values.end()) refuse(key + "=VALUE");
+    return found->second;
+  }
+  [[noreturn]] void refuse(std::string_view lacking) const {
+    throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
+  }
 };
 
 double quantity(const NumberWords& words, FigureFormulas& formulas) {
-  const Quantity& wanted = find_quantity(words.names.at(1));
+  const Quantity& wanted = find_quantity(words.name(1));
   Assignments arguments(words.values.begin(), words.values.end());
   for (auto& [key, text] : arguments)
     if (text.starts_with('$')) text = fmt::format("{}", formulas.value(text.substr(1)));
@@ -51,8 +64,8 @@ constexpr double stated_bulk = data::seed::sheet.young,
                  stated_shear = data::thesis_shear_over_bulk * stated_bulk;
 
 double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
-  const auto number = [&](const char* key) { return formulas.value(words.values.at(key)); };
-  const std::string& name = words.names.at(1);
+  const auto number = [&](const char* key) { return formulas.value(words.value(key)); };
+  const std::string& name = words.name(1);
   if (name == "Un" || name == "Vn") {
     constexpr double half_thickness = 0.0025, speed = 1;
     const fast::PlainMovingLoad load(
@@ -68,15 +81,15 @@ double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
 }
 
 double creep_response(const NumberWords& words, FigureFormulas& formulas) {
-  const std::string& name = words.names.at(1);
-  const bool misprinted = formulas.value(words.values.at("rate")) == data::misprinted_rate_factor;
+  const std::string& name = words.name(1);
+  const bool misprinted = formulas.value(words.value("rate")) == data::misprinted_rate_factor;
   const auto solid = misprinted ? data::misprinted_thesis_solid(stated_bulk, stated_shear, 1)
                                 : data::single_relaxation_time_solid(stated_bulk, stated_shear, 1);
   const data::MaterialFunctions both = *solid.functions();
   const data::MaterialFunction theta = name == "theta1"   ? both.theta1
                                        : name == "theta2" ? both.theta2
                                                           : both.normal_compliance();
-  const double t = formulas.value(words.values.at("t"));
+  const double t = formulas.value(words.value("t"));
   double compliance = theta.instantaneous;
   for (const data::RelaxationTerm& term : theta.terms)
     compliance -= (term.amplitude / term.rate * std::expm1(-term.rate.real() * t)).real();
@@ -86,10 +99,9 @@ double creep_response(const NumberWords& words, FigureFormulas& formulas) {
 /// A number, or with `at` that at a place.
 double result_of(const SolvedContact<fast::Estimate>& contact, const NumberWords& words,
                  FigureFormulas& formulas) {
-  const std::string& name = words.names.back();
+  const std::string& name = words.name(words.names.size() - 1);
   const data::SceneResult* const result = data::find_scene_result(name);
-  if (result == nullptr || !contact.has(result->id))
-    throw data::BadInput("formula", name, "must be a result of the contact");
+  if (result == nullptr || !contact.has(result->id)) words.refuse("a result of the contact");
   const auto at = words.values.find("at");
   return at == words.values.end() ? contact.number(result->id).value
                                   : contact.at(result->id, formulas.value(at->second)).value;
@@ -98,9 +110,9 @@ double result_of(const SolvedContact<fast::Estimate>& contact, const NumberWords
 /// The contact of a scene with these values of its keys.
 const SolvedContact<fast::Estimate>& scene_of(const NumberWords& words, FigureFormulas& formulas,
                                               FigureContacts& contacts) {
-  const std::string& name = words.names.at(1);
-  data::SceneOverrides keys{{"method.kind", words.names.at(2)}};
-  std::string all = name + " " + words.names[2];
+  const std::string& name = words.name(1);
+  data::SceneOverrides keys{{"method.kind", words.name(2)}};
+  std::string all = name + " " + words.name(2);
   for (const auto& [key, formula] : words.values) {
     if (key == "at") continue;
     keys.emplace_back(key, fmt::format("{}", formulas.value(formula)));
@@ -130,14 +142,17 @@ FigureFormulas::FigureFormulas(const FigureScope& of, FigureContacts& contacts)
 
 Propagated FigureFormulas::solve(const std::string& words) {
   const NumberWords all(words);
-  const std::string& kind = all.names.at(0);
+  const std::string& kind = all.name(0);
   static const std::map<std::string, double (*)(const NumberWords&, FigureFormulas&)> kinds{
       {"double", quantity}, {"plain", plain_sum}, {"creep", creep_response}};
   if (const auto known = kinds.find(kind); known != kinds.end())
     return Propagated::exact(known->second(all, *this));
   if (kind == "nip") return Propagated::exact(result_of(nip(), all, *this));
   if (kind == "scene") return Propagated::exact(result_of(scene_of(all, *this, contacts_), all, *this));
-  if (kind == "replayed") return Propagated::exact(replayed_->at(all.names.at(1)));
+  if (kind == "replayed") {
+    if (replayed_ == nullptr || !replayed_->contains(all.name(1))) all.refuse("a column of a nip's table");
+    return Propagated::exact(replayed_->at(all.name(1)));
+  }
   return contacts_.others(words, formulas_);
 }
 
