@@ -118,14 +118,23 @@ ExactFunction exactly(auto function, auto... numbers) {
   };
 }
 
-/// The functions of an entry. Points have speeds up to `largest_share` of the critical one; `more` draws the arguments
-/// that belong neither to the bodies nor to their speed.
+/// Draws the arguments that belong neither to the bodies nor to their speed.
+void draw_others(Random& random, const NamedNumbers& x) {
+  for (const Argument& argument : x.arguments()) {
+    const std::string& name = argument.name;
+    if (name == "friction") x[name] = draw_friction(random);
+    if (name == "psi_deg" || name == "phi_deg") x[name] = draw_angle(random);
+    if (name == "span_over_radius") x[name] = random.log_uniform(1e-9, 1);
+    if (name == "curvature_ratio") x[name] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
+  }
+}
+
+/// The functions of an entry. Points have speeds up to `largest_share` of the critical one.
 struct ContactRow {
   const char* name;
   double largest_share;
   ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
-  void (*more)(Random& random, const NamedNumbers& x) = [](Random&, const NamedNumbers&) {};
   std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
   double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
   void (*keep_more)(const NamedNumbers& x) = [](const NamedNumbers&) {};
@@ -137,7 +146,8 @@ std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
   for (const ContactRow& row : rows) {
     const auto draw = [=](Random& random, NamedNumbers x) {
       Bodies::draw(random, x, row.largest_share);
-      row.more(random, x);
+      draw_others(random, x);
+      row.keep_more(x);
     };
     Quantity entry =
         sampled(entry_of(row.name, row.by_ref, row.by_fast, row.size), draw, [=](NamedNumbers x) {
@@ -159,16 +169,6 @@ double exponent(const NamedPoint& x) {
 template <class Bodies>
 double force(const NamedPoint& x) {
   return slide<Bodies>(x).force().value;
-}
-
-void draw_psi(Random& random, const NamedNumbers& x) { x["psi_deg"] = draw_angle(random); }
-void draw_sliding(Random& random, const NamedNumbers& x) { x["friction"] = draw_friction(random); }
-void draw_sliding_line(Random& random, const NamedNumbers& x) {
-  draw_sliding(random, x);
-  draw_psi(random, x);
-}
-void draw_ratio_of_curvatures(Random& random, const NamedNumbers& x) {
-  x["curvature_ratio"] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
 }
 
 fast::EllipticContact ellipse(const NamedPoint& x) {
@@ -212,18 +212,11 @@ void keep_finite_span(const NamedNumbers& x) {
   x["span_over_radius"] = std::min({x["span_over_radius"], of_line / 2, of_motion / 2});
 }
 
-template <void (*keep)(const NamedNumbers&)>
-void draw_span(Random& random, const NamedNumbers& x) {
-  x["span_over_radius"] = random.log_uniform(1e-9, 1);
-  draw_psi(random, x);
-  keep(x);
-}
-
 const std::vector<ContactRow>& rows_on_isotropic() {
   using Bodies = OnIsotropic;
   static const ExactFunction sliding_exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg");
   static const std::vector<ContactRow> rows{
-      {"die.exponent", nearest_critical, sliding_exponent, exponent<Bodies>, draw_sliding_line},
+      {"die.exponent", nearest_critical, sliding_exponent, exponent<Bodies>},
       {"die.peak_place",
        nearest_critical,
        [](const NamedExact& x, int digits) {
@@ -232,27 +225,23 @@ const std::vector<ContactRow>& rows_on_isotropic() {
          return place;
        },
        [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
-       draw_sliding_line,
        {},
        [](const NamedPoint&) { return 0.5; }},
       {"die.span_ratio",
        nearest_critical,
        exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(across_motion).value; },
-       draw_sliding,
        {[](const NamedPoint& x) {
           return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]);
         },
         [](const NamedPoint& x) {
           return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
         }}},
-      {"die.force", nearest_integrated, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>,
-       draw_sliding},
+      {"die.force", nearest_integrated, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>},
       {"rolling.index",
        nearest_critical,
        exactly<Bodies>(ref::rolling_index, "psi_deg"),
        [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; },
-       draw_psi,
        {},
        [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
       {.name = "rolling.span_ratio",
@@ -268,13 +257,11 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        .largest_share = nearest_critical,
        .by_ref = exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
        .by_fast = finite_span_ratio,
-       .more = draw_span<keep_finite_span>,
        .keep_more = keep_finite_span},
       {"rolling.strip", nearest_critical, exactly<Bodies>(ref::rolling_strip, "psi_deg"),
        [](const NamedPoint& x) {
          return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
-       },
-       draw_psi},
+       }},
       {.name = "rolling.force",
        .largest_share = nearest_integrated,
        .by_ref = exactly<Bodies>(ref::rolling_force),
@@ -289,24 +276,17 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        .by_ref = exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
        .by_fast =
            [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
-       .more = draw_span<keep_span>,
        .seed_forms = {[](const NamedPoint& x) {
          return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
        }},
        .keep_more = keep_span},
       {"ellipse.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, "curvature_ratio"),
-       [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }, draw_ratio_of_curvatures},
+       [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }},
       {"ellipse.stiffness", nearest_integrated, exactly<Bodies>(ref::elliptic_stiffness, "curvature_ratio"),
        [](const NamedPoint& x) {
          return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
-       },
-       draw_ratio_of_curvatures}};
+       }}};
   return rows;
-}
-
-void draw_line_of_contact(Random& random, const NamedNumbers& x) {
-  x["phi_deg"] = draw_angle(random);
-  x["friction"] = draw_friction(random);
 }
 
 bool has_normal_axis(const NamedPoint& x) { return symmetry_axis(x) == data::SymmetryAxis::normal; }
@@ -357,7 +337,6 @@ const std::vector<ContactRow>& rows_of_seed_sphere() {
        nearest_critical,
        exactly<Bodies>(ref::sliding_span_ratio, "friction", "phi_deg"),
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(direction_of(x, "phi_deg")).value; },
-       draw_line_of_contact,
        {seed_span_ratio<InPlaneForm::printed>, seed_span_ratio<InPlaneForm::tabulated>}},
       {"ti.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, Exact(1.0)),
        [](const NamedPoint& x) {
@@ -367,13 +346,11 @@ const std::vector<ContactRow>& rows_of_seed_sphere() {
        nearest_critical,
        exactly<Bodies>(ref::sliding_exponent, "friction", "phi_deg"),
        exponent<Bodies>,
-       draw_line_of_contact,
        {seed_exponent}},
       {"ti.force",
        nearest_for_force,
        exactly<Bodies>(ref::sliding_force, "friction"),
        force<Bodies>,
-       draw_sliding,
        {seed_force}}};
   return rows;
 }
