@@ -1,9 +1,30 @@
 #pragma once
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/test.hpp"
+
+/// A scene of data/scenes with other values of these keys.
+inline nipref::data::Scene loaded_example(const std::string& name,
+                                          const nipref::data::SceneOverrides& other = {}) {
+  return nipref::data::load_scene(nipref::data::example_scene(name), other);
+}
+
+/// A scene that wants these results of a system.
+inline nipref::data::Scene scene_wanting(const auto& system,
+                                         const std::vector<nipref::data::ResultId>& wanted, double accuracy) {
+  return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = system, .origin = {}};
+}
+
+/// The thesis's sheet of a quarter of an inch at a load of 100, with places inside and outside the contact.
+inline nipref::data::ElasticNipProblem quarter_inch_problem(nipref::data::Friction friction) {
+  return {.nip = nipref::data::seed::nip(0.25),
+          .given = nipref::data::GivenLoad{100},
+          .friction = friction,
+          .profile = nipref::data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}}};
+}
 
 /// The scene of this text, solved.
 inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::string& text) {

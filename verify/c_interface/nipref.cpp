@@ -1,13 +1,5 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <string>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/number/c_call.hpp>
 #include <nipref/nipref.h>
@@ -16,6 +8,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 using namespace nipref;
 using data::BadInput;

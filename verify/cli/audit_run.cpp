@@ -1,20 +1,12 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/house.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -84,133 +76,16 @@ Selection selected_by(const CommandLine& line) {
 /// Options that do not determine the findings: where these are stored, who computes them and how they are printed.
 const std::set<std::string> without_effect{"out", "shard", "quiet", "json", "no-times"};
 
-}  // namespace
-
-AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(words_of(line, without_effect)) {
-  const Selection selected = selected_by(line);
-  accuracy_ = accuracy_option(line);
-  for (const Quantity* quantity : selected.quantities) {
-    AuditOptions options = sampling_options(line, *quantity, density_option(line));
-    options.accuracy = accuracy_;
-    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
-  }
-  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
-  if (!selected.has(contacts)) return;
-  hard_cases_ = std::make_unique<HardCasesWork>();
-  scenes_ = std::make_unique<ScenesWork>(scenes, line.option_or_usual("seed"));
-}
-
-std::vector<BlockWork*> AuditWorks::all() const {
-  auto works = mapped<BlockWork*>(quantities_, &std::unique_ptr<QuantityWork>::get);
-  if (hard_cases_) works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
-  return works;
-}
-
-std::string AuditWorks::fingerprint() const {
-  Json command = json_list(words_);
-  Json works = json_list(all(), [](const BlockWork* work) {
-    return Json{{"name", work->name()}, {"blocks", work->blocks()}, {"inputs", work->inputs()}};
-  });
-  return Json{{"program", program_json()}, {"command", command}, {"works", works}}.text();
-}
-
-Audited AuditWorks::found(std::size_t finished) const {
-  Audited audited;
-  for (std::size_t i = 0; i < std::min(finished, quantities_.size()); ++i)
-    audited.quantities.push_back(quantities_[i]->result());
-  if (!hard_cases_) return audited;
-  audited.hard_cases = hard_cases_->result();
-  audited.scenes = scenes_->result();
-  return audited;
-}
-
-int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
-  const Audited audited = found(finished);
-  Json answer = audits_json(audited, accuracy_);
-  answer.set("_of_contacts", hard_cases_ != nullptr);
-  answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
-  return write_answer(line, out, "audit", audited.kept(), answer, "audit.txt");
-}
-
-namespace {
-
 /// How many promises were kept, and the result that uses the largest share of its promised error; null without results.
 Json closest_json(const std::vector<AuditResult>& results) {
   if (results.empty()) return {};
-  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
+  const AuditResult& closest = *closest_to_its_promise(results);
   return {{"all", all_kept(results)},
           {"passed", std::ranges::count_if(results, &AuditResult::kept)},
           {"of", results.size()},
-          {"closest", closest->quantity->name},
-          {"used", closest->allowance_used}};
+          {"closest", closest.quantity->name},
+          {"used", closest.allowance_used}};
 }
-
-}  // namespace
-
-Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
-  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
-  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
-          {"rows", audit_json(audited.quantities)},
-          {"contacts", contact_audit_json(audited.hard_cases)},
-          {"scenes", scene_tally_json(audited.scenes)},
-          {"_of_quantities", closest_json(audited.quantities)}};
-}
-
-AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
-    : line_(line),
-      shard_(parse_shard(line.option("shard").value_or("1/1"))),
-      works_(line, keeps_points),
-      all_(works_.all()),
-      stored_(all_) {
-  const auto folder = line.option("out");
-  if (!folder) return;
-  file_.emplace(*folder, works_.fingerprint(), shard_);
-  read_blocks(*folder, all_, stored_);
-  there_ = stored_.count();
-}
-
-void AuditRun::do_blocks(Progress& progress) try {
-  progress.begin("audit", all_.size());
-  for (std::size_t i = 0; i < all_.size(); ++i) {
-    BlockWork& work = *all_[i];
-    progress.next(work.name());
-    for (std::size_t block = 0; block < work.blocks(); ++block) {
-      if (!shard_.has(block) || stored_.has(i, block)) continue;
-      stop_if_interrupted();
-      const Json found = work.do_block(block, [&](double part) {
-        progress.at((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
-      });
-      if (file_) file_->append(work, block, found);
-      stored_.add(i, block);
-    }
-  }
-} catch (const Interrupted&) {
-}
-
-std::size_t AuditRun::finished() const {
-  std::size_t work = 0;
-  while (work < all_.size() && stored_.has_all_of(work)) ++work;
-  return work;
-}
-
-int AuditRun::answer(std::ostream& out) const {
-  if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
-  const std::string folder = line_.option("out").value();
-  const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
-  const Json members{
-      {"run", folder},          {"shard", shard},         {"blocks_done", stored_.count() - there_},
-      {"blocks_there", there_}, {"blocks", stored_.of()}, {"_interrupted", interrupted()}};
-  return write_answer(line_, out, "audit", true, members, "audit_shard.txt");
-}
-
-int audit_verb(const CommandLine& line, std::ostream& out) {
-  Progress progress(line.has("quiet"));
-  AuditRun run(line);
-  run.do_blocks(progress);
-  return run.answer(out);
-}
-
-namespace {
 
 /// The command line in the fingerprint of a run's folder.
 CommandLine command_of(const std::filesystem::path& folder, const std::string& fingerprint) {
@@ -227,20 +102,114 @@ CommandLine command_of(const std::filesystem::path& folder, const std::string& f
 
 }  // namespace
 
+Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
+  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
+  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
+          {"rows", audit_json(audited.quantities)},
+          {"contacts", contact_audit_json(audited.hard_cases)},
+          {"scenes", scene_tally_json(audited.scenes)},
+          {"_of_quantities", closest_json(audited.quantities)}};
+}
+
+AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
+    : shard_(parse_shard(line.option("shard").value_or("1/1"))),
+      command_(json_list(words_of(line, without_effect))) {
+  const Selection selected = selected_by(line);
+  accuracy_ = accuracy_option(line);
+  std::vector<BlockWork*> works;
+  for (const Quantity* quantity : selected.quantities) {
+    AuditOptions options = sampling_options(line, *quantity, density_option(line));
+    options.accuracy = accuracy_;
+    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
+    works.push_back(quantities_.back().get());
+  }
+  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
+  if (selected.has(contacts)) {
+    hard_cases_ = std::make_unique<HardCasesWork>();
+    scenes_ = std::make_unique<ScenesWork>(scenes, line.option_or_usual("seed"));
+    works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
+  }
+  stored_ = StoredBlocks(works);
+  const auto folder = line.option("out");
+  if (!folder) return;
+  file_.emplace(*folder, fingerprint(), shard_);
+  stored_.read(*folder);
+  there_ = stored_.count();
+}
+
+std::string AuditRun::fingerprint() const {
+  const Json works = json_list(stored_.works(), [](const BlockWork* work) {
+    return Json{{"name", work->name()}, {"blocks", work->blocks()}, {"inputs", work->inputs()}};
+  });
+  return Json{{"program", program_json()}, {"command", command_}, {"works", works}}.text();
+}
+
+void AuditRun::do_blocks(Progress& progress) try {
+  const std::vector<BlockWork*>& works = stored_.works();
+  progress.begin("audit", works.size());
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    BlockWork& work = *works[i];
+    progress.next(work.name());
+    for (std::size_t block = 0; block < work.blocks(); ++block) {
+      if (!shard_.has(block) || stored_.has(i, block)) continue;
+      stop_if_interrupted();
+      const Json found = work.do_block(block, [&](double part) {
+        progress.at((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
+      });
+      if (file_) file_->append(work, block, found);
+      stored_.add(i, block);
+    }
+  }
+} catch (const Interrupted&) {
+}
+
+void AuditRun::merge(const std::vector<std::filesystem::path>& folders) {
+  for (const auto& folder : folders) stored_.read(folder);
+  if (const std::string gaps = stored_.gaps(); !gaps.empty())
+    throw data::BadInput("run", folders.front().string(), "must have all its blocks: without " + gaps);
+}
+
+Audited AuditRun::found() const {
+  Audited audited;
+  for (std::size_t i = 0; i < quantities_.size() && stored_.has_all_of(i); ++i)
+    audited.quantities.push_back(quantities_[i]->result());
+  if (!hard_cases_) return audited;
+  audited.hard_cases = hard_cases_->result();
+  audited.scenes = scenes_->result();
+  return audited;
+}
+
+int AuditRun::answer(const CommandLine& line, std::ostream& out) const {
+  if (!file_ || (!line.option("shard") && !interrupted())) {
+    const Audited audited = found();
+    Json answer = audits_json(audited, accuracy_);
+    answer.set("_of_contacts", hard_cases_ != nullptr);
+    answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
+    return write_answer(line, out, "audit", audited.kept(), answer, "audit.txt");
+  }
+  const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
+  const Json members{
+      {"run", line.option("out")}, {"shard", shard},         {"blocks_done", stored_.count() - there_},
+      {"blocks_there", there_},    {"blocks", stored_.of()}, {"_interrupted", interrupted()}};
+  return write_answer(line, out, "audit", true, members, "audit_shard.txt");
+}
+
+int audit_verb(const CommandLine& line, std::ostream& out) {
+  Progress progress(line.has("quiet"));
+  AuditRun run(line);
+  run.do_blocks(progress);
+  return run.answer(line, out);
+}
+
 int merge_verb(const CommandLine& line, std::ostream& out) {
   const std::vector<std::filesystem::path> folders(line.words.begin(), line.words.end());
   const std::string fingerprint = fingerprint_of(folders);
   const CommandLine command = command_of(folders.front(), fingerprint);
   if (const auto isa = command.option("isa")) fast::use_instruction_set(*isa);
-  const AuditWorks works(command, false);
-  refuse_other_fingerprint(folders.front(), fingerprint, works.fingerprint());
-  const std::vector<BlockWork*> all = works.all();
-  StoredBlocks stored(all);
-  for (const auto& folder : folders) read_blocks(folder, all, stored);
-  const std::string gaps = stored.gaps();
-  if (!gaps.empty())
-    throw data::BadInput("run", folders.front().string(), "must have all its blocks: without " + gaps);
-  return works.answer(line, out, all.size());
+  AuditRun run(command);
+  refuse_other_fingerprint(folders.front(), fingerprint, run.fingerprint());
+  run.merge(folders);
+  return run.answer(line, out);
 }
 
 }  // namespace nipref::verify

@@ -1,23 +1,15 @@
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-#include <map>
-#include <memory>
-#include <optional>
+#include <list>
 #include <tuple>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
-
 namespace {
 
 /// What this run was asked for, to ask the same of an older program.
@@ -26,24 +18,6 @@ std::vector<std::string> words_of_bench(const CommandLine& line) {
   if (const auto isa = line.option("isa")) words.insert(words.end(), {"--isa", *isa});
   return words;
 }
-
-/// The kernels of a shared object, if one is named.
-class OtherKernels {
- public:
-  explicit OtherKernels(const std::optional<std::string>& file) {
-    if (!file) return;
-    for (const KernelInfo& info : kernels_of({*file})) {
-      kernels_.push_back(std::make_unique<PluginKernel>(Plugin{*file}, info.name));
-      all_.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(), info.quantity,
-                      kernels_.back().get()});
-    }
-  }
-  [[nodiscard]] const std::vector<OtherKernel>& all() const { return all_; }
-
- private:
-  std::vector<std::unique_ptr<PluginKernel>> kernels_;
-  std::vector<OtherKernel> all_;
-};
 
 using Key = std::tuple<std::string, std::string, std::string>;  ///< quantity, range, method
 
@@ -56,8 +30,8 @@ struct Measured {
 
 using Program = std::map<Key, Measured>;
 
-/// One round of a program. False if it does not answer as `bench` does.
-bool add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) try {
+/// One round of a program. BadInput naming "against" if it does not answer as nipref does.
+void add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) try {
   std::vector<std::string> call{program, "bench", "--json", "--quiet"};
   call.insert(call.end(), words.begin(), words.end());
   for (const Json& row : Json::parse(output_of(call).text).at("rows").items()) {
@@ -66,13 +40,12 @@ bool add_round(const std::string& program, const std::vector<std::string>& words
     measured.nanoseconds.push_back(*row.at("times").at("nanoseconds").as_number());
     measured.ulp = row.at("max_error_ulp").as_number();
   }
-  return true;
 } catch (const JsonMisfit&) {
-  return false;
+  throw data::BadInput("against", program,
+                       "must be a nipref whose bench takes the same words and answers with --json");
 }
 
-/// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have. BadInput naming
-/// "against" if the older one does not answer as nipref does.
+/// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have.
 std::vector<AgainstRow> bench_against(const std::string& old_program, const std::vector<std::string>& words,
                                       Progress& progress) {
   const std::string own = std::filesystem::read_symlink("/proc/self/exe").string();
@@ -82,9 +55,7 @@ std::vector<AgainstRow> bench_against(const std::string& old_program, const std:
     // In turns, so that a change of the machine's speed meets both alike.
     for (const bool is_old : {round % 2 == 0, round % 2 != 0}) {
       progress.next(is_old ? "the older program" : "this program");
-      if (!add_round(is_old ? old_program : own, words, is_old ? before : now))
-        throw data::BadInput("against", is_old ? old_program : own,
-                             "must be a nipref whose bench takes the same words and answers with --json");
+      add_round(is_old ? old_program : own, words, is_old ? before : now);
     }
   }
   std::vector<AgainstRow> rows;
@@ -129,9 +100,15 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = line.words.empty() ? bench_everything() : selection(line.words, bench_groups());
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
-  const OtherKernels others(line.option("with"));
+  std::list<PluginKernel> kernels;
+  std::vector<OtherKernel> others;
+  if (const auto file = line.option("with")) {
+    for (const KernelInfo& info : kernels_of({*file}))
+      others.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(), info.quantity,
+                        &kernels.emplace_back(Plugin{*file}, info.name)});
+  }
   Progress progress(line.has("quiet"));
-  const BenchReport report = bench_all(selected, progress, others.all());
+  const BenchReport report = bench_all(selected, progress, others);
   Json answer = bench_json(report);
   answer.set("_machine", version_json());
   return write_answer(line, out, "bench", all_met(report, line.has("strict")), answer, "bench.txt");

@@ -1,24 +1,11 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <optional>
-#include <utility>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -100,45 +87,32 @@ int digits_for(const Quantity& quantity, const CommandLine& line) {
 }
 
 EvalAnswer answer_of_ref(const EvalRequest& request, const ParsedArguments& arguments) {
-  std::optional<ref::Estimate> found;
-  const double seconds =
-      seconds_of([&] { found = request.quantity->by_ref(arguments.exact, request.digits); });
-  return {"ref",
-          found->value_text(),
-          seconds,
-          request.digits,
-          found->error_text(),
-          found->proven,
-          std::pow(10.0L, -request.digits),
-          is_met(*request.quantity, arguments, *found, request.digits)};
+  const auto [found, seconds] =
+      timed([&] { return request.quantity->by_ref(arguments.exact, request.digits); });
+  return EvalAnswer("ref", found.value_text(), seconds, request.digits, found.error_text(), found.proven,
+                    std::pow(10.0L, -request.digits),
+                    is_met(*request.quantity, arguments, found, request.digits));
 }
 
 EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arguments) {
   const Quantity& quantity = *request.quantity;
   const Point point = arguments.nearest(quantity);
-  double value = 0;
-  const double seconds = seconds_of([&] { value = quantity.by_fast(point, request.accuracy); });
+  const auto [value, seconds] = timed([&] { return quantity.by_fast(point, request.accuracy); });
   const double scale = std::max(std::fabs(value), quantity.envelope(point));
   const double rtol = request.accuracy.rtol();
   const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
   const double promised = quantity.fast_error ? quantity.fast_error(point, request.accuracy)
                                               : std::max(quantity.promise * ulp_of(scale), tolerated);
-  return {"fast",
-          fmt::format("{}", value),
-          seconds,
-          static_cast<int>(-std::log10(rtol)),
-          upward_text(promised),
-          false,
-          rtol,
-          request.rtol_is_asked ? std::optional(is_met(promised, scale, rtol)) : std::nullopt};
+  return EvalAnswer("fast", fmt::format("{}", value), seconds, static_cast<int>(-std::log10(rtol)),
+                    upward_text(promised), false, rtol,
+                    request.rtol_is_asked ? std::optional(is_met(promised, scale, rtol)) : std::nullopt);
 }
 
 EvalAnswer answer_of_seed(const EvalRequest& request, const ParsedArguments& arguments) {
   const Point point = arguments.nearest(*request.quantity);
   static_cast<void>(
       request.quantity->by_fast(point, request.accuracy));  // refuses what it cannot be asked for
-  double value = 0;
-  const double seconds = seconds_of([&] { value = request.form->value(point); });
+  const auto [value, seconds] = timed([&] { return request.form->value(point); });
   if (!std::isfinite(value))
     throw BadInput("form", request.form->name, "must be corrected here: the seed's form gives no number");
   return {request.form->name, fmt::format("{}", value), seconds, std::numeric_limits<double>::digits10};
@@ -149,13 +123,8 @@ EvalRequest request_of(const CommandLine& line) {
   const std::string path = line.option_or_usual("path");
   const SeedForm* form = form_of(line, quantity);
   refuse_options_without_effect(line, path, form);
-  return {&quantity,
-          form,
-          form == nullptr && path != "fast",
-          form == nullptr && path != "ref",
-          digits_for(quantity, line),
-          accuracy_option(line),
-          line.option("rtol").has_value()};
+  return EvalRequest(&quantity, form, form == nullptr && path != "fast", form == nullptr && path != "ref",
+                     digits_for(quantity, line), accuracy_option(line), line.option("rtol").has_value());
 }
 
 std::string_view caveat_of(const EvalRequest& request) {

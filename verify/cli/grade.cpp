@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -92,11 +84,10 @@ std::vector<Graded> graded_file(const CommandLine& line) {
   std::vector<Graded> all;
   const auto name = [](const MeasuredPoints& column) { return column.quantity->name; };
   progress.each("grade", columns, name, [&](const MeasuredPoints& column) {
-    std::optional<AuditResult> found;
-    const double seconds =
-        seconds_of([&] { found = audit_values(*column.quantity, column.points, column.values, options); });
-    const auto worst = std::ranges::find(column.points, found->worst) - column.points.begin();
-    all.push_back({.grade = grade_of(what, "its points", *found),
+    const auto [found, seconds] =
+        timed([&] { return audit_values(*column.quantity, column.points, column.values, options); });
+    const auto worst = std::ranges::find(column.points, found.worst) - column.points.begin();
+    all.push_back({.grade = grade_of(what, "its points", found),
                    .seconds = seconds,
                    .promised = promised,
                    .own = column.values[static_cast<std::size_t>(worst)],

@@ -1,27 +1,19 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/golden/make.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/template.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
 
 const char* words_of(Comparison comparison) {
-  return comparison == Comparison::not_worse ? "not worse"
-         : comparison == Comparison::worse   ? "WORSE"
-                                             : "not comparable";
+  constexpr const char* words[] = {"not worse", "WORSE", "not comparable"};
+  return words[static_cast<std::size_t>(comparison)];
 }
 
 Json baseline_json(const Graded& graded) {
@@ -114,6 +106,18 @@ GoldenFile kept_file(const std::string& path, const Quantity& quantity) {
   return file;
 }
 
+/// A test case: times are decimals without exponents there, and a message is one line.
+Json case_json(const Graded& graded) {
+  const Grade& grade = graded.grade;
+  const bool errs = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
+  const Json why = graded.kept() ? Json() : Json(why_not_kept(graded));
+  return {{"name", fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where)},
+          {"seconds", graded.seconds},
+          {"failure", errs ? Json() : why},
+          {"error", errs ? why : Json()},
+          {"details", graded_text(graded)}};
+}
+
 }  // namespace
 
 bool Graded::kept() const {
@@ -158,22 +162,6 @@ Json graded_json(const Graded& graded) {
               {"_faulty", graded.behaviour && !graded.behaviour->faults.empty()}});
   return row;
 }
-
-namespace {
-
-/// A test case: times are decimals without exponents there, and a message is one line.
-Json case_json(const Graded& graded) {
-  const Grade& grade = graded.grade;
-  const bool errs = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
-  const Json why = graded.kept() ? Json() : Json(why_not_kept(graded));
-  return {{"name", fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where)},
-          {"seconds", graded.seconds},
-          {"failure", errs ? Json() : why},
-          {"error", errs ? why : Json()},
-          {"details", graded_text(graded)}};
-}
-
-}  // namespace
 
 std::string junit_text(const std::vector<Graded>& all) {
   const std::vector<Json> cases = mapped(all, case_json);

@@ -1,13 +1,11 @@
 #pragma once
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/grade/baseline.hpp>
 #include <nipref/verify/grade/fault.hpp>
 #include <nipref/verify/grade/grade.hpp>
 #include <nipref/verify/grade/speed.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {

@@ -1,22 +1,15 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
 #include <fstream>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -124,16 +117,15 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   AuditOptions options = options_of(line, *chosen.quantity, progress);
   const std::string promised = take_promise(line, options);
   PluginKernel kernel(plugin, chosen.kernel);
-  std::optional<AuditResult> found;
-  const double seconds = seconds_of([&] { found = audit(*chosen.quantity, kernel.evaluator(), options); });
+  const auto [found, seconds] = timed([&] { return audit(*chosen.quantity, kernel.evaluator(), options); });
   double own = 0;
-  kernel.evaluator()({&found->worst, 1}, {&own, 1});
+  kernel.evaluator()({&found.worst, 1}, {&own, 1});
   progress.at(1, "timing");
   // A library's version and folder are no part of what the kernel is.
   std::string file = plugin.file.filename().string();
   if (const std::size_t version = file.find(".so."); version != std::string::npos) file.resize(version + 3);
   const std::string what = chosen.kernel + " of " + file;
-  return {.grade = grade_of(what, where_text(line), *found),
+  return {.grade = grade_of(what, where_text(line), found),
           .seconds = seconds,
           .promised = promised,
           .own = own,

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <array>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/house.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/text.hpp>

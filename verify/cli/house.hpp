@@ -1,8 +1,5 @@
 #pragma once
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -2,11 +2,7 @@
 
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,13 +1,12 @@
-#include <algorithm>
 #include <fstream>
 #include <nipref_build_info.hpp>
-#include <optional>
 #include <thread>
 
 #include <nipref/data/input_file.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/make.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

@@ -2,15 +2,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/export.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -56,6 +53,15 @@ void occupy(int descriptor, int mode) {
   if (fcntl(descriptor, F_GETFD) == -1 && errno == EBADF && open("/dev/null", mode) == -1) fail();
 }
 
+constexpr long schema = 1;
+
+/// The files of cli/templates, put here by the build so that an answer needs no file.
+const Partials templates{
+#include <nipref_templates.inc>
+};
+
+Json answer_head() { return {{"schema", schema}, {"nipref", version_json()}}; }
+
 }  // namespace
 
 void occupy_standard_descriptors() {
@@ -76,19 +82,6 @@ void write_to_standard_output(std::string_view text) {
   // Some file systems tell only now that there was no room.
   if (close(STDOUT_FILENO) == -1 && errno != EINTR) fail();
 }
-
-namespace {
-
-constexpr long schema = 1;
-
-/// The files of cli/templates, put here by the build so that an answer needs no file.
-const Partials templates{
-#include <nipref_templates.inc>
-};
-
-Json answer_head() { return {{"schema", schema}, {"nipref", version_json()}}; }
-
-}  // namespace
 
 std::string answer_text(std::string_view verb, const Json& members, bool no_times) {
   Json answer = answer_head();

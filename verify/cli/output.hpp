@@ -1,11 +1,9 @@
 #pragma once
-#include <functional>
 #include <ostream>
-#include <string>
-#include <string_view>
 #include <system_error>
 
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -77,12 +75,5 @@ std::string version_answer_text(bool json);
 /// The answer for an error; `message` is the line on standard error. Unknown parts are null.
 std::string error_answer_text(std::string_view message, const Json& argument = {}, const Json& value = {},
                               const Json& allowed = {});
-
-/// Runs a program: parses the command line, calls `run`, and prints its output at the end, so that bad input leaves
-/// standard output empty, or with --json has the error alone there. Every error is one line on standard error.
-/// Returns the exit status: that of `run`, 2 for BadInput, 4 where standard output or a file cannot be written, 70
-/// for an internal error, 130 after an interrupt.
-int program_status(int argc, const char* const* argv,
-                   const std::function<int(const CommandLine& line, std::ostream& out)>& run);
 
 }  // namespace nipref::verify

@@ -1,25 +1,14 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <functional>
-#include <memory>
-#include <span>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
-#include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -144,10 +133,6 @@ void do_parts(Report& report, const std::vector<ReportPart>& parts,
   }
 }
 
-Json golden_json(const std::vector<GoldenSample>& samples) {
-  return json_list(samples, [](const GoldenSample& sample) { return checked_file_json(sample.checked); });
-}
-
 Json seed_errors_json(const std::vector<Replay>& tables) {
   return json_list(seed_errors(tables), [](const SeedError& error) {
     return Json{
@@ -167,7 +152,8 @@ Json report_json(const Report& report) {
           {"claims", claims_json(report.claims)},
           {"limits", limits_json(report.limits)},
           {"errata", errata_json(report.errata)},
-          {"golden", golden_json(report.golden)},
+          {"golden",
+           json_list(report.golden, [](const GoldenSample& one) { return checked_file_json(one.checked); })},
           {"golden_values", golden_values_json(report.golden)},
           {"quantities", quantities_json(report.quantities)},
           {"figures", json_list(report.figures, figure_json)},

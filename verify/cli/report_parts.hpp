@@ -1,14 +1,11 @@
 #pragma once
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/json.hpp>
 

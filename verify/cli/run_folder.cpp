@@ -1,22 +1,16 @@
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <set>
-#include <sstream>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {
@@ -102,8 +96,8 @@ Shard parse_shard(const std::string& text) {
   return {index - 1, of};
 }
 
-StoredBlocks::StoredBlocks(const std::vector<BlockWork*>& works) : works_(works) {
-  for (const BlockWork* work : works) hashes_.emplace_back(work->blocks());
+StoredBlocks::StoredBlocks(std::vector<BlockWork*> works) : works_(std::move(works)) {
+  for (const BlockWork* work : works_) hashes_.emplace_back(work->blocks());
 }
 
 bool StoredBlocks::has_all_of(std::size_t work) const {
@@ -140,12 +134,11 @@ std::string StoredBlocks::gaps() const {
   std::size_t unnamed = 0;
   for (std::size_t work = 0; work < hashes_.size(); ++work) {
     const auto& hashes = hashes_[work];
-    for (std::size_t block = 0; block < hashes.size();) {
+    for (std::size_t block = 0; block < hashes.size(); ++block) {
       const std::size_t first = block;
       while (block < hashes.size() && hashes[block] == 0) ++block;
-      if (block == first) {
-        ++block;
-      } else if (named.size() < most_gaps_named) {
+      if (block == first) continue;
+      if (named.size() < most_gaps_named) {
         named.push_back(gap_text(works_[work]->name(), first, block - 1));
       } else {
         unnamed += block - first;
@@ -184,7 +177,7 @@ void refuse_other_fingerprint(const fs::path& folder, const std::string& found, 
                              trimmed(their_line), trimmed(our_line)));
 }
 
-void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, StoredBlocks& stored) {
+void StoredBlocks::read(const fs::path& folder) {
   std::set<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (is_shard_file(entry.path())) files.insert(entry.path());
@@ -197,11 +190,10 @@ void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, S
       const std::string where = fmt::format("{}:{}", file.string(), ++number);
       try {
         const Json json = Json::parse(line);
-        const auto work = std::ranges::find(works, json.at("work").as_text(), &BlockWork::name);
+        const auto work = std::ranges::find(works_, json.at("work").as_text(), &BlockWork::name);
         const std::size_t block = json.at("block").as_count();
-        if (work == works.end() || block >= (*work)->blocks()) throw JsonMisfit("block");
-        if (stored.add(static_cast<std::size_t>(work - works.begin()), block, json.without("times").line(),
-                       where))
+        if (work == works_.end() || block >= (*work)->blocks()) throw JsonMisfit("block");
+        if (add(static_cast<std::size_t>(work - works_.begin()), block, json.without("times").line(), where))
           (*work)->add(block, json.at("found"));
       } catch (const JsonMisfit& misfit) {
         throw BadInput("run", where,

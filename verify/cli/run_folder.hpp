@@ -1,10 +1,7 @@
 #pragma once
-#include <cstddef>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/audit/internal/work.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -29,21 +26,26 @@ Shard parse_shard(const std::string& text);
 /// The blocks of a run that have findings, each with the hash of its line without times, which takes 8 bytes a block.
 class StoredBlocks {
  public:
-  explicit StoredBlocks(const std::vector<BlockWork*>& works);
+  explicit StoredBlocks(std::vector<BlockWork*> works);
 
+  [[nodiscard]] const std::vector<BlockWork*>& works() const { return works_; }
   [[nodiscard]] bool has(std::size_t work, std::size_t block) const { return hashes_[work][block] != 0; }
   [[nodiscard]] bool has_all_of(std::size_t work) const;
   [[nodiscard]] std::size_t count() const;  ///< number of blocks with findings
   [[nodiscard]] std::size_t of() const;     ///< number of all blocks
-  /// False if the block has findings already. BadInput that names "run" and `where` if those are different.
-  bool add(std::size_t work, std::size_t block, const std::string& line, const std::string& where);
+  /// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line that
+  /// is no block of these works, or that contradicts an earlier one.
+  void read(const std::filesystem::path& folder);
   /// Of a block that this process has done.
   void add(std::size_t work, std::size_t block) { hashes_[work][block] = 1; }
   /// The missing blocks in brief, "I1 block 17, I1 blocks 20 to 29 and 7 more"; empty if none is missing.
   [[nodiscard]] std::string gaps() const;
 
  private:
-  const std::vector<BlockWork*>& works_;
+  /// False if the block has findings already.
+  bool add(std::size_t work, std::size_t block, const std::string& line, const std::string& where);
+
+  std::vector<BlockWork*> works_;
   std::vector<std::vector<std::size_t>> hashes_;  ///< 0 for a missing block
 };
 
@@ -54,11 +56,6 @@ std::string fingerprint_of(const std::vector<std::filesystem::path>& folders);
 /// BadInput that names the first line in which the fingerprint of a folder differs from the expected one.
 void refuse_other_fingerprint(const std::filesystem::path& folder, const std::string& found,
                               const std::string& expected);
-
-/// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line
-/// that is no block of this work, or that contradicts an earlier one.
-void read_blocks(const std::filesystem::path& folder, const std::vector<BlockWork*>& works,
-                 StoredBlocks& stored);
 
 /// The file of one shard.
 class ShardFile {

@@ -1,19 +1,13 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <cmath>
-#include <filesystem>
-
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

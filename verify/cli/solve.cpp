@@ -1,24 +1,17 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <type_traits>
-#include <vector>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/sweep.hpp>
-#include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/solve.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
-
 namespace {
+
+using data::BadInput;
 
 /// 1 if something is not as accurate as was asked.
 template <class Number>
@@ -33,27 +26,15 @@ int print(const data::Scene& scene, const SceneSolution<Number>& solution, const
   return write_answer(line, out, "solve", solution.missed().empty(), answer, "solve.txt");
 }
 
-}  // namespace
-
-int solve_verb(const CommandLine& line, std::ostream& out) {
-  const auto [text, digits] = scene_request(line);
-  const AxesProduct scenes = swept_scenes(text, line);
-  if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line, out);
-  refuse_option(line, "points", "has no effect without a range: must be left out");
-  const data::Scene scene = data::load_scene(text, scenes.assignments(0, &AxisValue::shown));
-  if (!digits) return print(scene, solve(scene), line, out);
-  if (!line.has("quiet")) fmt::print(stderr, "{}", warning_of_time(likely_seconds_by_ref(scene, *digits)));
-  return print(scene, solve_by_ref(scene, *digits), line, out);
-}
-
-namespace {
-
-using data::BadInput;
-
 /// A list as TOML writes it is one value, and so is a title.
 Axis axis_of_assignment(const std::string& key, const std::string& text, std::size_t points) {
   const bool swept = key != "title" && !text.starts_with('[') && is_swept(text);
   return swept ? axis_of(key, text, points) : Axis{key, {{text, text}}};
+}
+
+/// A decimal, which is what TOML takes, means the same double.
+data::Scene scene_at(const data::SceneText& text, const AxesProduct& scenes, std::size_t number) {
+  return data::load_scene(text, scenes.assignments(number, &AxisValue::shown));
 }
 
 /// The first scene that is none to be refused; BadInput, the first one's, if all are.
@@ -61,19 +42,12 @@ data::Scene first_scene(const data::SceneText& text, const AxesProduct& scenes) 
   std::optional<BadInput> refused;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     try {
-      return data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
+      return scene_at(text, scenes, i);
     } catch (const BadInput& error) {
       if (!refused) refused = error;
     }
   }
   throw BadInput(*refused);
-}
-
-bool has_one_number(data::ResultId id) { return data::scene_result(id).shape == data::Shape::number; }
-
-bool wants(const data::Scene& scene, data::Shape shape) {
-  return std::ranges::any_of(scene.wanted,
-                             [&](data::ResultId id) { return data::scene_result(id).shape == shape; });
 }
 
 std::vector<std::string> columns_of(const data::Scene& scene) {
@@ -125,16 +99,39 @@ SweepRow row_of(const SceneSolution<Number>& solution, bool has_lists) {
     add_lists(row, solution, names, warnings);
     return row;
   }
-  const auto add_number = [&](const std::string& text) {
-    row.add(text, std::is_same_v<Number, ref::Estimate> ? Json(text) : Json::number(text));
-  };
   for (const auto& result : solution.results) {
-    add_number(value_text(result.numbers.front()));
-    add_number(error_text(result.numbers.front()));
+    for (const std::string& text : {value_text(result.numbers.front()), error_text(result.numbers.front())})
+      row.add(text, std::is_same_v<Number, ref::Estimate> ? Json(text) : Json::number(text));
   }
   row.add(names, Json::unless_empty(names));
   row.add(warnings, Json::unless_empty(warnings));
   return row;
+}
+
+/// A row for each combination with its results and errors, with the names of those that missed the accuracy, and with
+/// what is beyond linear theory; where a profile, a field or a list is wanted, a row for each number with its place.
+/// digits: of ref; nothing: by fast. 1 if a scene was refused or missed its accuracy. BadInput if all are refused.
+int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
+                const CommandLine& line, std::ostream& out) {
+  const data::Scene first = first_scene(text, scenes);
+  const bool has_lists = std::ranges::any_of(
+      first.wanted, [](data::ResultId id) { return data::scene_result(id).shape != data::Shape::number; });
+  const std::vector<std::string> columns = columns_of(first);
+  const Sweep sweep{"solve_sweep",
+                    scenes,
+                    columns,
+                    {{"path", digits ? "ref" : "fast"}},
+                    has_lists ? heads_of_numbers : columns,
+                    [&](std::size_t i) {
+                      const data::Scene scene = scene_at(text, scenes, i);
+                      return digits ? row_of(solve_by_ref(scene, *digits), has_lists)
+                                    : row_of(solve(scene), has_lists);
+                    }};
+  return write_sweep(sweep, line, out);
+}
+
+Json estimate_json(const fast::Estimate& number) {
+  return {{"value", number.value}, {"error", number.error}, {"proven", false}};
 }
 
 }  // namespace
@@ -153,51 +150,30 @@ AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line) {
   return AxesProduct(std::move(axes));
 }
 
-int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
-                const CommandLine& line, std::ostream& out) {
-  const data::Scene first = first_scene(text, scenes);
-  const bool has_lists = !std::ranges::all_of(first.wanted, has_one_number);
-  const std::vector<std::string> columns = columns_of(first);
-  const Sweep sweep{
-      "solve_sweep",
-      scenes,
-      columns,
-      {{"path", digits ? "ref" : "fast"}},
-      has_lists ? heads_of_numbers : columns,
-      [&](std::size_t i) {
-        // A decimal, which is what TOML takes, means the same double.
-        const data::Scene scene = data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
-        return digits ? row_of(solve_by_ref(scene, *digits), has_lists) : row_of(solve(scene), has_lists);
-      }};
-  return write_sweep(sweep, line, out);
+int solve_verb(const CommandLine& line, std::ostream& out) {
+  const auto [text, digits] = scene_request(line);
+  const AxesProduct scenes = swept_scenes(text, line);
+  if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line, out);
+  refuse_option(line, "points", "has no effect without a range: must be left out");
+  const data::Scene scene = scene_at(text, scenes, 0);
+  if (!digits) return print(scene, solve(scene), line, out);
+  if (!line.has("quiet")) fmt::print(stderr, "{}", warning_of_time(likely_seconds_by_ref(scene, *digits)));
+  return print(scene, solve_by_ref(scene, *digits), line, out);
 }
-
-namespace {
-
-Json estimate_json(const fast::Estimate& number) {
-  return {{"value", number.value}, {"error", number.error}, {"proven", false}};
-}
-
-Json balance_json(const EnergyBalance& balance, const std::string& path) {
-  return {{"title", balance.title},
-          {"path", path},
-          {"work", estimate_json(balance.work)},
-          {"loss", estimate_json(balance.loss)},
-          {"warnings", warnings_json(balance.warnings)},
-          {"difference", balance.difference()},
-          {"allowed", balance.allowed()},
-          {"met", balance.meets()},
-          {"times", {{"seconds", balance.seconds}}}};
-}
-
-}  // namespace
 
 int balance_verb(const CommandLine& line, std::ostream& out) {
-  const SceneRequest request = scene_request(line);
-  const EnergyBalance balance =
-      energy_balance(data::load_scene(request.scene, line.assignments), request.digits);
-  return write_answer(line, out, "balance", balance.meets(),
-                      balance_json(balance, request.digits ? "ref" : "fast"), "balance.txt");
+  const auto [text, digits] = scene_request(line);
+  const EnergyBalance balance = energy_balance(data::load_scene(text, line.assignments), digits);
+  const Json answer{{"title", balance.title},
+                    {"path", digits ? "ref" : "fast"},
+                    {"work", estimate_json(balance.work)},
+                    {"loss", estimate_json(balance.loss)},
+                    {"warnings", warnings_json(balance.warnings)},
+                    {"difference", balance.difference()},
+                    {"allowed", balance.allowed()},
+                    {"met", balance.meets()},
+                    {"times", {{"seconds", balance.seconds}}}};
+  return write_answer(line, out, "balance", balance.meets(), answer, "balance.txt");
 }
 
 }  // namespace nipref::verify

@@ -1,11 +1,7 @@
-#include <algorithm>
-#include <utility>
-
-#include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 // What the seeds say in words, formulas and figures.
@@ -13,9 +9,9 @@
 namespace nipref::verify {
 
 int claims_verb(const CommandLine& line, std::ostream& out) {
-  std::vector<Claim> selected = claims();
-  select_by_id(selected, line.words, "claim", &Claim::id);
-  const std::vector<CheckedClaim> checked = check_all(std::move(selected));
+  std::vector<Statement> selected = claims();
+  select_by_id(selected, line.words, "claim", &Statement::id);
+  const std::vector<CheckedClaim> checked = check_all(selected);
   const Json counts = verdict_counts_json(
       checked, {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails});
   return write_answer(line, out, "claims", true, {{"claims", claims_json(checked)}, {"_verdicts", counts}},
@@ -31,10 +27,10 @@ int limits_verb(const CommandLine& line, std::ostream& out) {
 }
 
 int errata_verb(const CommandLine& line, std::ostream& out) {
-  std::vector<FormulaErratum> errata = formula_errata();
-  select_by_id(errata, line.words, "erratum", &FormulaErratum::id);
-  const std::vector<SettledErratum> all = settle_all(std::move(errata));
-  const auto open = std::ranges::count_if(all, [](const auto& one) { return !one.settlement.settled(); });
+  std::vector<Statement> errata = formula_errata();
+  select_by_id(errata, line.words, "erratum", &Statement::id);
+  const std::vector<Settlement> all = settle_all(errata);
+  const auto open = std::ranges::count_if(all, std::not_fn(&Settlement::settled));
   return write_answer(line, out, "errata", open == 0,
                       {{"errata", errata_json(all)}, {"_of", all.size()}, {"_open", open}}, "errata.txt");
 }

@@ -1,14 +1,10 @@
 #pragma once
-#include <cstddef>
-#include <functional>
-#include <optional>
 #include <ostream>
-#include <string>
-#include <vector>
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -47,12 +43,5 @@ int write_sweep(const Sweep& sweep, const CommandLine& line, std::ostream& out);
 /// stands for what the file has. One combination, of what is assigned, if there is no sweep. BadInput as axis_of
 /// and AxesProduct have it.
 AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line);
-
-/// solve of a scene for each combination: a row each with its results and errors, with the names of those that missed
-/// the accuracy, and with what is beyond linear theory; where a profile, a field or a list is wanted, a row for each
-/// number with its place. digits: of ref; nothing: by fast. 1 if a scene was refused or missed its accuracy. BadInput if
-/// all are refused.
-int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
-                const CommandLine& line, std::ostream& out);
 
 }  // namespace nipref::verify

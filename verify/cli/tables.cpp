@@ -1,11 +1,8 @@
-#include <algorithm>
-#include <utility>
-
 #include <nipref/data/directory.hpp>
-#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,16 +1,8 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -48,16 +40,10 @@ VerbText verb_of(const TomlTable& table) {
   std::vector<OptionText> options;
   for (const std::string& name : table.words_of("options")) options.push_back(option_of(name, false));
   for (const std::string& name : table.words_of("flags")) options.push_back(option_of(name, true));
-  return {table.text("name"),
-          handlers.at(table.text("name")),
-          table.text("meaning"),
-          table.text_or("words", ""),
-          table.text_or("meaning_of_words", ""),
-          table.text_or("too_many", ""),
-          table.text_or("missing", ""),
-          std::move(options),
-          table.words_of("examples"),
-          table.number_or("takes_assignments", 0) != 0};
+  return VerbText(table.text("name"), handlers.at(table.text("name")), table.text("meaning"),
+                  table.text_or("words", ""), table.text_or("meaning_of_words", ""),
+                  table.text_or("too_many", ""), table.text_or("missing", ""), std::move(options),
+                  table.words_of("examples"), table.number_or("takes_assignments", 0) != 0);
 }
 
 /// "a whole number from 1 to 100", "ref, fast or both"; empty if the table has no domain for it.

@@ -1,13 +1,8 @@
 #pragma once
-#include <array>
-#include <map>
-#include <optional>
 #include <ostream>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include <nipref/verify/grade/baseline.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/json.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -59,8 +55,7 @@ std::string difference(const BaselineKey& before, const BaselineKey& now) {
 Baseline Baseline::read(const std::string& path) {
   const TomlTable file = read_toml(path, "baseline");
   const std::size_t lists = file.tables.count(list_name);
-  if (file.texts.size() + file.numbers.size() + file.words.size() + file.tables.size() > lists)
-    file.refuse(fmt::format("must hold [[{}]] alone", list_name));
+  if (file.keys.size() > lists) file.refuse(fmt::format("must hold [[{}]] alone", list_name));
   return {lists == 0 ? std::vector<Entry>() : mapped(file.tables.at(list_name), entry_of)};
 }
 

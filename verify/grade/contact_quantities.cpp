@@ -1,20 +1,12 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <limits>
-#include <map>
-#include <memory>
 #include <mutex>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

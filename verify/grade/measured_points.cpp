@@ -1,15 +1,11 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <cctype>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -118,33 +114,6 @@ void add_row(MeasuredPoints& read, const CsvFile& file, const std::vector<Argume
   read.short_rows += is_short ? 1 : 0;
 }
 
-}  // namespace
-
-std::string points_csv(const Quantity& quantity, const std::vector<Point>& points,
-                       const std::vector<std::string>& comments) {
-  std::string text;
-  for (const std::string& comment : comments) text += "# " + comment + "\n";
-  std::string separator;
-  for (const Argument& argument : quantity.arguments) {
-    text += separator + argument.name;
-    separator = ",";
-    if (argument.kind != ArgumentKind::choice) text += separator + argument.name + decimal_suffix;
-  }
-  for (const Point& point : points) {
-    separator = "\n";
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      const Argument& argument = quantity.arguments[i];
-      text += argument.kind == ArgumentKind::choice
-                  ? fmt::format("{}{}", separator, argument.choice(point[i]))
-                  : fmt::format("{}{:a},{}", separator, point[i], point[i]);
-      separator = ",";
-    }
-  }
-  return text + "\n";
-}
-
-namespace {
-
 MeasuredPoints measured_points(const CsvFile& file, const Quantity& quantity,
                                const std::optional<std::string>& column) {
   MeasuredPoints read{&quantity, {}, {}};
@@ -178,6 +147,29 @@ std::vector<MeasuredPoints> measured_contacts(const CsvFile& file, const std::st
 }
 
 }  // namespace
+
+std::string points_csv(const Quantity& quantity, const std::vector<Point>& points,
+                       const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  std::string separator;
+  for (const Argument& argument : quantity.arguments) {
+    text += separator + argument.name;
+    separator = ",";
+    if (argument.kind != ArgumentKind::choice) text += separator + argument.name + decimal_suffix;
+  }
+  for (const Point& point : points) {
+    separator = "\n";
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const Argument& argument = quantity.arguments[i];
+      text += argument.kind == ArgumentKind::choice
+                  ? fmt::format("{}{}", separator, argument.choice(point[i]))
+                  : fmt::format("{}{:a},{}", separator, point[i], point[i]);
+      separator = ",";
+    }
+  }
+  return text + "\n";
+}
 
 std::vector<MeasuredPoints> read_measured_points(const std::string& path,
                                                  const std::optional<std::string>& quantity,

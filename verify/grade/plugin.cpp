@@ -1,22 +1,13 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <mutex>
-#include <set>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
 #include <nipref/verify/grade/plugin.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,12 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/grade/speed.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {

@@ -1,12 +1,9 @@
 // How often a reading meets the replay by chance.
-#include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -27,26 +20,23 @@ bool matches_with_lost_digit(const Replay& replay, const ReplayedCell& cell) {
 
 /// The numbers of cells of each verdict; inputs are not counted.
 Json summary_json(const std::vector<Replay>& replays) {
-  const auto sum = [&](const auto& count) {
-    std::size_t total = 0;
-    for (const Replay& replay : replays) total += static_cast<std::size_t>(count(replay));
+  const auto count = [&](const auto& is_so) {
+    std::ptrdiff_t total = 0;
+    for (const Replay& replay : replays)
+      total += std::ranges::count_if(replay.cells, [&](const auto& cell) { return is_so(replay, cell); });
     return total;
   };
-  const auto of = [&](Verdict verdict) { return sum([&](const Replay& one) { return one.count(verdict); }); };
-  const auto with = [&](bool (*is_so)(const Replay&, const ReplayedCell&)) {
-    return sum([is_so](const Replay& replay) {
-      return std::ranges::count_if(replay.cells,
-                                   [&](const ReplayedCell& cell) { return is_so(replay, cell); });
-    });
+  const auto of = [&](Verdict verdict) {
+    return count([=](const Replay&, const ReplayedCell& cell) { return cell.verdict == verdict; });
   };
-  return {{"cells", sum([](const Replay& one) { return one.cells.size() - one.count(Verdict::input); })},
+  return {{"cells", count([](const Replay&, const auto& cell) { return cell.verdict != Verdict::input; })},
           {"match", of(Verdict::match)},
-          {"with_lost_digit", with(matches_with_lost_digit)},
+          {"with_lost_digit", count(matches_with_lost_digit)},
           {"misprint", of(Verdict::misprint)},
           {"likely_misprint", of(Verdict::likely_misprint)},
           {"seed_error", of(Verdict::seed_error)},
           {"unexplained", of(Verdict::unexplained)},
-          {"without_number", with(is_without_number)}};
+          {"without_number", count(is_without_number)}};
 }
 
 std::size_t decimals(const std::string& number) {
@@ -142,6 +132,19 @@ Json table_json(const Replay& replay, bool all) {
           {"_costs", cost_list_json(replay)}};
 }
 
+Json table_row_json(const data::TableSummary& table) {
+  return {{"id", table.id},
+          {"title", table.title},
+          {"rows", table.rows},
+          {"columns", table.columns},
+          {"cells", table.cells},
+          {"empty", table.empty},
+          {"without_value", table.without_value},
+          {"doubtful", table.doubtful},
+          {"errata", errata_json(table)},
+          {"row_label_errata", table.key_errata}};
+}
+
 }  // namespace
 
 std::string scaled_text(const Replay& replay, const ReplayedCell& cell, double value) {
@@ -165,23 +168,6 @@ Json tables_json(const std::vector<Replay>& replays, bool all_cells) {
   const auto to_json = [&](const Replay& replay) { return table_json(replay, all_cells); };
   return {{"tables", json_list(replays, to_json)}, {"summary", summary_json(replays)}};
 }
-
-namespace {
-
-Json table_row_json(const data::TableSummary& table) {
-  return {{"id", table.id},
-          {"title", table.title},
-          {"rows", table.rows},
-          {"columns", table.columns},
-          {"cells", table.cells},
-          {"empty", table.empty},
-          {"without_value", table.without_value},
-          {"doubtful", table.doubtful},
-          {"errata", errata_json(table)},
-          {"row_label_errata", table.key_errata}};
-}
-
-}  // namespace
 
 Json table_list_json(const std::vector<data::TableSummary>& summaries) {
   data::TableSummary sum{};

@@ -1,11 +1,8 @@
-#include <algorithm>
-#include <functional>
-
 #include <nipref/data/table/index.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
@@ -49,14 +46,15 @@ bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& repl
   });
 }
 
-namespace {
-
-double value_of(double number) { return number; }
-double value_of(const fast::Estimate& number) { return number.value; }
-
 template <class Contact>
-RowValues columns_of(double thickness, const Contact& contact) {
-  const auto value = [&](auto member) { return value_of(std::invoke(member, contact)); };
+RowValues row_values(double sheet_thickness, const Contact& contact) {
+  const auto value = [&](auto member) -> double {
+    const auto number = std::invoke(member, contact);
+    if constexpr (requires { number.value; })
+      return number.value;
+    else
+      return number;
+  };
   const double length = value(&Contact::contact_length), d0 = value(&Contact::indentation),
                d1 = value(&Contact::leading_displacement), d2 = value(&Contact::trailing_displacement);
   return {{"W", value(&Contact::load)},
@@ -66,10 +64,10 @@ RowValues columns_of(double thickness, const Contact& contact) {
           {"d0", d0},
           {"d1", d1},
           {"d2", d2},
-          {"L/B", length / thickness},
-          {"d0/B", d0 / thickness},
-          {"d1/B", d1 / thickness},
-          {"d2/B", d2 / thickness},
+          {"L/B", length / sheet_thickness},
+          {"d0/B", d0 / sheet_thickness},
+          {"d1/B", d1 / sheet_thickness},
+          {"d2/B", d2 / sheet_thickness},
           {"d1/d0", d1 / d0},
           {"d2/d0", d2 / d0},
           {"p_max", value(&Contact::peak_pressure)},
@@ -77,15 +75,8 @@ RowValues columns_of(double thickness, const Contact& contact) {
           {"creep", value(&Contact::creep_ratio)},
           {"muR", value(&Contact::rolling_resistance)}};
 }
-
-}  // namespace
-
-RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact) {
-  return columns_of(sheet_thickness, contact);
-}
-RowValues row_values(double sheet_thickness, const fast::ConvergedNip& contact) {
-  return columns_of(sheet_thickness, contact);
-}
+template RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact);
+template RowValues row_values(double sheet_thickness, const fast::ConvergedNip& contact);
 
 data::Interval ReplayedRow::range(const std::string& column) const {
   data::Interval all{at_centre.at(column), at_centre.at(column)};

@@ -45,8 +45,8 @@ ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& 
                        const RowInput& input);
 
 /// The columns of the tables of nips, for line loads or a converged contact of an elastic or a viscoelastic nip.
-RowValues row_values(double sheet_thickness, const fast::LineLoadNip& contact);
-RowValues row_values(double sheet_thickness, const fast::ConvergedNip& contact);
+template <class Contact>
+RowValues row_values(double sheet_thickness, const Contact& contact);
 
 /// The verdict on a cell of a seed's table.
 enum class Verdict {

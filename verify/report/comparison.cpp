@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <ranges>
-#include <span>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
@@ -117,6 +111,13 @@ std::string version_of(const json& report) {
   return text_at(version, "commit").substr(0, 10) + ", " + text_at(version, "commit_date");
 }
 
+Json item_json(const ChangedItem& item) {
+  return {{"change", name(item.change)},
+          {"what", item.what},
+          {"before", Json::unless_empty(item.before)},
+          {"now", Json::unless_empty(item.now)}};
+}
+
 }  // namespace
 
 std::string_view name(Change change) { return change_names[static_cast<std::size_t>(change)]; }
@@ -145,17 +146,6 @@ ReportComparison compare_reports(const std::string& older, const std::string& ne
         of_other_points);
   return comparison;
 }
-
-namespace {
-
-Json item_json(const ChangedItem& item) {
-  return {{"change", name(item.change)},
-          {"what", item.what},
-          {"before", Json::unless_empty(item.before)},
-          {"now", Json::unless_empty(item.now)}};
-}
-
-}  // namespace
 
 Json comparison_json(const ReportComparison& comparison, std::size_t most_in_text) {
   const std::size_t count = comparison.items.size(), more = count - std::min(count, most_in_text);

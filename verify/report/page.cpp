@@ -1,14 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <sstream>
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -115,34 +110,6 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
   return page;
 }
 
-}  // namespace
-
-std::string report_page(const std::string& answer, const Drawer& draw, bool has_mathematics) {
-  TemplateData page = arranged(answer, draw);
-  page["mathematics"] = has_mathematics;
-  return filled(template_text("report.html"), page, escaped_for_html);
-}
-
-std::string report_text(const std::string& answer, const std::string& where_more_is) {
-  TemplateData data = TemplateData::parse(answer);
-  data["page"] = where_more_is;
-  return folded(filled_text(template_text("report.txt"), data));
-}
-
-std::string report_lines(const std::string& text, const std::vector<std::string>& heads) {
-  std::istringstream lines(text);
-  std::string chosen;
-  bool is_chosen = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(' '))
-      is_chosen = std::ranges::any_of(heads, [&](const auto& head) { return line.starts_with(head + " "); });
-    if (is_chosen) chosen += line + "\n";
-  }
-  return chosen;
-}
-
-namespace {
-
 constexpr std::size_t fewest_dots = 12;
 constexpr double largest_linear_promise = 64;
 constexpr int fewest_ways = 4;  ///< a plot has at least so many ways to the same values
@@ -243,6 +210,30 @@ Panel speed_panel(std::span<const BenchRow> ways) {
 }
 
 }  // namespace
+
+std::string report_page(const std::string& answer, const Drawer& draw, bool has_mathematics) {
+  TemplateData page = arranged(answer, draw);
+  page["mathematics"] = has_mathematics;
+  return filled(template_text("report.html"), page, escaped_for_html);
+}
+
+std::string report_text(const std::string& answer, const std::string& where_more_is) {
+  TemplateData data = TemplateData::parse(answer);
+  data["page"] = where_more_is;
+  return folded(filled_text(template_text("report.txt"), data));
+}
+
+std::string report_lines(const std::string& text, const std::vector<std::string>& heads) {
+  std::istringstream lines(text);
+  std::string chosen;
+  bool is_chosen = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(' '))
+      is_chosen = std::ranges::any_of(heads, [&](const auto& head) { return line.starts_with(head + " "); });
+    if (is_chosen) chosen += line + "\n";
+  }
+  return chosen;
+}
 
 Json error_plot_json(const AuditResult& result) {
   return result.spread.dots.size() < fewest_dots ? Json() : panel_json(error_panel(result));

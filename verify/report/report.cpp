@@ -1,11 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <string_view>
-
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -22,43 +18,6 @@ constexpr SeedColumn seed_columns[] = {
     {"contact length L of the thesis", "thesis-", "discretisation", "L"},
     {"rolling resistance mu_R of the thesis", "thesis-", "discretisation", "muR"},
     {"span ratio of Brock's Table 1 (2013)", "brock2013-1", "formula", "c="}};
-
-}  // namespace
-
-bool Report::kept(bool strict) const {
-  const auto none_broken = [](const auto& rows, auto is_kept) { return std::ranges::all_of(rows, is_kept); };
-  return Audited::kept() && witness.agrees() && !tables_fall_short && all_met(speed, strict) &&
-         none_broken(limits, &LimitRow::approached) &&
-         none_broken(errata, [](const SettledErratum& one) { return one.settlement.settled(); }) &&
-         none_broken(golden, [](const GoldenSample& one) { return one.checked.kept(); });
-}
-
-const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& results) {
-  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
-  return closest == results.end() ? nullptr : &*closest;
-}
-
-std::vector<SeedError> seed_errors(const std::vector<Replay>& tables) {
-  std::vector<SeedError> errors;
-  for (const SeedColumn& where : seed_columns) {
-    SeedError largest{};
-    for (const Replay& replay : tables) {
-      if (!replay.table.id.starts_with(where.tables)) continue;
-      for (const Cost& cost : replay.costs) {
-        for (const ColumnDeviation& column : cost.columns) {
-          if (cost.weakness == where.weakness && column.column.starts_with(where.column) &&
-              (largest.what.empty() || std::fabs(column.largest) > std::fabs(largest.relative)))
-            largest = {std::string(where.what), replay.table.id, column.largest,
-                       cost.weakness + ", " + cost.against};
-        }
-      }
-    }
-    if (!largest.what.empty()) errors.push_back(largest);
-  }
-  return errors;
-}
-
-namespace {
 
 /// The number of rows, and of those for which `is_so` holds.
 template <class Rows, class IsSo>
@@ -144,6 +103,38 @@ Json headline_ratios_json(const BenchReport& speed) {
 
 }  // namespace
 
+bool Report::kept(bool strict) const {
+  const auto none_broken = [](const auto& rows, auto is_kept) { return std::ranges::all_of(rows, is_kept); };
+  return Audited::kept() && witness.agrees() && !tables_fall_short && all_met(speed, strict) &&
+         none_broken(limits, &LimitRow::approached) && none_broken(errata, &Settlement::settled) &&
+         none_broken(golden, [](const GoldenSample& one) { return one.checked.kept(); });
+}
+
+const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& results) {
+  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
+  return closest == results.end() ? nullptr : &*closest;
+}
+
+std::vector<SeedError> seed_errors(const std::vector<Replay>& tables) {
+  std::vector<SeedError> errors;
+  for (const SeedColumn& where : seed_columns) {
+    SeedError largest{};
+    for (const Replay& replay : tables) {
+      if (!replay.table.id.starts_with(where.tables)) continue;
+      for (const Cost& cost : replay.costs) {
+        for (const ColumnDeviation& column : cost.columns) {
+          if (cost.weakness == where.weakness && column.column.starts_with(where.column) &&
+              (largest.what.empty() || std::fabs(column.largest) > std::fabs(largest.relative)))
+            largest = {std::string(where.what), replay.table.id, column.largest,
+                       cost.weakness + ", " + cost.against};
+        }
+      }
+    }
+    if (!largest.what.empty()) errors.push_back(largest);
+  }
+  return errors;
+}
+
 Json summary_json(const Report& report) {
   const long missed_accuracies =
       sum(report.scenes, &SceneTally::miss_reported) + sum(report.scenes, &SceneTally::miss_unreported);
@@ -164,8 +155,7 @@ Json summary_json(const Report& report) {
           {"claims", verdict_counts_json(report.claims, {ClaimVerdict::holds, ClaimVerdict::fails,
                                                          ClaimVerdict::holds_in_a_range})},
           {"limits", share_json(report.limits, &LimitRow::approached)},
-          {"errata",
-           share_json(report.errata, [](const SettledErratum& one) { return one.settlement.settled(); })},
+          {"errata", share_json(report.errata, &Settlement::settled)},
           {"golden", share_json(report.golden, [](const GoldenSample& one) { return one.checked.kept(); })},
           {"golden_values",
            {{"checked", sum(report.golden, [](const GoldenSample& one) { return one.checked.rows; })},

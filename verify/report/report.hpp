@@ -1,9 +1,4 @@
 #pragma once
-#include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/bench/bench.hpp>
@@ -12,6 +7,7 @@
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/witness/witness.hpp>
 
@@ -65,7 +61,7 @@ struct Report : Audited {
   bool tables_fall_short = false;  ///< more cells are unexplained than is known
   std::vector<CheckedClaim> claims;
   std::vector<LimitRow> limits;
-  std::vector<SettledErratum> errata;
+  std::vector<Settlement> errata;
   std::vector<GoldenSample> golden;
   std::vector<Figure> figures = {};                 ///< only if a page is written
   std::optional<ReportComparison> comparison = {};  ///< with an older report, if one is given

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <numbers>
-
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {

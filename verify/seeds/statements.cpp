@@ -1,22 +1,14 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// The entries of a list with their ids.
-template <class Entry>
-std::vector<Entry> read(const std::vector<TomlTable>& list) {
-  return mapped(list, [](const TomlTable& one) { return Entry{one.text("id"), &one}; });
+std::vector<Statement> statements_in(const std::vector<TomlTable>& list) {
+  return mapped(list, [](const TomlTable& one) { return Statement{one.text("id"), &one}; });
 }
 
 Json texts_json(const TomlTable& entry, std::initializer_list<const char*> keys) {
@@ -35,10 +27,8 @@ TomlTable file_of(const char* name) {
   return read_toml(data::statements_directory() / name, "statements file");
 }
 
-constexpr std::pair<ClaimVerdict, std::string_view> verdicts[] = {
-    {ClaimVerdict::holds, "holds"},
-    {ClaimVerdict::fails, "false"},
-    {ClaimVerdict::holds_in_a_range, "holds in a range"}};
+/// In the order of the enumeration.
+constexpr std::string_view claim_verdicts[] = {"holds", "false", "holds in a range"};
 
 /// `text` with the values of the formulas in it, {FORMULA:FORMAT}.
 std::string with_values(const std::string& text, StatementFormulas& formulas) {
@@ -66,76 +56,69 @@ const TomlTable& errata_file() {
   return file;
 }
 
+Json number_json(const ClaimNumber& one) {
+  Json number{{"what", one.what},
+              {"value", Json()},
+              {"error", Json()},
+              {"origin", one.origin()},
+              {"_stated", stated_text(one.number) + (one.origin() == "exact" ? ", exactly" : "")}};
+  set_number(number, "value", "error", one.number);
+  return number;
+}
+
 }  // namespace
 
-std::string_view name_of(ClaimVerdict verdict) {
-  return std::ranges::find(verdicts, verdict, [](const auto& one) { return one.first; })->second;
-}
+std::string_view name_of(ClaimVerdict verdict) { return claim_verdicts[static_cast<std::size_t>(verdict)]; }
 
 std::string_view ClaimNumber::origin() const {
   if (is_printed) return "printed";
   return number.error() == 0 ? "exact" : "computed";
 }
 
-std::vector<Claim> claims() {
-  return read<Claim>(claims_file().list("claim", {"id", "seed", "place", "statement"},
-                                        {"setting", "given", "number", "verdict"}));
+std::vector<Statement> claims() {
+  return statements_in(claims_file().list("claim", {"id", "seed", "place", "statement"},
+                                          {"setting", "given", "number", "verdict"}));
 }
 
-ClaimOutcome check(const Claim& claim) {
+CheckedClaim check(const Statement& claim) {
   const TomlTable& entry = *claim.entry;
   StatementFormulas formulas(claims_file(), entry);
-  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  CheckedClaim checked{claim};
   for (const TomlTable& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
     const Propagated number = formulas.value(one.text("is"));
     if (const std::string name = one.text_or("name", ""); !name.empty()) formulas.define(name, number);
-    outcome.numbers.push_back({one.text("what"), number, one.text_or("origin", "") == "printed"});
+    checked.numbers.push_back({one.text("what"), number, one.text_or("origin", "") == "printed"});
   }
   for (const TomlTable& one : entry.list("verdict", {"is"}, {"if", "why"})) {
     if (!formulas.is_true(one.text_or("if", "1"))) continue;
-    const auto verdict =
-        std::ranges::find(verdicts, one.text("is"), [](const auto& known) { return known.second; });
-    if (verdict == std::end(verdicts)) one.refuse("must be holds, false or holds in a range");
-    outcome.verdict = verdict->first;
-    outcome.why = with_values(one.text_or("why", ""), formulas);
-    return outcome;
+    const auto* const verdict = std::ranges::find(claim_verdicts, one.text("is"));
+    if (verdict == std::end(claim_verdicts)) one.refuse("must be holds, false or holds in a range");
+    checked.verdict = static_cast<ClaimVerdict>(verdict - std::begin(claim_verdicts));
+    checked.why = with_values(one.text_or("why", ""), formulas);
+    return checked;
   }
   entry.refuse("must have a [[claim.verdict]] whose condition is fulfilled");
 }
 
-std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
-  auto checked = mapped(claims, [](Claim& claim) { return CheckedClaim{std::move(claim), {}}; });
-  parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); });
-  return checked;
+std::vector<CheckedClaim> check_all(const std::vector<Statement>& claims) {
+  return parallel_mapped(claims.size(), [&](std::size_t i) { return check(claims[i]); });
 }
 
 Json claims_json(const std::vector<CheckedClaim>& claims) {
   return json_list(claims, [](const CheckedClaim& checked) {
-    const ClaimOutcome& outcome = checked.outcome;
     Json row = texts_json(*checked.claim.entry, {"id", "seed", "place", "statement"});
-    row.append({{"verdict", name_of(outcome.verdict)},
-                {"why", Json::unless_empty(outcome.why)},
-                {"numbers", json_list(outcome.numbers,
-                                      [](const ClaimNumber& one) {
-                                        Json number{
-                                            {"what", one.what},
-                                            {"value", Json()},
-                                            {"error", Json()},
-                                            {"origin", one.origin()},
-                                            {"_stated", stated_text(one.number) +
-                                                            (one.origin() == "exact" ? ", exactly" : "")}};
-                                        set_number(number, "value", "error", one.number);
-                                        return number;
-                                      })},
-                {"_fails", outcome.verdict == ClaimVerdict::fails}});
+    row.append({{"verdict", name_of(checked.verdict)},
+                {"why", Json::unless_empty(checked.why)},
+                {"numbers", json_list(checked.numbers, number_json)},
+                {"_fails", checked.verdict == ClaimVerdict::fails}});
     return row;
   });
 }
 
 Json verdict_counts_json(const std::vector<CheckedClaim>& claims, const std::vector<ClaimVerdict>& verdicts) {
-  const auto verdict_of = [](const CheckedClaim& one) { return one.outcome.verdict; };
   return json_list(verdicts, [&](ClaimVerdict verdict) {
-    return Json{{"verdict", name_of(verdict)}, {"count", std::ranges::count(claims, verdict, verdict_of)}};
+    return Json{{"verdict", name_of(verdict)},
+                {"count", std::ranges::count(claims, verdict, &CheckedClaim::verdict)}};
   });
 }
 
@@ -210,41 +193,39 @@ bool Settlement::settled() const {
   return !are_apart(right) && (!printed || are_apart(*printed));
 }
 
-std::vector<FormulaErratum> formula_errata() {
-  return read<FormulaErratum>(
+std::vector<Statement> formula_errata() {
+  return statements_in(
       errata_file().list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
                          {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}));
 }
 
-Settlement settle(const FormulaErratum& erratum) {
+Settlement settle(const Statement& erratum) {
   const TomlTable& entry = *erratum.entry;
   StatementFormulas formulas(errata_file(), entry);
   if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
     const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
-    return {quantity, by("printed"), by("fast"), by("ref")};
+    return {quantity, by("printed"), by("fast"), by("ref"), erratum};
   }
   std::optional<Propagated> printed;
   if (const std::string formula = entry.text_or("printed_value", ""); !formula.empty())
     printed = formulas.value(formula);
   return {entry.text("at") + formulas.setting(), printed, formulas.value(entry.text("right_value")),
-          formulas.value(entry.text("truth"))};
+          formulas.value(entry.text("truth")), erratum};
 }
 
-std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
-  return mapped(errata, [](const auto& erratum) { return SettledErratum{erratum, settle(erratum)}; });
-}
+std::vector<Settlement> settle_all(const std::vector<Statement>& errata) { return mapped(errata, settle); }
 
-Json errata_json(const std::vector<SettledErratum>& errata) {
-  return json_list(errata, [](const SettledErratum& one) {
+Json errata_json(const std::vector<Settlement>& errata) {
+  return json_list(errata, [](const Settlement& one) {
     Json row = texts_json(*one.erratum.entry, {"id", "seed", "equation", "printed", "right", "proof"});
-    row.set("at", one.settlement.at);
-    set_number(row, "printed_value", "printed_error", one.settlement.printed);
-    set_number(row, "right_value", "right_error", one.settlement.right);
-    set_number(row, "truth", "truth_error", one.settlement.truth);
-    row.append({{"settled", one.settlement.settled()},
-                {"_printed", one.settlement.printed ? Json(stated_text(*one.settlement.printed)) : Json()},
-                {"_right", stated_text(one.settlement.right)},
-                {"_truth", stated_text(one.settlement.truth)}});
+    row.set("at", one.at);
+    set_number(row, "printed_value", "printed_error", one.printed);
+    set_number(row, "right_value", "right_error", one.right);
+    set_number(row, "truth", "truth_error", one.truth);
+    row.append({{"settled", one.settled()},
+                {"_printed", one.printed ? Json(stated_text(*one.printed)) : Json()},
+                {"_right", stated_text(one.right)},
+                {"_truth", stated_text(one.truth)}});
     return row;
   });
 }

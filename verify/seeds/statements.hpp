@@ -14,6 +14,12 @@ namespace nipref::verify {
 
 struct TomlTable;
 
+/// A statement of a seed: an entry of such a file, which has its seed, its place and what is stated, in our words.
+struct Statement {
+  std::string id;  ///< "thesis-creep-with-friction"
+  const TomlTable* entry;
+};
+
 /// A number that decides about a claim.
 struct ClaimNumber {
   std::string what;
@@ -29,29 +35,19 @@ enum class ClaimVerdict { holds, fails, holds_in_a_range };
 /// "holds", "false", "holds in a range"
 std::string_view name_of(ClaimVerdict verdict);
 
-/// The result of checking a claim: the verdict follows from the numbers.
-struct ClaimOutcome {
-  ClaimVerdict verdict;
-  std::string why;  ///< one sentence with the numbers that decide, or the range in which it holds
-  std::vector<ClaimNumber> numbers;
-};
-
-/// A claim that a seed makes in words. Its entry has its seed, its place and the claim in our words.
-struct Claim {
-  std::string id;  ///< "thesis-creep-with-friction"
-  const TomlTable* entry;
-};
-
+/// A claim that a seed makes in words, and its verdict, which follows from the numbers.
 struct CheckedClaim {
-  Claim claim;
-  ClaimOutcome outcome;
+  Statement claim;
+  ClaimVerdict verdict = ClaimVerdict::holds;
+  std::string why = {};  ///< one sentence with the numbers that decide, or the range in which it holds
+  std::vector<ClaimNumber> numbers = {};
 };
 
-std::vector<Claim> claims();
+std::vector<Statement> claims();
 /// Computes the numbers of one of claims().
-ClaimOutcome check(const Claim& claim);
+CheckedClaim check(const Statement& claim);
 /// Checks many, on all cores; the order is kept.
-std::vector<CheckedClaim> check_all(std::vector<Claim> claims);
+std::vector<CheckedClaim> check_all(const std::vector<Statement>& claims);
 Json claims_json(const std::vector<CheckedClaim>& claims);
 /// How many claims have each of these verdicts, in this order.
 Json verdict_counts_json(const std::vector<CheckedClaim>& claims, const std::vector<ClaimVerdict>& verdicts);
@@ -89,33 +85,23 @@ struct LimitRow {
 [[nodiscard]] std::vector<LimitRow> limits();
 Json limits_json(const std::vector<LimitRow>& limits);
 
-/// A formula that a seed prints wrong. Its entry has its seed, its equation, what is wrong with it, what must stand
-/// there, and the method that computes the truth of its Settlement.
-struct FormulaErratum {
-  std::string id;  ///< "thesis-4.8"
-  const TomlTable* entry;
-};
-
-/// The formula as printed and as it must be, at one place, against a truth that is computed by neither.
+/// A formula that a seed prints wrong, as printed and as it must be, at one place, against a truth that is computed by
+/// neither. The erratum's entry says what is wrong with it, what must stand there, and how the truth is computed.
 struct Settlement {
   std::string at;                     ///< the place, and what is computed there
   std::optional<Propagated> printed;  ///< empty: the printed formula has no value
   Propagated right;
   Propagated truth;
+  Statement erratum = {};
 
   /// The right one agrees with the truth and the printed one does not, to the sum of both errors.
   [[nodiscard]] bool settled() const;
 };
 
-struct SettledErratum {
-  FormulaErratum erratum;
-  Settlement settlement;
-};
-
-std::vector<FormulaErratum> formula_errata();
+std::vector<Statement> formula_errata();
 /// Computes the numbers of one of formula_errata().
-Settlement settle(const FormulaErratum& erratum);
-std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata);
-Json errata_json(const std::vector<SettledErratum>& errata);
+Settlement settle(const Statement& erratum);
+std::vector<Settlement> settle_all(const std::vector<Statement>& errata);
+Json errata_json(const std::vector<Settlement>& errata);
 
 }  // namespace nipref::verify

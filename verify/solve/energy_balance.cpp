@@ -1,18 +1,13 @@
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <cstddef>
-#include <numbers>
-#include <variant>
-#include <vector>
 
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
@@ -39,16 +34,17 @@ struct LossPanel {
 /// The expansion of the pressure, with the integral of its error.
 class ExpandedPressure {
  public:
-  ExpandedPressure(const ContactEnds& ends, const std::function<fast::Estimate(double)>& pressure, int terms)
+  ExpandedPressure(double first, double last, const std::function<fast::Estimate(double)>& pressure,
+                   int terms)
       : terms_(static_cast<std::size_t>(terms)), bessel_(terms_) {
     // The part of the load beyond the last halving is 2^{-60}, as the pressure is like a square root there.
     constexpr int halvings = 40;
-    const double size = (ends.last - ends.first) / 2;
+    const double size = (last - first) / 2;
     for (const double side : {-1.0, 1.0}) {
       double outer = 0;  // from the middle
       for (int k = 1; k <= halvings; ++k) {
         const double next = size * (1 - std::ldexp(1, -k));
-        const double middle = ends.first + size + side * (outer + next) / 2;
+        const double middle = first + size + side * (outer + next) / 2;
         append(middle, (next - outer) / 2, pressure);
         outer = next;
       }
@@ -156,23 +152,6 @@ Loss integral(const data::ViscoelasticNip& nip, const data::MaterialFunction& co
   return loss;
 }
 
-}  // namespace
-
-fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ContactEnds& ends,
-                             const std::function<fast::Estimate(double y)>& pressure) {
-  const data::MaterialFunction compliance = fast::material_functions(nip.material).normal_compliance();
-  if (compliance.terms.empty()) return {0, 0};
-  const double length = ends.last - ends.first;
-  ExpandedPressure fine(ends, pressure, 22), coarse(ends, pressure, 17);
-  const Loss loss = integral(nip, compliance, length, fine, 56);
-  const Loss rough = integral(nip, compliance, length, coarse, 40);
-  constexpr double rounding = 1e-14;
-  return {loss.value, 2 * std::fabs(loss.value - rough.value) + 2 * fine.error() * loss.by_pressure +
-                          rounding * loss.value};
-}
-
-namespace {
-
 fast::Estimate in_double(const fast::Estimate& number) { return number; }
 /// The error includes rounding to double.
 fast::Estimate in_double(const ref::Estimate& number) {
@@ -187,8 +166,9 @@ EnergyBalance balance_of(const data::Scene& scene, const data::ViscoelasticNip& 
   balance.warnings = beyond_theory(scene, contact);
   balance.work =
       in_double(contact.number(ResultId::load)) * in_double(contact.number(ResultId::rolling_resistance));
-  balance.loss = loss_integral(nip, contact.ends(),
-                               [&](double y) { return in_double(contact.at(ResultId::pressure, y)); });
+  const auto [first, last] = contact.ends();
+  balance.loss =
+      loss_integral(nip, first, last, [&](double y) { return in_double(contact.at(ResultId::pressure, y)); });
   return balance;
 }
 
@@ -204,16 +184,28 @@ const data::ViscoelasticNipProblem& rolling_problem(const data::Scene& scene) {
 
 }  // namespace
 
+fast::Estimate loss_integral(const data::ViscoelasticNip& nip, double first, double last,
+                             const std::function<fast::Estimate(double y)>& pressure) {
+  const data::MaterialFunction compliance = fast::material_functions(nip.material).normal_compliance();
+  if (compliance.terms.empty()) return {0, 0};
+  const double length = last - first;
+  ExpandedPressure fine(first, last, pressure, 22), coarse(first, last, pressure, 17);
+  const Loss loss = integral(nip, compliance, length, fine, 56);
+  const Loss rough = integral(nip, compliance, length, coarse, 40);
+  constexpr double rounding = 1e-14;
+  return {loss.value, 2 * std::fabs(loss.value - rough.value) + 2 * fine.error() * loss.by_pressure +
+                          rounding * loss.value};
+}
+
 EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits) {
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
-  EnergyBalance balance;
   const auto balance_by = [&](const auto& solve) {
-    return balance_of(scene, problem.nip, *naming_given(scene, problem.given, solve));
+    return balance_of(scene, problem.nip, *naming_keys(scene, solve));
   };
-  const double seconds = seconds_of([&] {
-    balance = digits ? balance_by([&] { return solve_ref_nip(problem, *digits); })
-                     : balance_by([&] { return solve_nip(problem, scene.accuracy); });
+  auto [balance, seconds] = timed([&] {
+    return digits ? balance_by([&] { return solve_ref_nip(problem, *digits); })
+                  : balance_by([&] { return solve_nip(problem, scene.accuracy); });
   });
   balance.title = scene.title;
   balance.seconds = seconds;

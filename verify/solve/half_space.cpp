@@ -1,13 +1,3 @@
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <utility>
-#include <variant>
-
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/joint_response.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
@@ -18,7 +8,7 @@
 #include <nipref/ref/half_space/sliding.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/paths.hpp>
-#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -107,12 +97,9 @@ fast::SlidingContact slide(const fast::JointResponse& response, const Problem& p
 }
 ref::SlidingContact slide(const ref::JointResponse& surface, const Problem& problem, int digits) {
   const bool similar = problem.rule == data::ContourRule::similar_contour;
-  return {surface.answer(),
-          ref_indenter(problem),
-          ref::Exact(problem.friction),
-          problem.given,
-          digits,
-          similar ? ref::SpanRule::similar_contour : ref::SpanRule::stationary_force};
+  return ref::SlidingContact(surface.answer(), ref_indenter(problem), ref::Exact(problem.friction),
+                             problem.given, digits,
+                             similar ? ref::SpanRule::similar_contour : ref::SpanRule::stationary_force);
 }
 
 fast::RollingSphere roll(const fast::JointResponse&, const Problem& problem, int) {
@@ -154,7 +141,6 @@ struct BodyOnHalfSpace {
   int digits;  ///< the reference's
   Contact (*make)(const Surface&, const Problem&, int digits);
   std::optional<Contact> made = {};
-  std::map<double, std::array<Number, 3>> displacements = {};  ///< at x on the scene's line, at its depth
 
   const Contact& contact() {
     if (!made) made = make(surface, problem, digits);
@@ -180,17 +166,11 @@ struct BodyOnHalfSpace {
       return contact().shear(Path::line(*problem.line), Position(x));
     return by_friction(pressure(x));
   }
-  /// The displacement along the motion, across it and into the half-space.
-  Number displacement(double x, std::size_t component) {
-    auto known = displacements.find(x);
-    if (known == displacements.end()) {
-      const auto line = Path::line(*problem.line);
-      const Position depth(problem.depth);
-      known = displacements
-                  .emplace(x, contact().displacement(surface.of_half_space(depth), line, Position(x), depth))
-                  .first;
-    }
-    return known->second[component];
+  /// At x on the scene's line, at its depth: along the motion, across it and into the half-space.
+  std::array<Number, 3> displacement(double x) {
+    const Position depth(problem.depth);
+    return contact().displacement(surface.of_half_space(depth), Path::line(*problem.line), Position(x),
+                                  depth);
   }
   /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
   Number end(const typename Path::Line& psi) {
@@ -255,9 +235,14 @@ std::unique_ptr<SolvedContact<typename Path::Number>> solved(const Surface& surf
         [](Body& one, double psi) { return one.contact().compressed_radius(Path::line(psi)); });
   }
   if constexpr (requires(const Contact& one) { one.axis_ratio(); }) {
-    set(ResultId::tangential_displacement, [](Body& one, double x) { return one.displacement(x, 0); });
-    set(ResultId::transverse_displacement, [](Body& one, double x) { return one.displacement(x, 1); });
-    set(ResultId::normal_displacement, [](Body& one, double x) { return one.displacement(x, 2); });
+    using Displacement = std::array<Number, 3>;
+    contact->template set_parts<Displacement>(
+        [body](const Places& places) {
+          return mapped(places, [&](const Place& place) { return body->displacement(place.y); });
+        },
+        {{ResultId::tangential_displacement, [](const Displacement& u) { return u[0]; }},
+         {ResultId::transverse_displacement, [](const Displacement& u) { return u[1]; }},
+         {ResultId::normal_displacement, [](const Displacement& u) { return u[2]; }}});
     set(ResultId::axis_ratio, [](Body& one) { return one.contact().axis_ratio(); });
     set(ResultId::approach, [](Body& one) { return one.contact().approach(); });
     set(ResultId::orientation,

@@ -1,37 +1,14 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <variant>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr double of_load = 2;          ///< time for a given load over the time for a given length
 constexpr double rough_enough = 1e-3;  ///< relative accuracy of the length
-
-double length_of(const data::ElasticNipProblem& problem, const data::GivenLoad& load) {
-  return fast::converged_for_load(problem.nip, problem.friction, load.per_length, rough_enough)
-      .contact_length()
-      .value;
-}
-double length_of(const data::ViscoelasticNipProblem& problem, const data::GivenLoad& load) {
-  return fast::converged_for_load(problem.nip, load.per_length, rough_enough).contact_length().value;
-}
-
-double seconds_for_length(const data::ElasticNipProblem& problem, double length, int digits) {
-  return likely_seconds(problem.nip, problem.friction, length, digits);
-}
-double seconds_for_length(const data::ViscoelasticNipProblem& problem, double length, int digits) {
-  return likely_seconds(problem.nip, length, digits);
-}
 
 /// The time for profiles that are integrals over the contact, and for stresses inside the sheet, which are computed
 /// together at each place. The search for the greatest shear evaluates about `searched` places.
@@ -40,19 +17,16 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   const double ratio = length / problem.nip.sheet_thickness;
   constexpr double searched = 65;
   double integrals = 0, inside = 0;
-  const auto wants = [&](const auto& is_one) {
-    return std::ranges::any_of(scene.wanted,
-                               [&](data::ResultId id) { return is_one(data::scene_result(id)); });
-  };
+  bool searches = false;
   for (const data::ResultId id : scene.wanted) {
+    const data::SceneResult& result = data::scene_result(id);
     const bool is_traction = id == data::ResultId::pressure || id == data::ResultId::shear;
-    if (data::scene_result(id).shape == data::Shape::profile && !is_traction)
+    if (result.shape == data::Shape::profile && !is_traction)
       integrals += static_cast<double>(data::count_of(*problem.profile));
+    searches |= result.needs == data::Needs::inside_all;
   }
-  if (wants([](const data::SceneResult& one) { return one.shape == data::Shape::field; }))
-    inside += static_cast<double>(problem.field->size());
-  if (wants([](const data::SceneResult& one) { return one.needs == data::Needs::inside_all; }))
-    inside += searched;
+  if (wants(scene, data::Shape::field)) inside += static_cast<double>(problem.field->size());
+  if (searches) inside += searched;
   // With full friction there are pressure and shear, both complex.
   const double grip_factor = has_full_friction(problem) ? 3 : 1;
   return 0.02 * (1 + ratio / 4) * integrals + 0.05 * (1 + ratio) * grip_factor * inside;
@@ -66,10 +40,14 @@ struct LikelySeconds {
   double operator()(const Problem& problem) const {
     if (!std::holds_alternative<data::ConvergedMethod>(problem.method)) return 0;
     const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
-    const double length = load != nullptr ? length_of(problem, *load)
-                                          : std::get<data::GivenLength>(problem.given).contact_length;
-    return seconds_for_length(problem, length, digits) * (load != nullptr ? of_load : 1) +
-           seconds_for_places(scene, problem, length);
+    return with_nip(problem, [&](const auto&... nip) {
+      const double length =
+          load != nullptr
+              ? fast::converged_for_load(nip..., load->per_length, rough_enough).contact_length().value
+              : std::get<data::GivenLength>(problem.given).contact_length;
+      return likely_seconds(nip..., length, digits) * (load != nullptr ? of_load : 1) +
+             seconds_for_places(scene, problem, length);
+    });
   }
   /// With three zones; with five it takes some four times as long.
   double operator()(const data::PartialSlipProblem& problem) const {

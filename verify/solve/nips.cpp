@@ -1,15 +1,5 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/partial_slip/line_loads.hpp>
@@ -23,6 +13,7 @@
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/paths.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -43,27 +34,19 @@ auto for_given(const data::Given& given, const auto& for_load, const auto& for_l
                          : for_length(std::get<data::GivenLength>(given).contact_length);
 }
 
-/// What the solvers of the continuous contact take besides its load or length.
-std::tuple<data::ElasticNip, data::Friction> nip_of(const ElasticNipProblem& problem) {
-  return {problem.nip, problem.friction};
-}
-std::tuple<data::ViscoelasticNip> nip_of(const ViscoelasticNipProblem& problem) { return {problem.nip}; }
-
 auto solution(FastPath, const auto& problem, const ConvergedMethod&, double accuracy) {
-  const auto solve = [&](const auto&... nip) {
+  return with_nip(problem, [&](const auto&... nip) {
     return for_given(
         problem.given, [&](double load) { return fast::converged_for_load(nip..., load, accuracy); },
         [&](double length) { return fast::converged_for_length(nip..., length, accuracy); });
-  };
-  return std::apply(solve, nip_of(problem));
+  });
 }
 auto solution(RefPath, const auto& problem, const ConvergedMethod&, int digits) {
-  const auto solve = [&](const auto&... nip) {
+  return with_nip(problem, [&](const auto&... nip) {
     return for_given(
         problem.given, [&](double load) { return ref::converged_for_load(nip..., load, digits); },
         [&](double length) { return ref::converged_for_length(nip..., length, digits); });
-  };
-  return std::apply(solve, nip_of(problem));
+  });
 }
 
 auto solution(FastPath, const PartialSlipProblem& problem, const ConvergedMethod&, double accuracy) {
@@ -146,59 +129,6 @@ std::vector<ref::Estimate> creep_range_of(const ref::LineLoadNip& loads) {
   return {lower, upper, chosen};
 }
 
-/// A solution by any method, and what its results inside the sheet have in common, which is computed once.
-template <class Path, class Problem, class Solution>
-struct Nip {
-  using Points = std::span<const typename Path::Point>;
-  using Greatest = typename Path::Greatest;
-
-  Problem problem;
-  typename Path::Accuracy accuracy;
-  Solution solution;
-  std::map<Places, std::vector<typename Path::Stresses>> stresses = {};
-  std::map<Places, std::vector<typename Path::Displacements>> displacements = {};
-  std::optional<Greatest> greatest = {};
-
-  auto stresses_at(Points points) {
-    if constexpr (requires { solution.inner_stresses(points); }) {
-      return solution.inner_stresses(points);
-    } else {
-      return with_digits([&](auto... digits) {
-        return line_load_stresses(solution.face_loads(), problem.nip.half_thickness(), points, digits...);
-      });
-    }
-  }
-  auto displacements_at(Points points) {
-    if constexpr (requires { solution.inner_displacements(points); }) {
-      return solution.inner_displacements(points);
-    } else {
-      return with_digits([&](auto... digits) {
-        return line_load_displacements(solution.face_loads(), problem.nip.half_thickness(),
-                                       problem.nip.material, points, digits...);
-      });
-    }
-  }
-  const Greatest& greatest_shear() {
-    if (!greatest) greatest = solution.greatest_shear();
-    return *greatest;
-  }
-  bool refine() {
-    stresses.clear();
-    displacements.clear();
-    greatest.reset();
-    return solution.refine();
-  }
-
- private:
-  /// The functions of line loads take the digits last, those of the reference.
-  auto with_digits(const auto& function) const {
-    if constexpr (Path::is_fast)
-      return function();
-    else
-      return function(accuracy);
-  }
-};
-
 /// A solution's members, functions or numbers, have the names of the results.
 template <class Number, class Solution>
 void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>& solution) {
@@ -252,41 +182,60 @@ void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>&
     solved.set(ResultId::creep_range, [=](const Places&) { return creep_range_of(*solution); });
 }
 
+/// The functions of line loads take the digits last, those of the reference.
+auto with_digits(double /*accuracy*/, const auto& function) { return function(); }
+auto with_digits(int digits, const auto& function) { return function(digits); }
+
 /// Stresses inside, and displacements of an elastic sheet's alone.
 template <class Path, class Problem, class Solution>
-void set_inside(SolvedContact<typename Path::Number>& solved,
-                const std::shared_ptr<Nip<Path, Problem, Solution>>& nip) {
+void set_inside(SolvedContact<typename Path::Number>& solved, const Problem& problem,
+                typename Path::Accuracy accuracy, const std::shared_ptr<Solution>& solution) {
   using Stresses = typename Path::Stresses;
   using Displacements = typename Path::Displacements;
-  using OfNip = Nip<Path, Problem, Solution>;
-  const auto field = [&](ResultId id, auto known, auto at, auto part) {
-    solved.set(id, [=](const Places& places) {
-      auto& all = (*nip).*known;
-      if (!all.contains(places)) {
-        const auto points = mapped(places, [](const Place& place) {
-          return typename Path::Point{place.y, place.depth};
-        });
-        all[places] = ((*nip).*at)(points);
-      }
-      return mapped<typename Path::Number>(all[places], part);
-    });
+  using Greatest = typename Path::Greatest;
+  const auto points_at = [](const Places& places) {
+    return mapped(places, [](const Place& one) { return typename Path::Point{one.y, one.depth}; });
   };
-  const auto stress = [&](ResultId id, auto part) { field(id, &OfNip::stresses, &OfNip::stresses_at, part); };
-  stress(ResultId::stress_across, &Stresses::across);
-  stress(ResultId::stress_along, &Stresses::along);
-  stress(ResultId::stress_shear, &Stresses::shear);
-  stress(ResultId::highest_stress, &Stresses::highest);
-  stress(ResultId::lowest_stress, &Stresses::lowest);
-  stress(ResultId::maximum_shear, &Stresses::maximum_shear);
+  solved.template set_parts<Stresses>(
+      [=](const Places& places) {
+        const auto points = points_at(places);
+        if constexpr (requires { solution->inner_stresses(points); }) {
+          return solution->inner_stresses(points);
+        } else {
+          return with_digits(accuracy, [&](auto... digits) {
+            return line_load_stresses(solution->face_loads(), problem.nip.half_thickness(), points,
+                                      digits...);
+          });
+        }
+      },
+      {{ResultId::stress_across, &Stresses::across},
+       {ResultId::stress_along, &Stresses::along},
+       {ResultId::stress_shear, &Stresses::shear},
+       {ResultId::highest_stress, &Stresses::highest},
+       {ResultId::lowest_stress, &Stresses::lowest},
+       {ResultId::maximum_shear, &Stresses::maximum_shear}});
   if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
-    for (const auto& [id, part] : {std::pair(ResultId::displacement_across, &Displacements::across),
-                                   std::pair(ResultId::displacement_along, &Displacements::along)})
-      field(id, &OfNip::displacements, &OfNip::displacements_at, part);
+    solved.template set_parts<Displacements>(
+        [=](const Places& places) {
+          const auto points = points_at(places);
+          if constexpr (requires { solution->inner_displacements(points); }) {
+            return solution->inner_displacements(points);
+          } else {
+            return with_digits(accuracy, [&](auto... digits) {
+              return line_load_displacements(solution->face_loads(), problem.nip.half_thickness(),
+                                             problem.nip.material, points, digits...);
+            });
+          }
+        },
+        {{ResultId::displacement_across, &Displacements::across},
+         {ResultId::displacement_along, &Displacements::along}});
   }
-  if constexpr (requires { nip->solution.greatest_shear(); }) {
-    solved.set(ResultId::greatest_shear, nip, [](OfNip& one) { return one.greatest_shear().value; });
-    solved.set(ResultId::greatest_shear_position, nip, [](OfNip& one) { return one.greatest_shear().y; });
-    solved.set(ResultId::greatest_shear_depth, nip, [](OfNip& one) { return one.greatest_shear().depth; });
+  if constexpr (requires { solution->greatest_shear(); }) {
+    solved.template set_parts<Greatest>(
+        [=](const Places&) { return std::vector{solution->greatest_shear()}; },
+        {{ResultId::greatest_shear, &Greatest::value},
+         {ResultId::greatest_shear_position, &Greatest::y},
+         {ResultId::greatest_shear_depth, &Greatest::depth}});
   }
 }
 
@@ -311,17 +260,16 @@ template <class Path, class Problem, class Method>
 Solved<Path> solved(const Problem& problem, const Method& method, typename Path::Accuracy accuracy) {
   constexpr bool converges = std::is_same_v<Method, ConvergedMethod>;
   auto contact = std::make_unique<SolvedContact<typename Path::Number>>();
-  auto found = solution(Path(), problem, method, accuracy);
-  const auto nip = std::make_shared<Nip<Path, Problem, decltype(found)>>(
-      Nip<Path, Problem, decltype(found)>{problem, accuracy, std::move(found)});
-  set_results(*contact, std::shared_ptr<decltype(found)>(nip, &nip->solution));
-  if constexpr (!std::is_same_v<Problem, PartialSlipProblem>) set_inside(*contact, nip);
+  const auto found = std::make_shared<decltype(solution(Path(), problem, method, accuracy))>(
+      solution(Path(), problem, method, accuracy));
+  set_results(*contact, found);
+  if constexpr (!std::is_same_v<Problem, PartialSlipProblem>)
+    set_inside<Path>(*contact, problem, accuracy, found);
   complete(*contact, problem);
-  contact->work = [nip] { return work_of(nip->solution); };
+  contact->work = [found] { return work_of(*found); };
   if constexpr (Path::is_fast && converges) {
     set_moments(*contact);
-    if constexpr (requires { nip->solution.refine(); })
-      contact->solve_again = [nip] { return nip->refine(); };
+    if constexpr (requires { found->refine(); }) contact->solve_again = [found] { return found->refine(); };
   } else if constexpr (converges && !std::is_same_v<Problem, PartialSlipProblem>) {
     set_slip(*contact, has_full_friction(problem));
   }

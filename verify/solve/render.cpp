@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <span>
-
 #include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {

@@ -98,6 +98,9 @@ struct SceneSolution {
   }
 };
 
+/// Whether the scene wants a result of this shape.
+bool wants(const data::Scene& scene, data::Shape shape);
+
 inline double value_of(const fast::Estimate& number) { return number.value; }
 inline double value_of(const ref::Estimate& number) { return number.to_double(); }
 inline long double error_of(const fast::Estimate& number) { return number.error; }

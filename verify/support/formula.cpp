@@ -1,12 +1,7 @@
-#include <fmt/format.h>
-
 #include <cctype>
-#include <map>
-#include <set>
-#include <string_view>
-#include <vector>
 
 #include <nipref/verify/support/formula.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {

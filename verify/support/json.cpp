@@ -1,9 +1,7 @@
-#include <array>
 #include <cstdio>
-#include <cstdlib>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/json_value.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 

@@ -1,9 +1,8 @@
-#include <fmt/format.h>
 #include <openssl/evp.h>
 
-#include <array>
 #include <stdexcept>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

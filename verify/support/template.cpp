@@ -1,18 +1,11 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <kainjow/mustache.hpp>
-#include <optional>
 #include <stdexcept>
-#include <string_view>
-#include <vector>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/support/formula.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/json_value.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -203,22 +196,6 @@ mustache::data data_of(const TemplateData& value) {
   }
 }
 
-}  // namespace
-
-std::string escaped_for_html(std::string text) {
-  const auto is_control = [](char letter) {
-    return static_cast<unsigned char>(letter) < ' ' && letter != '\n';
-  };
-  std::ranges::replace_if(text, is_control, ' ');
-  return mustache::html_escape(text);
-}
-
-std::string template_text(const std::string& name) {
-  return data::text_of_input_file(data::templates_directory() / name, "template");
-}
-
-namespace {
-
 /// Keeps a name that the data does not have.
 class Context : public mustache::context<std::string> {
  public:
@@ -251,6 +228,18 @@ std::string filled(const std::string& text, const TemplateData& data, const Esca
 }
 
 }  // namespace
+
+std::string escaped_for_html(std::string text) {
+  const auto is_control = [](char letter) {
+    return static_cast<unsigned char>(letter) < ' ' && letter != '\n';
+  };
+  std::ranges::replace_if(text, is_control, ' ');
+  return mustache::html_escape(text);
+}
+
+std::string template_text(const std::string& name) {
+  return data::text_of_input_file(data::templates_directory() / name, "template");
+}
 
 std::string filled(const std::string& text, const TemplateData& data, const Escape& escape) {
   return filled(text, data, escape, {}, true);

@@ -1,12 +1,7 @@
-#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <iterator>
-#include <sstream>
-
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -53,12 +48,11 @@ void append_folded(std::string& text, std::string_view line, std::size_t width) 
 
 }  // namespace
 
-std::size_t text_width() {
-  constexpr std::size_t usual = 80, least = 40;
+std::size_t columns_of(int descriptor) {
   winsize size{};
-  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? std::max<std::size_t>(size.ws_col, least) : usual;
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
+std::size_t text_width() { return std::max<std::size_t>(columns_of(STDOUT_FILENO), 40); }
 
 std::string good(std::string_view text) { return fmt::format("{}{}{}", green, text, as_before); }
 std::string bad(std::string_view text) { return fmt::format("{}{}{}", red, text, as_before); }

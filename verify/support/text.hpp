@@ -6,7 +6,9 @@
 
 namespace nipref::verify {
 
-/// The columns of the terminal that standard output is, at least 40; 80 if it is none.
+/// The columns of the terminal that a descriptor is now; 80 if it is none.
+std::size_t columns_of(int descriptor);
+/// Those of standard output, at least 40.
 std::size_t text_width();
 
 /// A text in green, or in red, by escape sequences of terminals.

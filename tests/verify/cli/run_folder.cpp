@@ -30,14 +30,13 @@ verify::AuditOptions ten_blocks() {
 /// A process that has just been started: what it knows of the run.
 struct Process {
   verify::QuantityWork work{verify::find_quantity("I3"), ten_blocks()};
-  std::vector<verify::BlockWork*> works{&work};
-  verify::StoredBlocks there{works};
+  verify::StoredBlocks there{{&work}};
   std::size_t done = 0;
 
   /// Does blocks of the shard until there are `most` more.
   void run(const fs::path& folder, verify::Shard shard, std::size_t most) {
     verify::ShardFile file(folder, fingerprint, shard);
-    verify::read_blocks(folder, works, there);
+    there.read(folder);
     for (std::size_t block = 0; block < work.blocks() && done < most; ++block) {
       if (!shard.has(block) || there.has(0, block)) continue;
       file.append(work, block, work.do_block(block, {}));
@@ -49,7 +48,7 @@ struct Process {
 /// What is in the folder.
 std::string merged(const fs::path& folder) {
   Process merging;
-  verify::read_blocks(folder, merging.works, merging.there);
+  merging.there.read(folder);
   CHECK(merging.there.gaps() == "");
   return verify::audit_row_json(merging.work.result()).text();
 }
@@ -93,7 +92,7 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   process.run(folder.path(), {0, 2}, 3);
   CHECK(process.there.count() == 0);  // what was there at the start
   Process again;
-  verify::read_blocks(folder.path(), again.works, again.there);
+  again.there.read(folder.path());
   CHECK(again.there.gaps() == "I3 block 1, I3 block 3, I3 blocks 5 to 9");
   CHECK(again.there.count() == 3);
   CHECK(again.there.of() == 10);
@@ -102,10 +101,7 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
                     line = done.substr(0, done.find('\n') + 1);
   const auto reading = [&](const std::string& text) {
     folder.write("shard-2-of-2.jsonl", text);
-    return refusal_of([&] {
-      Process reader;
-      verify::read_blocks(folder.path(), reader.works, reader.there);
-    });
+    return refusal_of([&] { Process().there.read(folder.path()); });
   };
   std::string changed = line;
   changed.replace(changed.find("\"points\":") + 9, 1, "9");

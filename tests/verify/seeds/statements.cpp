@@ -7,22 +7,21 @@
 #include "support/test.hpp"
 
 using namespace nipref;
-using verify::Claim;
-using verify::ClaimOutcome;
+using verify::CheckedClaim;
 using verify::ClaimVerdict;
-using verify::FormulaErratum;
 using verify::Json;
 using verify::LimitRow;
 using verify::LimitSample;
 using verify::Propagated;
 using verify::Settlement;
+using verify::Statement;
 
 namespace {
 
-const std::map<std::string, ClaimOutcome>& outcomes() {
+const std::map<std::string, CheckedClaim>& outcomes() {
   static const auto all = [] {
-    std::map<std::string, ClaimOutcome> checked;
-    for (const Claim& claim : verify::claims()) checked.emplace(claim.id, verify::check(claim));
+    std::map<std::string, CheckedClaim> checked;
+    for (const Statement& claim : verify::claims()) checked.emplace(claim.id, verify::check(claim));
     return checked;
   }();
   return all;
@@ -76,8 +75,8 @@ LimitRow row_with(double order, double before, double last, double error = 0) {
 
 TEST_CASE("every claim says where it stands") {
   std::set<std::string_view> ids;
-  const std::vector<Claim> claims = verify::claims();
-  for (const Claim& claim : claims) {
+  const std::vector<Statement> claims = verify::claims();
+  for (const Statement& claim : claims) {
     CAPTURE(claim.id);
     CHECK(ids.insert(claim.id).second);
     const std::string& seed = claim.entry->text("seed");
@@ -135,8 +134,7 @@ TEST_CASE("claims, each decided once: by its numbers, which other programs found
     CHECK(near(number("brock2013-limit-at-45", "smallest speed"), 0.4989960517, 1e-8));
   }
   SUBCASE("every number of claims, limits and errata has an error, and no more digits than it bears out") {
-    std::vector<verify::CheckedClaim> checked;
-    for (const Claim& claim : verify::claims()) checked.push_back({claim, outcomes().at(claim.id)});
+    const auto checked = verify::mapped(std::views::values(outcomes()), std::identity());
     for (const Json& claim : verify::claims_json(checked).items()) {
       CAPTURE(claim.at("id").as_text());
       for (const Json& number : claim.at("numbers").items()) {
@@ -164,8 +162,8 @@ TEST_CASE("claims, each decided once: by its numbers, which other programs found
 
 TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
   std::set<std::string_view> listed;
-  const std::vector<FormulaErratum> errata = verify::formula_errata();
-  for (const FormulaErratum& erratum : errata) {
+  const std::vector<Statement> errata = verify::formula_errata();
+  for (const Statement& erratum : errata) {
     CAPTURE(erratum.id);
     CHECK(listed.insert(erratum.id).second);
     for (const char* key : {"equation", "printed", "right", "proof"})

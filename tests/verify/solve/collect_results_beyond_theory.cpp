@@ -1,8 +1,8 @@
 // Nips that cannot be, and those that linear theory says little of, by both paths.
-#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/solved_scene.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -12,8 +12,7 @@ namespace {
 /// Of R = 6, B = 2b = 1.5: the parabola alone goes in L^2/(8R), which is b at L = 6, and the ends of the contact go in as
 /// well.
 data::Scene nip_of_length(const std::string& example, double length) {
-  data::Scene scene =
-      data::load_scene(data::example_scene(example), {{"sheet.thickness", "1.5"}, {"wanted", R"(["load"])"}});
+  data::Scene scene = loaded_example(example, {{"sheet.thickness", "1.5"}, {"wanted", R"(["load"])"}});
   if (auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene.system)) {
     elastic->given = data::GivenLength{length};
   } else {
@@ -66,9 +65,8 @@ TEST_CASE("a nip whose faces would meet is refused, of every kind and by both pa
 TEST_CASE("so it is where the load is given, and for the balance of its energy") {
   // B = 0.25: springs p = 2 u/(N b) under the parabola carry 2.7e5 where it goes in half of the sheet.
   const auto loaded = [](const std::string& example, const std::string& load) {
-    return data::load_scene(
-        data::example_scene(example),
-        {{"sheet.thickness", "0.25"}, {"load.per_length", load}, {"wanted", R"(["creep_ratio"])"}});
+    return loaded_example(
+        example, {{"sheet.thickness", "0.25"}, {"load.per_length", load}, {"wanted", R"(["creep_ratio"])"}});
   };
   for (const char* example :
        {"intermediate-full-friction", "viscoelastic-elastic-limit", "viscoelastic-started"}) {
@@ -88,10 +86,9 @@ TEST_CASE("a steep roller is warned of where the sheet is thick, and a half-spac
   // A cylinder on a half-space: W = pi L^2/(8 R N), N = 2 (1 - nu^2)/E; L = 1.8 on a sheet of 50.
   const double young = 1.45e5, poisson = 0.3333333333333333;
   const double load = std::numbers::pi * 1.8 * 1.8 / (8 * 6 * 2 * (1 - poisson * poisson) / young);
-  const auto values = warned_of(verify::solve(
-      data::load_scene(data::example_scene("thick-frictionless"),
-                       {{"sheet.thickness", "50"}, {"load.per_length", std::to_string(load)}})));
+  const auto values = warned_of(verify::solve(loaded_example(
+      "thick-frictionless", {{"sheet.thickness", "50"}, {"load.per_length", std::to_string(load)}})));
   REQUIRE(values.size() == 1);
   CHECK(values.at("roller_slope") == doctest::Approx(1.8 / 12).epsilon(1e-3));
-  CHECK(warned_of(verify::solve(data::load_scene(data::example_scene("half-space-sliding-die")))).empty());
+  CHECK(warned_of(verify::solve(loaded_example("half-space-sliding-die"))).empty());
 }

@@ -3,9 +3,9 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/internal/loss_integral.hpp>
 
 #include "support/softening_sheet.hpp"
+#include "support/solved_scene.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -13,12 +13,8 @@ using namespace nipref;
 namespace {
 
 data::Scene rolling_scene(const data::ViscoelasticNip& nip, double length) {
-  const data::ViscoelasticNipProblem problem{nip, data::GivenLength{length}, data::ConvergedMethod{}, {}};
-  return {.title = "rolled",
-          .wanted = {data::ResultId::load},
-          .accuracy = 1e-12,
-          .system = problem,
-          .origin = {}};
+  const data::ViscoelasticNipProblem problem{.nip = nip, .given = data::GivenLength{length}};
+  return scene_wanting(problem, {data::ResultId::load}, 1e-12);
 }
 
 void check_balanced(const verify::EnergyBalance& balance, double known_to) {
@@ -53,7 +49,7 @@ TEST_CASE("energy balance: what has no memory loses nothing") {
 TEST_CASE("energy balance: a pressure that is wrong, and says so or not, shows") {
   const data::ViscoelasticNip nip = test::nip(0.1);
   const auto loss = [&](double lean, double error) {
-    return verify::loss_integral(nip, {-0.05, 0.05}, [=](double y) -> fast::Estimate {
+    return verify::loss_integral(nip, -0.05, 0.05, [=](double y) -> fast::Estimate {
       const double x = y / 0.05;
       return {(1 + lean * x) * std::sqrt(1 - x * x), error};
     });

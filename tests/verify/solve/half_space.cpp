@@ -1,7 +1,6 @@
 // Scenes of bodies on half-spaces: what they give, by either path.
 #include <fmt/format.h>
 
-#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/reference_values.hpp"
@@ -26,10 +25,6 @@ std::string sliding(const std::string& speed, const std::string& more = "") {
 }
 
 std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = [" + names + "]\n"; }
-
-data::Scene example(const char* name, const data::SceneOverrides& overrides = {}) {
-  return data::load_scene(data::example_scene(name), overrides);
-}
 
 }  // namespace
 
@@ -118,8 +113,8 @@ TEST_CASE("the surface has the die's shape in the contact, with the sphere's als
 
 TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too") {
   const auto of_sphere = [](const char* speed) {
-    auto scene =
-        example("half-space-sphere-normal-axis", {{"sphere.shear", "7.72e9"}, {"sliding.speed", speed}});
+    auto scene = loaded_example("half-space-sphere-normal-axis",
+                                {{"sphere.shear", "7.72e9"}, {"sliding.speed", speed}});
     scene.wanted = {data::ResultId::critical_speed};
     return std::stod(verify::solve_by_ref(scene, 16).results[0].numbers[0].value_text());
   };
@@ -130,19 +125,19 @@ TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too")
 
 TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
   // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
-  auto scene = example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
+  auto scene = loaded_example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
   scene.wanted = {data::ResultId::orientation};
   const auto ref = verify::solve_by_ref(scene, 20);
   CHECK(std::fabs(std::strtold(ref["orientation"].value_text().c_str(), nullptr) - 30) <= 1e-18L);
 }
 
 TEST_CASE("the reference repeats what is given exactly, and proves no critical speed where lines differ") {
-  const auto solved = verify::solve_by_ref(example("half-space-sliding-die"), 20);
+  const auto solved = verify::solve_by_ref(loaded_example("half-space-sliding-die"), 20);
   CHECK(error(solved["normal_force"]) == 0);
   // 0.3 is not the decimal.
   CHECK(solved["friction_force"].value_text().substr(0, 20) == "299.9999999999999888");
   // Which of the lines is critical first is found by estimates.
-  auto anisotropic = example("half-space-anisotropic");
+  auto anisotropic = loaded_example("half-space-anisotropic");
   anisotropic.wanted = {data::ResultId::critical_speed};
   CHECK_FALSE(verify::solve_by_ref(anisotropic, 16)["critical_speed"].proven);
 }

@@ -1,4 +1,3 @@
-#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -10,17 +9,9 @@
 using namespace nipref;
 using fast::Estimate;
 
-namespace {
-
-data::Scene inside_example(const char* name, const data::SceneOverrides& overrides) {
-  return data::load_scene(data::example_scene(name), overrides);
-}
-
-}  // namespace
-
 TEST_CASE("a rolling sheet's stresses carry the load, the largest shear ahead unless the memory is long") {
   const auto scene_with = [](const data::SceneOverrides& overrides) {
-    return inside_example("inside-viscoelastic", overrides);
+    return loaded_example("inside-viscoelastic", overrides);
   };
   const auto place_of_largest = [&](const data::SceneOverrides& overrides) {
     return verify::solve(scene_with(overrides))[data::ResultId::greatest_shear_position].value;
@@ -108,47 +99,45 @@ TEST_CASE("stresses at many places have errors that cover a contact solved to 1e
                fast::converged_for_length(nip, friction, length, 1e-13), length);
     }
   }
-  const auto scene = inside_example("inside-viscoelastic", {});
+  const auto scene = loaded_example("inside-viscoelastic", {});
   const auto& rolling = std::get<data::ViscoelasticNipProblem>(scene.system).nip;
   compared(fast::converged_for_length(rolling, 1.5, 1e-6), fast::converged_for_length(rolling, 1.5, 1e-13),
            1.5);
 }
 
 TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contact, and fast's everywhere") {
-  data::Scene scene = inside_example("inside-thick-frictionless", {{"sheet.thickness", "1e6"}});
-  scene.wanted = {data::ResultId::contact_length, data::ResultId::peak_pressure,
-                  data::ResultId::greatest_shear, data::ResultId::greatest_shear_position,
-                  data::ResultId::greatest_shear_depth};
+  using enum data::ResultId;
+  data::Scene scene = loaded_example("inside-thick-frictionless", {{"sheet.thickness", "1e6"}});
+  scene.wanted = {contact_length, peak_pressure, greatest_shear, greatest_shear_position,
+                  greatest_shear_depth};
   const auto by_ref = by_both_paths(scene).ref;
   const auto value = [&](data::ResultId id) { return std::stold(by_ref[id].value_text()); };
   // tau = d (1 - d/sqrt(1 + d^2)) p0 below the middle: 0.30028 p0 at 0.78615 half widths.
   const long double root = std::sqrt((std::sqrt(5.0L) - 1) / 2);
   const long double largest = root * (1 - root / std::sqrt(1 + root * root));
-  CHECK(static_cast<double>(value(data::ResultId::greatest_shear) / value(data::ResultId::peak_pressure)) ==
+  CHECK(static_cast<double>(value(greatest_shear) / value(peak_pressure)) ==
         doctest::Approx(static_cast<double>(largest)).epsilon(1e-6));
-  CHECK(static_cast<double>((1 - value(data::ResultId::greatest_shear_depth)) * 1e6L /
-                            value(data::ResultId::contact_length)) ==
+  CHECK(static_cast<double>((1 - value(greatest_shear_depth)) * 1e6L / value(contact_length)) ==
         doctest::Approx(static_cast<double>(root)).epsilon(1e-6));
-  CHECK(by_ref[data::ResultId::greatest_shear_position].value_text() == "0");
+  CHECK(by_ref[greatest_shear_position].value_text() == "0");
 }
 
 TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
+  using enum data::ResultId;
   for (const char* const friction : {"none", "full"}) {
     for (const char* const thickness : {"0.04", "5"}) {
       CAPTURE(friction, thickness);
       data::Scene scene =
-          inside_example("inside-displacements", {{"friction.model", friction},
+          loaded_example("inside-displacements", {{"friction.model", friction},
                                                   {"sheet.thickness", thickness},
                                                   {"accuracy", "1e-6"},
                                                   {"field.positions", "[0.067, -0.2, 0.0435]"},
                                                   {"field.depths", "[0, -0.99999, 1, -1]"}});
-      scene.wanted = {data::ResultId::displacement_across, data::ResultId::displacement_along,
-                      data::ResultId::normal_displacement, data::ResultId::tangential_displacement};
+      scene.wanted = {displacement_across, displacement_along, normal_displacement, tangential_displacement};
       problem_of(scene).profile = data::Positions{{0.067, -0.2, 0.0435}};
       const auto [fast, by_ref] = by_both_paths(scene);
-      for (const auto& [inside, surface] :
-           {std::pair{data::ResultId::displacement_across, data::ResultId::normal_displacement},
-            std::pair{data::ResultId::displacement_along, data::ResultId::tangential_displacement}}) {
+      for (const auto& [inside, surface] : {std::pair{displacement_across, normal_displacement},
+                                            std::pair{displacement_along, tangential_displacement}}) {
         for (std::size_t i = 0; i < 3; ++i) {
           for (const std::size_t face : {6u, 9u}) {
             CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);

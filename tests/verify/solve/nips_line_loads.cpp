@@ -16,22 +16,13 @@ namespace {
 constexpr double asked_accuracy = 1e-9;
 
 data::ElasticNipProblem line_load_problem(data::Friction friction, int elements) {
-  return {.nip = quarter_inch_nip,
-          .given = data::GivenLoad{100},
-          .friction = friction,
-          .creep_ratio = {},
-          .method = data::LineLoads{elements, elements},
-          .profile = data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}}};
-}
-
-data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<data::ResultId>& wanted) {
-  return {.title = "test", .wanted = wanted, .accuracy = asked_accuracy, .system = problem, .origin = {}};
-}
-
-data::ElasticNipProblem converged(data::ElasticNipProblem problem) {
-  problem.method = data::ConvergedMethod{};
-  problem.creep_ratio.reset();
+  data::ElasticNipProblem problem = quarter_inch_problem(friction);
+  problem.method = data::LineLoads{elements, elements};
   return problem;
+}
+
+data::Scene scene_of(const auto& problem, const std::vector<data::ResultId>& wanted) {
+  return scene_wanting(problem, wanted, asked_accuracy);
 }
 
 void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineLoadNip& expected) {
@@ -72,18 +63,17 @@ TEST_CASE("each name of a line-load scene is the solver's result of that name") 
 }
 
 TEST_CASE("without a creep ratio line loads with friction take the thesis's, and carry the load") {
+  using enum data::ResultId;
   const fast::LineLoadMethod method(3, 0, fast::Accuracy(asked_accuracy));
   const auto solution = verify::solve(scene_of(line_load_problem(data::Friction::full, 3), all_results()));
-  CHECK(solution[data::ResultId::load].value == doctest::Approx(100).epsilon(1e-9));
-  check_is(solution, fast::line_loads_for_length(quarter_inch_nip, method,
-                                                 solution[data::ResultId::contact_length].value,
+  CHECK(solution[load].value == doctest::Approx(100).epsilon(1e-9));
+  check_is(solution, fast::line_loads_for_length(quarter_inch_nip, method, solution[contact_length].value,
                                                  {data::Grip::Creep::thesis}));
   const auto range =
-      verify::solve(scene_of(line_load_problem(data::Friction::full, 3), {data::ResultId::creep_range}))
-          .profile(data::ResultId::creep_range);
+      verify::solve(scene_of(line_load_problem(data::Friction::full, 3), {creep_range})).profile(creep_range);
   REQUIRE(range.size() == 3);
   CHECK(range[0].value < range[1].value);
-  CHECK(range[2].value == solution[data::ResultId::creep_ratio].value);
+  CHECK(range[2].value == solution[creep_ratio].value);
 }
 
 TEST_CASE("each name of a scene of line loads with Coulomb's friction is the solver's result of that name") {
@@ -96,8 +86,7 @@ TEST_CASE("each name of a scene of line loads with Coulomb's friction is the sol
   std::vector<data::ResultId> wanted = all_results();
   std::erase(wanted, power_loss);
   for (const data::ResultId id : {traction, dissipation, zone_boundaries, zone_signs}) wanted.push_back(id);
-  const auto solution = verify::solve(
-      {.title = "test", .wanted = wanted, .accuracy = asked_accuracy, .system = problem, .origin = {}});
+  const auto solution = verify::solve(scene_of(problem, wanted));
   const auto expected = fast::line_loads_for_load(nip, 10, 100);
   check_is(solution, expected);
   CHECK(solution[traction].value == approx(5, 1e-12));
@@ -116,7 +105,7 @@ TEST_CASE("the error estimate of line loads is their distance to the continuous 
   for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
     const data::ElasticNipProblem problem = line_load_problem(friction, 3);
     const auto loads = verify::solve(scene_of(problem, all_results()));
-    const auto truth = verify::solve(scene_of(converged(problem), all_results()));
+    const auto truth = verify::solve(scene_of(quarter_inch_problem(friction), all_results()));
     for (std::size_t r = 0; r < loads.results.size(); ++r) {
       CAPTURE(std::string(loads.results[r].what->name));
       for (std::size_t i = 0; i < loads.results[r].numbers.size(); ++i) {

@@ -1,5 +1,4 @@
 // Where the tractions of a nip are largest and the shear changes its sign, by both paths and all methods.
-#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
@@ -10,17 +9,9 @@ using namespace nipref;
 namespace {
 
 data::Scene gripped_sheet(double poisson, double length) {
-  data::ElasticNipProblem problem{.nip = {1e3, 1, {1, poisson}},
-                                  .given = data::GivenLength{length},
-                                  .friction = data::Friction::full,
-                                  .creep_ratio = {},
-                                  .method = data::ConvergedMethod{},
-                                  .profile = {}};
-  return {.title = "places",
-          .wanted = {data::ResultId::peak_shear_position, data::ResultId::shear_zeros},
-          .accuracy = 1e-10,
-          .system = problem,
-          .origin = {}};
+  const data::ElasticNipProblem problem{
+      .nip = {1e3, 1, {1, poisson}}, .given = data::GivenLength{length}, .friction = data::Friction::full};
+  return scene_wanting(problem, {data::ResultId::peak_shear_position, data::ResultId::shear_zeros}, 1e-10);
 }
 
 void check_within(const fast::Estimate& number, double truth, double slack) {
@@ -31,6 +22,7 @@ void check_within(const fast::Estimate& number, double truth, double slack) {
 }  // namespace
 
 TEST_CASE("a half-plane's shear has its maximum and zero where the closed form has them") {
+  using enum data::ResultId;
   // p + iq goes like sqrt(1 - t^2) ((1 + t)/(1 - t))^(i epsilon), so that with x = 2 atanh t the shear is sech(x/2)
   // sin(epsilon x): zero at epsilon x = pi, largest where tanh(x/2) tan(epsilon x) = 2 epsilon. (Muskhelishvili)
   const double poisson = -0.9, beta = (1 - 2 * poisson) / (2 * (1 - poisson)), pi = std::acos(-1.0);
@@ -44,8 +36,8 @@ TEST_CASE("a half-plane's shear has its maximum and zero where the closed form h
   const auto solution = verify::solve(gripped_sheet(poisson, length));
   // The sheet is no half-plane by the square of its contact's length.
   const double slack = 10 * length * length * half;
-  check_within(solution[data::ResultId::peak_shear_position], half * std::tanh(low / 2), slack);
-  const auto& zeros = solution.profile(data::ResultId::shear_zeros);
+  check_within(solution[peak_shear_position], half * std::tanh(low / 2), slack);
+  const auto& zeros = solution.profile(shear_zeros);
   REQUIRE(zeros.size() == 2);
   CHECK(zeros[0].value == 0);
   check_within(zeros[1], half * std::tanh(pi / (2 * epsilon)), slack);
@@ -53,24 +45,24 @@ TEST_CASE("a half-plane's shear has its maximum and zero where the closed form h
 }
 
 TEST_CASE("a rolling contact's largest pressure is ahead, where the reference has it") {
-  data::Scene scene = data::load_scene(data::example_scene("viscoelastic-comparable-memory"));
-  scene.wanted = {data::ResultId::peak_pressure_position, data::ResultId::peak_pressure,
-                  data::ResultId::pressure};
-  const fast::Estimate place = verify::solve(scene)[data::ResultId::peak_pressure_position];
+  using enum data::ResultId;
+  data::Scene scene = loaded_example("viscoelastic-comparable-memory");
+  scene.wanted = {peak_pressure_position, peak_pressure, pressure};
+  const fast::Estimate place = verify::solve(scene)[peak_pressure_position];
   CHECK(place.value > 0);
   CHECK(place.error < 1e-9);
   auto& problem = std::get<data::ViscoelasticNipProblem>(scene.system);
   problem.profile = data::Positions{{place.value - 1e-3, place.value, place.value + 1e-3}};
   const auto beside = verify::solve(scene);
-  const auto& pressure = beside.profile(data::ResultId::pressure);
-  CHECK(pressure[1].value == approx(beside[data::ResultId::peak_pressure].value, 1e-14));
-  CHECK(pressure[0].value < pressure[1].value);
-  CHECK(pressure[2].value < pressure[1].value);
+  const auto& pressures = beside.profile(pressure);
+  CHECK(pressures[1].value == approx(beside[peak_pressure].value, 1e-14));
+  CHECK(pressures[0].value < pressures[1].value);
+  CHECK(pressures[2].value < pressures[1].value);
 }
 
 TEST_CASE("the heat of slip adds up over the contact to what is dissipated, and is none where it sticks") {
   using enum data::ResultId;
-  data::Scene scene = data::load_scene(data::example_scene("intermediate-coulomb"));
+  data::Scene scene = loaded_example("intermediate-coulomb");
   scene.wanted = {leading_length, trailing_length, dissipation, heat, slip};
   auto& problem = std::get<data::PartialSlipProblem>(scene.system);
   const double most = 0.2, step = 2e-4;  // inches, beyond both ends

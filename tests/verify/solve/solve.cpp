@@ -1,4 +1,3 @@
-#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
@@ -12,17 +11,9 @@ using test::quarter_inch_nip;
 
 namespace {
 
-const data::Positions inside_and_outside{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}};
-
 data::Scene scene_of(data::Friction friction, const std::vector<data::ResultId>& wanted,
                      double accuracy = 1e-8) {
-  data::ElasticNipProblem problem{.nip = quarter_inch_nip,
-                                  .given = data::GivenLoad{100},
-                                  .friction = friction,
-                                  .creep_ratio = {},
-                                  .method = data::ConvergedMethod{},
-                                  .profile = inside_and_outside};
-  return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = problem, .origin = {}};
+  return scene_wanting(quarter_inch_problem(friction), wanted, accuracy);
 }
 
 /// Values of the kernels that shear or tangential displacement need.
@@ -48,7 +39,7 @@ TEST_CASE("each name of a scene is the solver's result of that name") {
   for (const data::Friction friction : frictions) {
     const auto solution = verify::solve(scene_of(friction, all_results(), accuracy));
     const auto contact = fast::converged_for_load(quarter_inch_nip, friction, 100, accuracy);
-    CHECK(solution.positions == inside_and_outside.y);
+    CHECK(solution.positions == std::get<data::Positions>(*quarter_inch_problem(friction).profile).y);
     check_names(solution, contact, [](const Estimate& found, const Estimate& expected) {
       CHECK(found.value == expected.value);
       CHECK(found.error == expected.error);
@@ -66,11 +57,10 @@ TEST_CASE("even positions go from the middle, of a rolling contact the trailing 
   const auto& u = solution.profile(normal_displacement);
   CHECK(u.front().value == approx(solution[indentation].value, 1e-8));
   CHECK(u.back().value == approx(solution[edge_displacement].value, 1e-8));
-  const auto rolling =
-      verify::solve(data::load_scene(data::example_scene("viscoelastic-short-memory"),
-                                     {{"material.relaxation_time", "0.1"},
-                                      {"wanted", R"(["pressure", "leading_length", "trailing_length"])"},
-                                      {"profile.points", "5"}}));
+  const auto rolling = verify::solve(loaded_example(
+      "viscoelastic-short-memory", {{"material.relaxation_time", "0.1"},
+                                    {"wanted", R"(["pressure", "leading_length", "trailing_length"])"},
+                                    {"profile.points", "5"}}));
   REQUIRE(rolling.positions.size() == 5);
   CHECK(rolling.positions.front() == -rolling[trailing_length].value);
   CHECK(rolling.positions.back() == rolling[leading_length].value);

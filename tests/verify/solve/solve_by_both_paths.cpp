@@ -1,11 +1,10 @@
 // Scenes that both paths solve: fast is within the errors of the reference, which has the digits that it was asked for.
-#include <filesystem>
-
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
+#include "support/solved_scene.hpp"
 #include "support/table_rows.hpp"
 #include "support/test.hpp"
 
@@ -36,7 +35,7 @@ data::Scene scene_of(const std::string& line) {
     overrides.emplace_back(word.substr(0, word.find('=')),
                            known == several_results.end() ? value : known->second);
   }
-  return data::load_scene(data::example_scene(example), overrides);
+  return loaded_example(example, overrides);
 }
 
 /// Line loads' errors are about the continuous contact: their numbers are those of the reference to the accuracy.
@@ -79,13 +78,13 @@ TEST_CASE("the fast path gives all examples the accuracy that they ask for") {
 TEST_CASE("the shear of a grip has a reversal more on thinner sheets, where both paths have it") {
   for (const auto& [length, zeros] : {std::pair("0.3", 1U), std::pair("1.5", 2U), std::pair("6", 2U)}) {
     const auto [fast, by_ref] = by_both_paths(
-        data::load_scene(data::example_scene("thin-given-length"),
-                         {{"wanted", R"(["peak_pressure_position", "peak_shear_position", "shear_zeros"])"},
-                          {"roller.radius", "1e3"},
-                          {"sheet.thickness", "1"},
-                          {"material.young", "1"},
-                          {"friction.model", "full"},
-                          {"contact.length", length}}));
+        loaded_example("thin-given-length",
+                       {{"wanted", R"(["peak_pressure_position", "peak_shear_position", "shear_zeros"])"},
+                        {"roller.radius", "1e3"},
+                        {"sheet.thickness", "1"},
+                        {"material.young", "1"},
+                        {"friction.model", "full"},
+                        {"contact.length", length}}));
     CHECK(fast.profile(data::ResultId::shear_zeros).size() == zeros);
     CHECK(by_ref.missed().empty());
   }

@@ -1,12 +1,12 @@
 #include <nlohmann/json.hpp>
 
-#include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/proven_pages.hpp"
+#include "support/solved_scene.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -14,11 +14,11 @@ using namespace nipref;
 TEST_CASE("the reference counts its work, of the kernels that it needs") {
   for (const char* friction : {"none", "full"}) {
     const fast::Work work =
-        verify::solve_by_ref(data::load_scene(data::example_scene("thick-frictionless"),
-                                              {{"wanted", R"(["load", "tangential_displacement"])"},
-                                               {"friction.model", friction},
-                                               {"profile.positions", "[-0.02, 0.0, 0.01, 0.5]"}}),
-                             20)
+        verify::solve_by_ref(
+            loaded_example("thick-frictionless", {{"wanted", R"(["load", "tangential_displacement"])"},
+                                                  {"friction.model", friction},
+                                                  {"profile.positions", "[-0.02, 0.0, 0.01, 0.5]"}}),
+            20)
             .work;
     for (const std::size_t kernel : {0U, 2U}) CHECK(work.kernel_evaluations[kernel] > 0);
     CHECK((work.kernel_evaluations[5] > 0) == (std::string(friction) == "full"));
@@ -39,10 +39,9 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
     return verify::text_of("solve.txt", verify::solution_json(solution));
   };
   const auto example = [](const char* name, const std::string& wanted, const std::string& friction) {
-    return data::load_scene(data::example_scene(name), {{"wanted", wanted}, {"friction.model", friction}});
+    return loaded_example(name, {{"wanted", wanted}, {"friction.model", friction}});
   };
-  const auto loads =
-      verify::solve_by_ref(data::load_scene(data::example_scene("thick-frictionless-line-loads")), 20);
+  const auto loads = verify::solve_by_ref(loaded_example("thick-frictionless-line-loads"), 20);
   is_said(loads, true, loads.results.size());
   CHECK(contains(text_of(loads), " bound "));
   CHECK(!contains(text_of(loads), " error "));
@@ -58,17 +57,16 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   is_said(verify::solve_by_ref(example("thick-full-friction", R"(["peak_shear_position"])", "full"), 20),
           false, 1);
   // A field's exact zeros of the shear do not make it proven.
-  is_said(verify::solve_by_ref(data::load_scene(data::example_scene("inside-full-friction"),
-                                                {{"wanted", R"(["stress_shear"])"},
-                                                 {"field.positions", "[0.035]"},
-                                                 {"field.depths", "[0, 0.5]"}}),
+  is_said(verify::solve_by_ref(loaded_example("inside-full-friction", {{"wanted", R"(["stress_shear"])"},
+                                                                       {"field.positions", "[0.035]"},
+                                                                       {"field.depths", "[0, 0.5]"}}),
                                16),
           false, 1);
 }
 
 TEST_CASE("what takes the reference more than ten seconds is known before it starts") {
   const auto seconds = [](const char* name, int digits, std::size_t places) {
-    data::Scene scene = data::load_scene(data::example_scene(name));
+    data::Scene scene = loaded_example(name);
     scene.wanted = {data::ResultId::contact_length};
     if (auto* const nip = std::get_if<data::ElasticNipProblem>(&scene.system); nip != nullptr && places > 0) {
       scene.wanted = {data::ResultId::stress_across};
@@ -80,14 +78,13 @@ TEST_CASE("what takes the reference more than ten seconds is known before it sta
   CHECK(seconds("thick-full-friction", 16, 1000) > 10);
   CHECK(seconds("viscoelastic-short-memory", 16, 0) < 20);
   CHECK(seconds("viscoelastic-short-memory", 30, 0) > 10);
-  const data::Scene inside = data::load_scene(data::example_scene("inside-full-friction"));
+  const data::Scene inside = loaded_example("inside-full-friction");
   CHECK(verify::likely_seconds_by_ref(inside, 30) > 10);  // all of it is the greatest shear and the field
   // Refused at once, or nothing that it knows of.
   CHECK(seconds("thick-full-friction", 101, 0) == 0);
   CHECK(seconds("thick-frictionless-line-loads", 30, 0) == 0);
   CHECK(seconds("half-space-line", 30, 0) == 0);
-  CHECK(verify::likely_seconds_by_ref(data::load_scene(data::example_scene("half-space-surface")), 20) ==
-        3 * 2);
+  CHECK(verify::likely_seconds_by_ref(loaded_example("half-space-surface"), 20) == 3 * 2);
   CHECK(verify::warning_of_time(9).empty());
   CHECK(verify::warning_of_time(41.7) == "nipref: the reference needs about 42 s for this scene\n");
 }
@@ -104,7 +101,7 @@ verify::SceneSolution<ref::Estimate> solved_for(const std::string& example,
   data::SceneOverrides fewer;
   if (example == "viscoelastic-thesis-line-loads")
     fewer = {{"method.leading_elements", "3"}};  // ten take long
-  data::Scene scene = data::load_scene(data::example_scene(example), fewer);
+  data::Scene scene = loaded_example(example, fewer);
   std::visit([](auto& problem) { problem.profile = data::Positions{{0.001}}; }, scene.system);
   scene.wanted.clear();
   for (const std::string& name : names) {

@@ -109,7 +109,7 @@ TEST_CASE("an angle of many turns keeps its digits") {
 }
 
 TEST_CASE("a result that is no number is refused by its name") {
-  data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
+  data::Scene scene = loaded_example("thick-frictionless");
   scene.wanted = {data::ResultId::load};
   for (const fast::Estimate estimate : {fast::Estimate{infinite, 1}, {1, infinite}, {std::nan(""), 1}}) {
     verify::SolvedContact<fast::Estimate> contact;

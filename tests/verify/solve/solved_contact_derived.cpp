@@ -1,5 +1,4 @@
 // What follows from the results of a nip: eccentricity, resistance, lost power, moments of the pressure.
-#include <nipref/data/scene/file.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -12,16 +11,10 @@ using namespace nipref;
 namespace {
 
 data::Scene resisting(const char* name) {
-  data::Scene scene = data::load_scene(data::example_scene(name));
-  scene.wanted = {data::ResultId::load,
-                  data::ResultId::rolling_resistance,
-                  data::ResultId::eccentricity,
-                  data::ResultId::resistance_force,
-                  data::ResultId::power_loss,
-                  data::ResultId::leading_moment,
-                  data::ResultId::trailing_moment,
-                  data::ResultId::leading_length,
-                  data::ResultId::trailing_length};
+  using enum data::ResultId;
+  data::Scene scene = loaded_example(name);
+  scene.wanted = {load,           rolling_resistance, eccentricity,   resistance_force, power_loss,
+                  leading_moment, trailing_moment,    leading_length, trailing_length};
   return scene;
 }
 
@@ -70,8 +63,7 @@ TEST_CASE("an elastic nip has equal moments and loses nothing") {
 }
 
 TEST_CASE("nothing slips where it sticks") {
-  data::Scene scene =
-      data::load_scene(data::example_scene("intermediate-full-friction"), {{"wanted", R"(["slip"])"}});
+  data::Scene scene = loaded_example("intermediate-full-friction", {{"wanted", R"(["slip"])"}});
   problem_of(scene).profile = data::EvenlySpaced{9};
   const auto gripped = verify::solve(scene);
   const auto& none = gripped.profile("slip");

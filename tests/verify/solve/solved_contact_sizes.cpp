@@ -1,12 +1,12 @@
 // What relative accuracies are relative to, and what meeting them means.
 #include <nlohmann/json.hpp>
 
-#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/text.hpp>
 
+#include "support/solved_scene.hpp"
 #include "support/test.hpp"
 #include "support/unfolded.hpp"
 
@@ -78,11 +78,10 @@ TEST_CASE("next to an end a traction may be off by what moving that end by the a
 }
 
 TEST_CASE("a result meets the accuracy if each of its errors is no larger than it allows") {
-  auto solution =
-      verify::solve(data::load_scene(data::example_scene("thin-given-length"),
-                                     {{"wanted", R"(["contact_length", "load", "peak_shear", "pressure"])"},
-                                      {"profile.positions", "[0.0]"},
-                                      {"accuracy", "1e-6"}}));
+  auto solution = verify::solve(loaded_example(
+      "thin-given-length", {{"wanted", R"(["contact_length", "load", "peak_shear", "pressure"])"},
+                            {"profile.positions", "[0.0]"},
+                            {"accuracy", "1e-6"}}));
   REQUIRE(solution.results.size() == 4);
   for (const auto& result : solution.results) CHECK(result.met() == true);
   const fast::Estimate load = solution["load"];
@@ -109,14 +108,14 @@ TEST_CASE("of line loads no accuracy is asked, and every solution says what its 
                    says));
   };
   for (const char* name : {"intermediate-full-friction-line-loads", "viscoelastic-thesis-line-loads"}) {
-    const auto solution = verify::solve(data::load_scene(data::example_scene(name)));
+    const auto solution = verify::solve(loaded_example(name));
     check(solution, {}, "continuous contact",
           "no accuracy is asked of line loads errors are the distance to the continuous contact ");
   }
-  check(verify::solve_by_ref(data::load_scene(data::example_scene("thin-frictionless-line-loads"))), true,
-        "discrete system", "accuracy 1e-30 is met errors are the distance to the discrete system ");
-  CHECK(verify::solve(data::load_scene(data::example_scene("half-space-rolling-sphere"))).met() == true);
-  auto by_ref = verify::solve_by_ref(data::load_scene(data::example_scene("thick-frictionless")), 40);
+  check(verify::solve_by_ref(loaded_example("thin-frictionless-line-loads")), true, "discrete system",
+        "accuracy 1e-30 is met errors are the distance to the discrete system ");
+  CHECK(verify::solve(loaded_example("half-space-rolling-sphere")).met() == true);
+  auto by_ref = verify::solve_by_ref(loaded_example("thick-frictionless"), 40);
   CHECK(by_ref.met() == true);
   mpfr_set_d(nipref::ref::raw(by_ref.results.front().numbers.front().error), 1e-36, MPFR_RNDU);
   CHECK(by_ref.results.front().met() == false);

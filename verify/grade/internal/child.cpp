@@ -1,23 +1,18 @@
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <system_error>
 #include <thread>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

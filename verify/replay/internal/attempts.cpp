@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cctype>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

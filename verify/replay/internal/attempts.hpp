@@ -1,10 +1,8 @@
 #pragma once
-#include <functional>
 #include <initializer_list>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

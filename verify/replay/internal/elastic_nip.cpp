@@ -1,16 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/replay/replay.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -52,16 +44,13 @@ class RowReplay {
   }
 
  private:
-  [[nodiscard]] std::vector<double> shear_at(const RowInput& at) const {
-    return shear_of_side(nip_, method_, at.length.middle(), at.creep->middle());
-  }
-
   /// Marks a cell as an error of the seed if the shear of the table's element meets it, which is not the largest here.
   void explain_by_element(ReplayedCell& largest) const {
     const int element = line_load_table(table_.id).shear_element;
     if (element == 0) return;
     const auto shear = [&](const RowInput& at) {
-      return shear_at(at)[static_cast<std::size_t>(element - 1)];
+      return shear_of_side(nip_, method_, at.length.middle(),
+                           at.creep->middle())[static_cast<std::size_t>(element - 1)];
     };
     const double middle = shear(input_);
     const auto [least, most] = std::ranges::minmax(mapped(input_.corners(), shear));
@@ -71,10 +60,6 @@ class RowReplay {
     largest.note = fmt::format(
         "not the largest shear: that of element {} of {}, {:.6g}, which is the largest in most rows of the table",
         element, method_.elements_per_side, middle);
-  }
-
-  [[nodiscard]] bool meets(const std::string& column, const data::Interval& range) const {
-    return table_.cell(row_, column).number->rounding.meets(range);
   }
 
   [[nodiscard]] bool length_is_printed() const {
@@ -126,9 +111,11 @@ class RowReplay {
   /// What was tried to explain a legible cell: a misread digit, another length, creep ratio or number of elements, the
   /// shear of another element. The verdict does not depend on it.
   [[nodiscard]] std::string attempts(const std::string& column) const {
-    return all_outcomes({other_shear(column), one_digit(table_, row_, column, replayed_.range(column)),
-                         fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(column, &RowInput::length)),
-                         needed_creep(column), other_elements(column)});
+    return all_outcomes(
+        {other_shear(column), one_digit(table_, row_, column, replayed_.range(column)),
+         fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(column, &RowInput::length)),
+         input_.creep ? fmt::format("or creep = {:.7g}e-4", 1e4 * needed(column, &RowInput::creep)) : "",
+         other_elements(column)});
   }
 
   /// The value of the input that would give the printed number, the other one being in the middle of its interval.
@@ -144,16 +131,12 @@ class RowReplay {
     return input_for(at_low < printed.lower ? printed.lower : printed.upper, ends, at_low, at_high);
   }
 
-  [[nodiscard]] std::string needed_creep(const std::string& column) const {
-    return input_.creep ? fmt::format("or creep = {:.7g}e-4", 1e4 * needed(column, &RowInput::creep)) : "";
-  }
-
   [[nodiscard]] std::string other_elements(const std::string& column) const {
     constexpr int most_tried = 12;
     std::string met;
     for (int elements = 1; elements <= most_tried; ++elements) {
-      if (meets(column, replay_row(nip_, elements, input_).range(column)))
-        met += fmt::format(" {}", elements);
+      const data::Interval range = replay_row(nip_, elements, input_).range(column);
+      if (table_.cell(row_, column).number->rounding.meets(range)) met += fmt::format(" {}", elements);
     }
     return met.empty() ? "no other number of elements up to 12 meets it"
                        : "met by chance with elements a side:" + met;
@@ -162,7 +145,8 @@ class RowReplay {
   /// The element whose shear is closest to the printed number, unless it is the element with the largest shear.
   [[nodiscard]] std::string other_shear(const std::string& column) const {
     if (column != "q_max") return "";
-    const std::vector<double> shear = shear_at(input_);
+    const std::vector<double> shear =
+        shear_of_side(nip_, method_, input_.length.middle(), input_.creep->middle());
     const double printed = table_.cell(row_, column).number->value;
     const auto nearest =
         std::ranges::min_element(shear, {}, [&](double here) { return std::fabs(here - printed); });
@@ -186,8 +170,7 @@ bool is_met(const ReplayedCell& cell) {
 /// Marks cells as errors of the seed if another reading of the whole table explains them. This reading must match more
 /// than half of the cells that did not match, and lose no match.
 void explain(std::vector<ReplayedCell>& cells, const std::vector<ReplayedCell>& other_reading) {
-  std::size_t missed = 0;
-  std::size_t gained = 0;
+  std::size_t missed = 0, gained = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (is_met(cells[i]) && !is_met(other_reading[i])) return;
     if (cells[i].verdict == Verdict::unexplained) ++missed;
@@ -201,13 +184,6 @@ void explain(std::vector<ReplayedCell>& cells, const std::vector<ReplayedCell>& 
         "the creep is not the printed one, which is rounded away from zero throughout this table; " +
         cells[i].note;
   }
-}
-
-std::string method_text(const data::ElasticNip& nip, data::Friction friction, int elements_per_side) {
-  return fmt::format(
-      "line loads {}, {} elements a side, E = {:.6g} psi, poisson = {:g}",
-      friction == data::Friction::none ? "without friction (5.11)-(5.16)" : "with full friction (5.6)-(5.10)",
-      elements_per_side, nip.material.young, nip.material.poisson);
 }
 
 constexpr std::array<LineLoadTable, 8> replayed_tables{{
@@ -248,14 +224,19 @@ data::ElasticNip nip_of_the_tables(const data::Table& table) {
 
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side) {
   const data::ElasticNip nip = nip_of_the_tables(table);
-  Replay replay{std::move(table), method_text(nip, friction, elements_per_side), {}};
+  const bool grips = friction == data::Friction::full;
+  Replay replay{std::move(table),
+                fmt::format("line loads {}, {} elements a side, E = {:.6g} psi, poisson = {:g}",
+                            grips ? "with full friction (5.6)-(5.10)" : "without friction (5.11)-(5.16)",
+                            elements_per_side, nip.material.young, nip.material.poisson),
+                {}};
   const auto append = [&](Replay& rows, CreepReading reading) {
     append_rows(rows, [&](std::size_t row) {
       return RowReplay(rows.table, row, nip, friction, elements_per_side, reading);
     });
   };
   append(replay, CreepReading::rounded);
-  if (friction == data::Friction::full) {
+  if (grips) {
     Replay other{replay.table, replay.method, {}};
     append(other, CreepReading::away_from_zero);
     explain(replay.cells, other.cells);

@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
-
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -53,6 +47,51 @@ std::vector<ColumnDeviation> deviations_from_corrected(const Replay& replay) {
     columns.push_back(std::move(deviation));
   }
   return columns;
+}
+
+constexpr double table_unit = 1e-4;
+constexpr double binary = 1e-12;  ///< larger than the rounding errors of decimal numbers in double
+
+double distance(double value, const data::Interval& range) {
+  return std::max({0.0, range.lower - value, value - range.upper});
+}
+
+double last_digit(const data::TableCell& cell) {
+  return cell.number->rounding.upper - cell.number->rounding.lower;
+}
+
+std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
+  return fmt::format("{:+.1f} units of the fourth decimal from {:.5f}",
+                     (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
+}
+
+/// The formula's number, if it does not match the cell.
+std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& cell) {
+  std::string text = units_away(printed, cell.attempts.front()) + ", which the table's formula gives";
+  for (std::size_t i = 1; i < cell.attempts.size(); ++i) {
+    text += fmt::format("; {} ({})", units_away(printed, cell.attempts[i]), cell.attempts[i].how);
+  }
+  return text;
+}
+
+std::string unexplained_note(const data::Table& table, const HalfSpaceCell& cell) {
+  const data::TableCell& printed = table.cell(cell.row, cell.column);
+  return all_outcomes({printed.erratum ? printed.erratum->reason : "",
+                       one_digit(table, cell.row, cell.column, cell.attempts.front().range),
+                       formula_note(printed, cell),
+                       cell.error.empty() ? "" : "that formula is wrong: " + cell.error});
+}
+
+/// A match of what an erratum reads is a misprint.
+ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::Table& table) {
+  const data::TableCell& printed = table.cell(cell.row, cell.column);
+  if (printed.read_as == printed.printed) return cell;
+  if (cell.verdict == Verdict::match) {
+    cell.verdict = Verdict::misprint;
+    cell.note = printed.erratum->reason;
+  }
+  judge_reading(table, cell, cell.range);
+  return cell;
 }
 
 }  // namespace
@@ -106,60 +145,6 @@ fast::SurfaceResponse SphereOnHalfSpace::in_contact(data::SymmetryAxis axis, fas
   };
 }
 
-namespace {
-
-constexpr double table_unit = 1e-4;
-constexpr double binary = 1e-12;  ///< larger than the rounding errors of decimal numbers in double
-
-double distance(double value, const data::Interval& range) {
-  return std::max({0.0, range.lower - value, value - range.upper});
-}
-
-double last_digit(const data::TableCell& cell) {
-  return cell.number->rounding.upper - cell.number->rounding.lower;
-}
-
-std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
-  return fmt::format("{:+.1f} units of the fourth decimal from {:.5f}",
-                     (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
-}
-
-/// The formula's number, if it does not match the cell.
-std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& cell) {
-  std::string text = units_away(printed, cell.attempts.front()) + ", which the table's formula gives";
-  for (std::size_t i = 1; i < cell.attempts.size(); ++i) {
-    text += fmt::format("; {} ({})", units_away(printed, cell.attempts[i]), cell.attempts[i].how);
-  }
-  return text;
-}
-
-std::string unexplained_note(const data::Table& table, const HalfSpaceCell& cell) {
-  const data::TableCell& printed = table.cell(cell.row, cell.column);
-  std::string text = printed.erratum ? printed.erratum->reason + "; " : "";
-  const std::string digit = one_digit(table, cell.row, cell.column, cell.attempts.front().range);
-  if (!digit.empty()) text += digit + "; ";
-  text += formula_note(printed, cell);
-  return cell.error.empty() ? text : text + "; that formula is wrong: " + cell.error;
-}
-
-/// A match of what an erratum reads is a misprint.
-ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::Table& table) {
-  const data::TableCell& printed = table.cell(cell.row, cell.column);
-  if (printed.read_as == printed.printed) return cell;
-  if (cell.verdict == Verdict::match) {
-    cell.verdict = Verdict::misprint;
-    cell.note = printed.erratum->reason;
-  }
-  judge_reading(table, cell, cell.range);
-  return cell;
-}
-
-std::string joined(const std::string& first, const std::string& second) {
-  return first.empty() || second.empty() ? first + second : first + "; " + second;
-}
-
-}  // namespace
-
 ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   const double value = printed.number->value;
@@ -178,7 +163,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
     result.value = met->range.middle();
     result.range = met->range;
     result.verdict = met->if_met;
-    result.note = joined(cell.error, met->how);
+    result.note = all_outcomes({cell.error, met->how});
   } else if (!cell.proof.empty() && !printed.is_doubtful()) {
     result.verdict = Verdict::seed_error;
     result.note = cell.proof + "; " + formula_note(printed, cell);

@@ -1,12 +1,4 @@
 #pragma once
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <nipref/data/material/solids.hpp>
 #include <nipref/data/table/table.hpp>
@@ -14,6 +6,7 @@
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,7 +1,4 @@
 // Tables of brock2012 and brock2013: rigid bodies on an isotropic half-space, and a sphere on a transversely isotropic one.
-#include <fmt/format.h>
-
-#include <map>
 
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
@@ -10,64 +7,12 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
-
-}  // namespace
-
-std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
-  const double poisson = table.parameter("poisson").value;
-  std::vector<HalfSpaceCell> cells;
-  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
-    const double friction = table.cell(row, "gamma").number->value, speed = *column.coordinate;
-    const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
-    const double corrected =
-        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
-    const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
-    const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
-    const std::string error = fmt::format(
-        "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
-        "(Delta_1, Q_1); as printed it gives {:.5f}",
-        die_span_ratio_as_printed(poisson, friction, speed));
-    cells.push_back({row,
-                     column.name,
-                     corrected,
-                     {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
-                      {data::Interval::only(rounded_roots), Verdict::match,
-                       "reproduced so with w_S and w_D to five decimals"}},
-                     error,
-                     "",
-                     fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value});
-  });
-  return cells;
-}
-
-std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
-  const double poisson = table.parameter("poisson").value;
-  std::vector<HalfSpaceCell> cells;
-  for (const data::TableColumn& column : table.columns) {
-    const double speed = *column.coordinate;
-    const double corrected =
-        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways).value;
-    const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
-    const std::string loss = fmt::format(
-        "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
-        "but {:.5f} with w_S and w_D to five decimals",
-        rolling_span_ratio_as_printed(poisson, speed), corrected, rounded_roots);
-    cells.push_back({0,
-                     column.name,
-                     corrected,
-                     {{data::Interval::only(corrected), Verdict::match, "to the digits printed"},
-                      {data::Interval::only(rounded_roots), Verdict::match, loss}},
-                     ""});
-  }
-  return cells;
-}
-
-namespace {
 
 /// The paper's C11/mu_0, from which its c_plus and c_minus were computed; a misprint of 0.18005.
 constexpr double printed_d1 = 0.1803;
@@ -135,6 +80,49 @@ Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& tabl
 
 }  // namespace
 
+std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
+  const double poisson = table.parameter("poisson").value;
+  std::vector<HalfSpaceCell> cells;
+  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+    const double friction = table.cell(row, "gamma").number->value, speed = *column.coordinate;
+    const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
+    const double corrected =
+        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
+    const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
+    const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
+    const std::string error = fmt::format(
+        "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
+        "(Delta_1, Q_1); as printed it gives {:.5f}",
+        die_span_ratio_as_printed(poisson, friction, speed));
+    const std::vector<Attempt> attempts{{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
+                                        {data::Interval::only(rounded_roots), Verdict::match,
+                                         "reproduced so with w_S and w_D to five decimals"}};
+    cells.emplace_back(row, column.name, corrected, attempts, error, "",
+                       fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value);
+  });
+  return cells;
+}
+
+std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
+  const double poisson = table.parameter("poisson").value;
+  std::vector<HalfSpaceCell> cells;
+  for (const data::TableColumn& column : table.columns) {
+    const double speed = *column.coordinate;
+    const double corrected =
+        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways).value;
+    const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
+    const std::string loss = fmt::format(
+        "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
+        "but {:.5f} with w_S and w_D to five decimals",
+        rolling_span_ratio_as_printed(poisson, speed), corrected, rounded_roots);
+    const std::vector<Attempt> attempts{
+        {data::Interval::only(corrected), Verdict::match, "to the digits printed"},
+        {data::Interval::only(rounded_roots), Verdict::match, loss}};
+    cells.emplace_back(0, column.name, corrected, attempts, "");
+  }
+  return cells;
+}
+
 std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
   const SphereOnHalfSpace bodies(table);
   std::vector<HalfSpaceCell> cells;
@@ -147,14 +135,11 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
         "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
         "circle demands 1; and (25c) adds the couplings, which subtract",
         sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-    cells.push_back({row,
-                     column.name,
-                     corrected,
-                     {{data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
-                       Verdict::seed_error, "reproduced so"}},
-                     error,
-                     error,
-                     fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value});
+    const std::vector<Attempt> attempts{
+        {data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
+         Verdict::seed_error, "reproduced so"}};
+    cells.emplace_back(row, column.name, corrected, attempts, error, error,
+                       fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value);
   });
   return cells;
 }

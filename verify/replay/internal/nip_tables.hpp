@@ -1,8 +1,4 @@
 #pragma once
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
@@ -10,6 +6,7 @@
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -66,25 +62,28 @@ class ViscoelasticRowReplay {
   /// Marks the cell as an error of the seed if what its machine lost meets it.
   void explain(ReplayedCell& replayed, const data::TableCell& cell) const {
     const std::string underflown(underflown_creep);
-    if (replayed.column == "creep" && assess(cell, replayed_.range(underflown)) != Verdict::unexplained) {
-      replayed.verdict = Verdict::seed_error;
+    const auto meets = [&](const ReplayedRow& row, const std::string& column) {
+      return assess(cell, row.range(column)) != Verdict::unexplained;
+    };
+    if (replayed.column == "creep" && meets(replayed_, underflown)) {
       replayed.note = fmt::format(
           "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
           "thesis's machine: {:.6g}e-3 then",
           1e3 * replayed_.at_centre.at(underflown));
-    } else if (assess(cell, beyond_.range(replayed.column)) != Verdict::unexplained) {
-      replayed.verdict = Verdict::seed_error;
+    } else if (meets(beyond_, replayed.column)) {
       replayed.note = fmt::format(
           "the printed {} is cut: met with one up to 16^-5 above what rounds to it, as much as one product "
           "loses in the single precision of the thesis's machine; {}",
           input_.column, replayed.note);
-    } else if (assess(cell, other_.range(replayed.column)) != Verdict::unexplained) {
-      replayed.verdict = Verdict::seed_error;
+    } else if (meets(other_, replayed.column)) {
       replayed.note = fmt::format(
           "the printed {} is cut: met with a longer one, which the row's {} has, by which it is known more "
           "narrowly; {}",
           input_.column, input_.narrowest_column, replayed.note);
+    } else {
+      return;
     }
+    replayed.verdict = Verdict::seed_error;
   }
 
   [[nodiscard]] std::string note(const ReplayedCell& replayed, const data::TableCell& cell) const {
@@ -95,15 +94,11 @@ class ViscoelasticRowReplay {
   }
 
   [[nodiscard]] std::string attempts(const ReplayedCell& missed) const {
-    return all_outcomes({one_digit(table_, missed.row, missed.column, missed.range), needed_length(missed),
-                         other_elements(missed)});
-  }
-
-  [[nodiscard]] std::string needed_length(const ReplayedCell& missed) const {
     const double length =
         input_for(table_.cell(row_, missed.column).number->value, input_.leading_length,
                   replayed_.corners.front().at(missed.column), replayed_.corners.back().at(missed.column));
-    return fmt::format("it would take L1 = {:.6g}e-3", 1e3 * length);
+    return all_outcomes({one_digit(table_, missed.row, missed.column, missed.range),
+                         fmt::format("it would take L1 = {:.6g}e-3", 1e3 * length), other_elements(missed)});
   }
 
   /// Whether one leading element more or less matches.

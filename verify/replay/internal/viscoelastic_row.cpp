@@ -1,11 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <span>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,70 +1,43 @@
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <vector>
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
 
-using fast::ConvergedNip;
-
-/// A contact with full friction of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu = 1/3.
-ConvergedNip gripped_nip(double length_over_thickness) {
-  const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};
-  return fast::converged_for_length(nip, data::Friction::full, 2 * length_over_thickness, 1e-9);
-}
-
-/// Within one step of an end the oscillation of the end, r^(1/2) cos(eps ln r), may change the sign of the shear once
-/// more, but there the shear is negligible.
-constexpr int steps = 400;
-
-/// Tractions at one of the places i/steps of the half contact.
+/// Tractions at a place of the half contact.
 struct Station {
-  double share;  ///< 2 Y/L
   double pressure, shear, error;
 };
 
-std::vector<Station> stations(const ConvergedNip& nip) {
-  const double half = nip.contact_length().value / 2;
-  std::vector<Station> all;
-  for (int i = 1; i < steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const fast::Estimate shear = nip.shear(share * half);
-    all.push_back({share, nip.pressure(share * half).value, shear.value, shear.error});
-  }
-  return all;
+/// Of a contact with full friction of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu = 1/3. Within one step
+/// of an end the oscillation of the end, r^(1/2) cos(eps ln r), may change the sign of the shear once more, but there the
+/// shear is negligible.
+std::vector<Station> stations(double length_over_thickness) {
+  constexpr int steps = 400;
+  const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};
+  const auto contact = fast::converged_for_length(nip, data::Friction::full, 2 * length_over_thickness, 1e-9);
+  const double half = contact.contact_length().value / 2;
+  return mapped(std::views::iota(1, steps), [&](int i) -> Station {
+    const double y = static_cast<double>(i) / steps * half;
+    const fast::Estimate shear = contact.shear(y);
+    return {contact.pressure(y).value, shear.value, shear.error};
+  });
 }
 
-/// The share 2 Y/L > 0 at which the shear changes its sign beyond its error; 0 if there is none.
-double reversal(const std::vector<Station>& all) {
-  double last = 0;
-  for (const Station& here : all) {
-    if (std::fabs(here.shear) <= here.error) continue;
-    if (last * here.shear < 0) return here.share;
-    last = here.shear;
-  }
-  return 0;
-}
-
-bool ratio_rises(const std::vector<Station>& all) {
-  return std::ranges::is_sorted(all, {},
-                                [](const Station& here) { return std::fabs(here.shear) / here.pressure; });
-}
-
-using Property = std::function<bool(const std::vector<Station>&)>;
+using Property = bool (*)(const std::vector<Station>&);
 
 /// The border of a property: L/B between a place with it and a place without it.
-Propagated border_between(const Property& is_so, double with, double without) {
+Propagated border_between(Property is_so, double with, double without) {
   constexpr int halvings = 7;
   for (int i = 0; i < halvings; ++i) {
     const double middle = std::midpoint(with, without);
-    (is_so(stations(gripped_nip(middle))) ? with : without) = middle;
+    (is_so(stations(middle)) ? with : without) = middle;
   }
   return Propagated::between(Propagated::exact(std::min(with, without)),
                              Propagated::exact(std::max(with, without)));
@@ -74,12 +47,12 @@ Propagated border_between(const Property& is_so, double with, double without) {
 struct Range {
   Propagated first = 0, last = 0;
 };
-Range range_where(const Property& is_so) {
+Range range_where(Property is_so) {
   constexpr double lowest = 0.5, highest = 20, factor = 1.05;
   double first = 0, last = 0;
   for (double length = lowest; length < highest * factor; length *= factor) {
     const double here = std::min(length, highest);
-    if (!is_so(stations(gripped_nip(here)))) continue;
+    if (!is_so(stations(here))) continue;
     if (first == 0) first = here;
     last = here;
   }
@@ -88,13 +61,24 @@ Range range_where(const Property& is_so) {
           last == highest ? Propagated::exact(highest) : border_between(is_so, last, last * factor)};
 }
 
-const Range& reversals() {
-  static const Range all = range_where([](const auto& stations_of) { return reversal(stations_of) > 0; });
-  return all;
+/// Whether the shear changes its sign beyond its error.
+bool reverses(const std::vector<Station>& all) {
+  double last = 0;
+  for (const Station& here : all) {
+    if (std::fabs(here.shear) <= here.error) continue;
+    if (last * here.shear < 0) return true;
+    last = here.shear;
+  }
+  return false;
+}
+bool ratio_falls(const std::vector<Station>& all) {
+  return !std::ranges::is_sorted(all, {},
+                                 [](const Station& here) { return std::fabs(here.shear) / here.pressure; });
 }
 
-const Range& falling_ratios() {
-  static const Range all = range_where([](const auto& stations_of) { return !ratio_rises(stations_of); });
+template <Property is_so>
+const Range& range_of() {
+  static const Range all = range_where(is_so);
   return all;
 }
 
@@ -131,10 +115,10 @@ ThinStandardSolid thin_standard_solid(double memory) {
 
 const std::map<std::string, std::function<Propagated()>>& computed_numbers() {
   static const std::map<std::string, std::function<Propagated()>> all{
-      {"first_reversal", [] { return reversals().first; }},
-      {"last_reversal", [] { return reversals().last; }},
-      {"first_falling_ratio", [] { return falling_ratios().first; }},
-      {"last_falling_ratio", [] { return falling_ratios().last; }},
+      {"first_reversal", [] { return range_of<reverses>().first; }},
+      {"last_reversal", [] { return range_of<reverses>().last; }},
+      {"first_falling_ratio", [] { return range_of<ratio_falls>().first; }},
+      {"last_falling_ratio", [] { return range_of<ratio_falls>().last; }},
       {"graphite_epoxy_c11", [] { return Propagated(epoxy.c11); }},
       {"steel_shear", [] { return Propagated(steel.shear); }},
       {"graphite_epoxy_speed_scale", speed_scale},

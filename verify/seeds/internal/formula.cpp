@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <sstream>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -30,43 +24,16 @@ constexpr std::array<std::array<Operator, 2>, 3> operators{
        {'>', [](const Propagated& a, const Propagated& b) { return truth_of(has_less_value(b, a)); }}}},
      {{{'+', operator+ }, {'-', operator- } } }, {{{'*', operator* }, {'/', operator/ } } } } };
 
-template <OfOne* f>
-Propagated of_one(const Numbers& x) {
-  return f(x[0]);
-}
-template <OfTwo* f>
-Propagated of_two(const Numbers& x) {
-  return f(x[0], x[1]);
-}
+Propagated certain(const Propagated& x) { return truth_of(x.is_positive()); }
+Propagated within(const Propagated& error) { return {0, error.value()}; }
+Propagated without_error(const Propagated& x) { return Propagated::exact(x.value()); }
 
-struct NumberFunction {
-  std::size_t arguments;  ///< 0: two or more
-  Propagated (*apply)(const Numbers&);
-};
-const std::map<std::string, NumberFunction>& number_functions() {
-  static const std::map<std::string, NumberFunction> all{
-      {"fabs", {1, of_one<fabs>}},
-      {"sqrt", {1, of_one<sqrt>}},
-      {"exp", {1, of_one<exp>}},
-      {"expm1", {1, of_one<expm1>}},
-      {"log", {1, of_one<log>}},
-      {"sinh", {1, of_one<sinh>}},
-      {"cosh", {1, of_one<cosh>}},
-      {"tanh", {1, of_one<tanh>}},
-      {"atanh", {1, of_one<atanh>}},
-      {"sin", {1, of_one<sin>}},
-      {"cos", {1, of_one<cos>}},
-      {"tan", {1, of_one<tan>}},
-      {"atan", {1, of_one<atan>}},
-      {"hypot", {2, of_two<hypot>}},
-      {"pow", {2, of_two<pow>}},
-      {"certain", {1, [](const Numbers& x) { return truth_of(x[0].is_positive()); }}},
-      {"within", {1, [](const Numbers& x) { return Propagated(0, x[0].value()); }}},
-      {"exactly", {1, [](const Numbers& x) { return Propagated::exact(x[0].value()); }}},
-      {"min", {0, [](const Numbers& x) { return *std::ranges::min_element(x, has_less_value); }}},
-      {"max", {0, [](const Numbers& x) { return *std::ranges::max_element(x, has_less_value); }}}};
-  return all;
-}
+const std::map<std::string, OfOne*> functions_of_one{
+    {"fabs", fabs},   {"sqrt", sqrt},       {"exp", exp},       {"expm1", expm1},
+    {"log", log},     {"sinh", sinh},       {"cosh", cosh},     {"tanh", tanh},
+    {"atanh", atanh}, {"sin", sin},         {"cos", cos},       {"tan", tan},
+    {"atan", atan},   {"certain", certain}, {"within", within}, {"exactly", without_error}};
+const std::map<std::string, OfTwo*> functions_of_two{{"hypot", hypot}, {"pow", pow}};
 
 template <Propagated (*functional)(const Function&, double, double)>
 Propagated of_range(const Function& f, const Numbers& at) {
@@ -78,25 +45,18 @@ struct Functional {
   std::size_t numbers;
   Propagated (*apply)(const Function& f, const Numbers& at);
 };
-const std::map<std::string, Functional>& functionals() {
-  static const std::map<std::string, Functional> all{
-      {"integral", {2, of_range<integral>}},
-      {"smooth_integral", {2, of_range<smooth_integral>}},
-      {"derivative", {2, of_range<derivative>}},
-      {"sign_change", {2, of_range<sign_change>}},
-      {"place_of_largest",
-       {2,
-        [](const Function& f, const Numbers& at) { return largest(f, at[0].value(), at[1].value()).place; }}},
-      {"largest",
-       {2,
-        [](const Function& f, const Numbers& at) { return largest(f, at[0].value(), at[1].value()).value; }}},
-      {"half_line_integral", {0, [](const Function& f, const Numbers&) { return half_line_integral(f); }}},
-      {"hilbert",
-       {3, [](const Function& f,
-              const Numbers& at) { return hilbert(f, at[0].value(), at[1].value(), at[2].value()); }}},
-      {"monotonic", {1, [](const Function& f, const Numbers& at) { return monotonic(f, at[0]); }}}};
-  return all;
-}
+const std::map<std::string, Functional> functionals{
+    {"integral", {2, of_range<integral>}},
+    {"smooth_integral", {2, of_range<smooth_integral>}},
+    {"derivative", {2, of_range<derivative>}},
+    {"sign_change", {2, of_range<sign_change>}},
+    {"place_of_largest", {2, of_range<place_of_largest>}},
+    {"largest", {2, of_range<largest>}},
+    {"half_line_integral", {0, [](const Function& f, const Numbers&) { return half_line_integral(f); }}},
+    {"hilbert",
+     {3, [](const Function& f,
+            const Numbers& at) { return hilbert(f, at[0].value(), at[1].value(), at[2].value()); }}},
+    {"monotonic", {1, [](const Function& f, const Numbers& at) { return monotonic(f, at[0]); }}}};
 
 }  // namespace
 
@@ -197,7 +157,7 @@ class FormulaParser {
   Expression named() {
     const std::string called = name();
     if (!take('(')) return [called, &all = formulas_] { return all.number(called); };
-    if (const auto functional = functionals().find(called); functional != functionals().end())
+    if (const auto functional = functionals.find(called); functional != functionals.end())
       return applied(functional->second);
     std::vector<Expression> arguments{chain(0)};
     while (take(',')) arguments.push_back(chain(0));
@@ -223,10 +183,16 @@ class FormulaParser {
   Expression call(const std::string& called, std::vector<Expression> arguments) {
     if (called == "if" && arguments.size() == 3)
       return [=] { return arguments[0]().value() != 0 ? arguments[1]() : arguments[2](); };
-    if (const auto known = number_functions().find(called);
-        known != number_functions().end() && (known->second.arguments == arguments.size() ||
-                                              (known->second.arguments == 0 && arguments.size() > 1)))
-      return [apply = known->second.apply, arguments] { return apply(values(arguments)); };
+    const std::size_t count = arguments.size();
+    if (const auto known = functions_of_one.find(called); known != functions_of_one.end() && count == 1)
+      return [apply = known->second, of = arguments[0]] { return apply(of()); };
+    if (const auto known = functions_of_two.find(called); known != functions_of_two.end() && count == 2)
+      return [apply = known->second, arguments] { return apply(arguments[0](), arguments[1]()); };
+    if ((called == "min" || called == "max") && count > 1)
+      return [is_min = called == "min", arguments] {
+        const Numbers all = values(arguments);
+        return is_min ? std::ranges::min(all, has_less_value) : std::ranges::max(all, has_less_value);
+      };
     const auto defined = formulas_.functions_.find(called);
     if (defined == formulas_.functions_.end() || defined->second.parameters.size() != arguments.size())
       fail(fmt::format("a function of {} arguments instead of '{}' before", arguments.size(), called));

@@ -1,14 +1,11 @@
-#include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <cmath>
-#include <limits>
-#include <vector>
 
 #include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -28,6 +25,26 @@ Propagated integral_by(const auto& integrate, const Function& f) {
   const double value = integrate([&](double x) { return f(x).value(); }, 1e-15, &truncation, &size);
   const double of_errors = integrate([&](double x) { return f(x).error(); }, 1e-2, &unused, &unused);
   return {value, truncation + 2 * of_errors + 0x1p-50 * size};
+}
+
+struct Maximum {
+  Propagated place, value;
+};
+Maximum maximum_of(const Function& f, double lower, double upper) {
+  constexpr int binary_digits = 20;
+  const double place = boost::math::tools::brent_find_minima([&](double x) { return -f(x).value(); }, lower,
+                                                             upper, binary_digits)
+                           .first;
+  const Propagated value = f(place);
+  double fall = 0;
+  // A maximum is flat: the relative error of its place is about the square root of that of its value.
+  const Propagated reached = with_reach(place, 0x1p-24, [&](double reach) {
+    const Propagated below = value - f(place - reach), above = value - f(place + reach);
+    fall = std::max(below.value() + below.error(), above.value() + above.error());
+    return below.is_positive() && above.is_positive();
+  });
+  // Where f is concave, it rises on one side of the place by no more than it falls on the other.
+  return {reached, {value.value(), value.error() + fall}};
 }
 
 }  // namespace
@@ -101,21 +118,11 @@ Propagated monotonic(const Function& f, const Propagated& place) {
                                        : Propagated::between(above, below);
 }
 
-Largest largest(const Function& f, double lower, double upper) {
-  constexpr int binary_digits = 20;
-  const double place = boost::math::tools::brent_find_minima([&](double x) { return -f(x).value(); }, lower,
-                                                             upper, binary_digits)
-                           .first;
-  const Propagated value = f(place);
-  double fall = 0;
-  // A maximum is flat: the relative error of its place is about the square root of that of its value.
-  const Propagated reached = with_reach(place, 0x1p-24, [&](double reach) {
-    const Propagated below = value - f(place - reach), above = value - f(place + reach);
-    fall = std::max(below.value() + below.error(), above.value() + above.error());
-    return below.is_positive() && above.is_positive();
-  });
-  // Where f is concave, it rises on one side of the place by no more than it falls on the other.
-  return {reached, {value.value(), value.error() + fall}};
+Propagated largest(const Function& f, double lower, double upper) {
+  return maximum_of(f, lower, upper).value;
+}
+Propagated place_of_largest(const Function& f, double lower, double upper) {
+  return maximum_of(f, lower, upper).place;
 }
 
 }  // namespace nipref::verify

@@ -31,11 +31,9 @@ Propagated sign_change(const Function& f, double lower, double upper);
 /// f at a place that has an error; f must be monotonic there.
 Propagated monotonic(const Function& f, const Propagated& place);
 
-/// The largest value of f, which rises to it and falls from it, and its place: the place's error reaches to where f is
-/// certainly smaller.
-struct Largest {
-  Propagated place, value;
-};
-Largest largest(const Function& f, double lower, double upper);
+/// The largest value of f, which rises to it and falls from it, and its place, whose error reaches to where f is certainly
+/// smaller.
+Propagated largest(const Function& f, double lower, double upper);
+Propagated place_of_largest(const Function& f, double lower, double upper);
 
 }  // namespace nipref::verify

@@ -1,12 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <memory>
-#include <sstream>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
@@ -16,6 +7,7 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -177,103 +169,84 @@ Propagated started_resistance(const Request& request) {
       fast::line_loads_for_load(nip, method, request.number("load", "0")).rolling_resistance());
 }
 
-/// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
-Propagated of_sliding_sphere(const Request& request) {
-  const data::IsotropicSolid& of_sphere = data::seed::steel;
-  const data::HalfSpaceProblem problem{
-      .body = data::ElasticSphere{1, of_sphere, true},
-      .half_space = data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
-      .speed = request.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
-      .direction = request.number("direction", "0"),
-      .given = data::GivenNormalForce{1e-6}};
-  return result_of(request, *solve_half_space(problem));
+data::Given given_by(const Request& request) {
+  if (const double length = request.number("length", "0"); length > 0) return data::GivenLength{length};
+  return data::GivenLoad{request.number("load", "0")};
 }
 
-/// Solves contacts and caches them, since formulas need several results of one contact.
-class SolvedNumbers {
- public:
-  Propagated operator()(const std::string& words, Formulas& formulas) {
-    const Request request(words, formulas);
-    if (request.kind == "elastic") return elastic(request);
-    if (request.kind == "rolling") return rolling(request);
-    static const std::map<std::string, Propagated (*)(const Request&)> others{
-        {"ref", of_quantity},
-        {"fast", of_quantity},
-        {"printed", of_quantity},
-        {"material", of_material},
-        {"table", printed_cell},
-        {"started", started_resistance},
-        {"sliding_sphere", of_sliding_sphere},
-        {"thin_solid",
-         [](const Request& one) {
-           const ThinStandardSolid solid = thin_standard_solid(one.number("memory", "1"));
-           return one.name == "resistance" ? solid.resistance : solid.leading_share;
-         }},
-        {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
-    return request.entry(others, request.kind)(request);
+SolvedInDouble elastic_contact(const Request& request) {
+  const double accuracy = request.number("accuracy", "1e-9");
+  const data::ElasticNip nip{request.number("radius", "6"),
+                             request.number("thickness", "2"),
+                             {request.number("young", fmt::format("{}", thesis_sheet.young)),
+                              request.number("poisson", fmt::format("{}", thesis_sheet.poisson))}};
+  if (const double mu = request.number("mu", "0"); mu > 0) {
+    const double traction = request.number("traction", "0");
+    return solve_nip(
+        data::PartialSlipProblem{.nip = {nip, mu, data::GivenTraction{traction}}, .given = given_by(request)},
+        accuracy);
   }
+  const bool full = request.text_of("friction", "none") == "full";
+  return solve_nip(data::ElasticNipProblem{.nip = nip,
+                                           .given = given_by(request),
+                                           .friction = full ? data::Friction::full : data::Friction::none},
+                   accuracy);
+}
 
- private:
-  struct Common {
-    double radius, thickness, accuracy, load, length;
-    explicit Common(const Request& one)
-        : radius(one.number("radius", "6")),
-          thickness(one.number("thickness", "2")),
-          accuracy(one.number("accuracy", "1e-9")),
-          load(one.number("load", "0")),
-          length(one.number("length", "0")) {}
-    [[nodiscard]] data::Given given() const {
-      if (length > 0) return data::GivenLength{length};
-      return data::GivenLoad{load};
-    }
-  };
+SolvedInDouble rolling_contact(const Request& request) {
+  const data::ViscoelasticNip nip{request.number("radius", "6"), request.number("thickness", "2"),
+                                  solid_of(request), request.number("speed", "1")};
+  return solve_nip(data::ViscoelasticNipProblem{.nip = nip, .given = given_by(request)},
+                   request.number("accuracy", "1e-9"));
+}
 
-  /// `others`: the numbers that the solid adds to those of every nip.
-  const SolvedContact<fast::Estimate>& solve_once(const std::string& solid, const Common& in,
-                                                  std::initializer_list<double> others, const auto& problem) {
-    std::vector<double> inputs{in.radius, in.thickness, in.accuracy, in.load, in.length};
-    inputs.insert(inputs.end(), others);
-    SolvedInDouble& contact = contacts_[{solid, inputs}];
-    if (contact == nullptr) contact = solve_nip(problem, in.accuracy);
-    return *contact;
-  }
+/// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
+SolvedInDouble contact_of_sliding_sphere(const Request& request) {
+  const data::IsotropicSolid& of_sphere = data::seed::steel;
+  return solve_half_space(
+      {.body = data::ElasticSphere{1, of_sphere, true},
+       .half_space =
+           data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
+       .speed = request.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
+       .direction = request.number("direction", "0"),
+       .given = data::GivenNormalForce{1e-6}});
+}
 
-  Propagated elastic(const Request& request) {
-    const Common in(request);
-    const data::ElasticMaterial material{request.number("young", fmt::format("{}", thesis_sheet.young)),
-                                         request.number("poisson", fmt::format("{}", thesis_sheet.poisson))};
-    const data::ElasticNip nip{in.radius, in.thickness, material};
-    if (const double mu = request.number("mu", "0"); mu > 0) {
-      const double traction = request.number("traction", "0");
-      const data::PartialSlipProblem problem{.nip = {nip, mu, data::GivenTraction{traction}},
-                                             .given = in.given()};
-      return result_of(request,
-                       solve_once("", in, {material.young, material.poisson, mu, traction}, problem));
-    }
-    const bool full = request.text_of("friction", "none") == "full";
-    const data::ElasticNipProblem problem{
-        .nip = nip, .given = in.given(), .friction = full ? data::Friction::full : data::Friction::none};
-    return result_of(request,
-                     solve_once("", in, {material.young, material.poisson, full ? 1.0 : 0.0}, problem));
-  }
+const std::map<std::string, SolvedInDouble (*)(const Request&)> contacts_by_kind{
+    {"elastic", elastic_contact},
+    {"rolling", rolling_contact},
+    {"sliding_sphere", contact_of_sliding_sphere}};
 
-  Propagated rolling(const Request& request) {
-    const Common in(request);
-    const double speed = request.number("speed", "1");
-    const data::ViscoelasticNipProblem problem{.nip = {in.radius, in.thickness, solid_of(request), speed},
-                                               .given = in.given()};
-    return result_of(request, solve_once(request.text_of("solid", "thesis"), in,
-                                         {request.number("memory", "1"), speed}, problem));
-  }
-
-  std::map<std::pair<std::string, std::vector<double>>, SolvedInDouble> contacts_;
-};
+const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
+    {"ref", of_quantity},
+    {"fast", of_quantity},
+    {"printed", of_quantity},
+    {"material", of_material},
+    {"table", printed_cell},
+    {"started", started_resistance},
+    {"thin_solid",
+     [](const Request& one) {
+       const ThinStandardSolid solid = thin_standard_solid(one.number("memory", "1"));
+       return one.name == "resistance" ? solid.resistance : solid.leading_share;
+     }},
+    {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
 
 }  // namespace
 
 Formulas::Solve solved_numbers() {
-  return [solved = std::make_shared<SolvedNumbers>()](const std::string& words, Formulas& formulas) {
-    return (*solved)(words, formulas);
+  auto contacts = std::make_shared<std::map<std::map<std::string, std::string>, SolvedInDouble>>();
+  return [contacts](const std::string& words, Formulas& formulas) {
+    const Request request(words, formulas);
+    const auto solve = contacts_by_kind.find(request.kind);
+    if (solve == contacts_by_kind.end()) return request.entry(other_kinds, request.kind)(request);
+    std::map<std::string, std::string> inputs{{"", request.kind}};
+    for (const auto& [key, text] : request.given) {
+      const bool is_word = key == "friction" || key == "solid";
+      if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", formulas.value(text).value());
+    }
+    SolvedInDouble& contact = (*contacts)[inputs];
+    if (contact == nullptr) contact = solve->second(request);
+    return result_of(request, *contact);
   };
 }
 

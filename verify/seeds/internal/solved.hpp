@@ -1,12 +1,7 @@
 #pragma once
-#include <functional>
-#include <map>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {

@@ -40,6 +40,14 @@ inline bool has_full_friction(const data::ElasticNipProblem& problem) {
 }
 inline bool has_full_friction(const auto&) { return false; }
 
+/// Calls function() with what the solvers of a continuous contact take besides the load or the length.
+auto with_nip(const data::ElasticNipProblem& problem, const auto& function) {
+  return function(problem.nip, problem.friction);
+}
+auto with_nip(const data::ViscoelasticNipProblem& problem, const auto& function) {
+  return function(problem.nip);
+}
+
 /// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
 SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
 
@@ -49,20 +57,16 @@ SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
 SolvedByRef solve_ref_half_space(const ref::JointResponse& surface, const data::HalfSpaceProblem& problem,
                                  int digits);
 
-/// Throws the solver's error again and names the key of the scene's load or length: Scene::check has accepted the
-/// scene, so that the solver can refuse it only because of their values, the material, or the digits.
-[[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
-                               const data::BadInput& error);
+/// Throws a solver's error again and names the scene's key: Scene::check has accepted the scene, so that the solver can
+/// refuse it only because of its load or length, its speed, the material, or the digits.
+[[noreturn]] void refuse_by_key(const data::Scene& scene, const data::BadInput& error);
 /// Calls solve(), whose refusal names the scene's key.
-auto naming_given(const data::Scene& scene, const data::Given& given, const auto& solve) {
+auto naming_keys(const data::Scene& scene, const auto& solve) {
   try {
     return solve();
   } catch (const data::BadInput& error) {
-    refuse_given(scene, given, error);
+    refuse_by_key(scene, error);
   }
 }
-/// Refuses the scene's load or length because the rollers' faces would meet.
-[[noreturn]] void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
-                                       double half_thickness);
 
 }  // namespace nipref::verify

@@ -1,17 +1,14 @@
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <numbers>
 
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using fast::Estimate;
-
 
 bool same(const ref::Estimate& a, const ref::Estimate& b) {
   return mpfr_equal_p(ref::raw(a.value), ref::raw(b.value)) != 0 &&
@@ -61,6 +58,20 @@ double given_factor(const SolvedContact<Number>& contact, ResultId product) {
   return product == ResultId::power_loss ? contact.speed : 1;
 }
 
+/// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
+double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
+  const double half = (ends.last - ends.first) / 2;
+  const double distance = std::min(std::fabs(y - ends.first), std::fabs(y - ends.last)) / half;
+  return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
+}
+
+/// The factor of mu_R in such a product.
+template <class Number>
+double product_factor(const SolvedContact<Number>& contact, ResultId id) {
+  const double load = has_load(id) ? value_of(contact.number(ResultId::load)) : 1;
+  return load * std::fabs(given_factor(contact, id));
+}
+
 }  // namespace
 
 bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
@@ -81,12 +92,6 @@ void set_products(SolvedContact<Number>& contact) {
   }
 }
 
-template <class Number>
-double product_factor(const SolvedContact<Number>& contact, ResultId id) {
-  const double load = has_load(id) ? value_of(contact.number(ResultId::load)) : 1;
-  return load * std::fabs(given_factor(contact, id));
-}
-
 void set_slip(SolvedContact<ref::Estimate>& contact, bool has_full_friction) {
   contact.set(ResultId::slip, [&contact, has_full_friction](double y) {
     const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),
@@ -101,19 +106,6 @@ void set_slip(SolvedContact<ref::Estimate>& contact, bool has_full_friction) {
 
 template void set_products(SolvedContact<Estimate>&);
 template void set_products(SolvedContact<ref::Estimate>&);
-template double product_factor(const SolvedContact<Estimate>&, ResultId);
-template double product_factor(const SolvedContact<ref::Estimate>&, ResultId);
-
-namespace {
-
-/// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
-double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
-  const double half = (ends.last - ends.first) / 2;
-  const double distance = std::min(std::fabs(y - ends.first), std::fabs(y - ends.last)) / half;
-  return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
-}
-
-}  // namespace
 
 template <class Number>
 double result_size(const SolvedContact<Number>& contact, ResultId id, double y, double accuracy) {

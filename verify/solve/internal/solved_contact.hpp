@@ -1,19 +1,12 @@
 #pragma once
 #include <compare>
 #include <concepts>
-#include <functional>
-#include <map>
-#include <memory>
-#include <ranges>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve/solve.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 
@@ -29,7 +22,9 @@ using Places = std::vector<Place>;
 
 /// A number without an error, as another number is.
 inline fast::Estimate exactly(double value, const fast::Estimate&) { return {value, 0}; }
-inline ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
+inline ref::Estimate exactly(double value, const ref::Estimate& like) {
+  return ref::exactly(value, like.digits);
+}
 
 /// The ends of a contact, or of a half-space's angles: Y, unit of length.
 struct ContactEnds {
@@ -38,10 +33,10 @@ struct ContactEnds {
 
 /// What the error of a result is measured against, see data::Scale.
 enum class Measure {
-  size,    ///< the larger of the result and its size
+  size,  ///< the larger of the result and its size
   itself,  ///< the result alone, except for stresses inside the sheet, and the place of the largest pressure, which
            ///< may be 0
-  truth    ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
+  truth  ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
 };
 
 /// A solved contact of either path: a function for each of its results. A result is computed when it is first asked
@@ -86,6 +81,20 @@ struct SolvedContact {
       });
     } else {
       set(id, [=] { return number_of(std::invoke(function, *solution)); });
+    }
+  }
+
+  /// Sets results that are parts of what is computed at once, at each place.
+  template <class Whole>
+  void set_parts(std::function<std::vector<Whole>(const Places&)> function,
+                 const std::vector<std::pair<ResultId, std::function<Number(const Whole&)>>>& parts) {
+    for (const ResultId id : std::views::keys(parts)) {
+      set(id, [this, function, parts, id](const Places& places) {
+        const std::vector<Whole> all = function(places);
+        for (const auto& [other, part] : parts)
+          cache_.emplace(std::pair(other, places), mapped<Number>(all, part));
+        return cache_.at({id, places});
+      });
     }
   }
 
@@ -135,10 +144,6 @@ bool is_moment(ResultId id);
 ///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
 template <class Number>
 void set_products(SolvedContact<Number>& contact);
-
-/// The factor of mu_R in such a product.
-template <class Number>
-double product_factor(const SolvedContact<Number>& contact, ResultId id);
 
 /// Sets leading_moment = int p Y dY ahead of the line through the rollers' centres, and trailing_moment behind it
 /// (thesis 7.13), by Gauss's rule. The error is the integrated error of the pressure and twice the difference from half

@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <string_view>
-#include <utility>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -24,13 +20,6 @@ bool can_overwrite() {
   return isatty(STDERR_FILENO) == 1 && term != nullptr && *term != '\0' && std::string_view(term) != "dumb";
 }
 
-/// Not cached, since a window may change its size.
-std::size_t columns_of_terminal() {
-  constexpr std::size_t usual = 80;
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
-}
-
 double seconds_of_steady_clock() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -40,7 +29,7 @@ double seconds_of_steady_clock() {
 ProgressOutput standard_error(bool quiet) {
   if (quiet) return {};
   return {[](const std::string& text) { fmt::print(stderr, "{}", text); }, seconds_of_steady_clock,
-          can_overwrite() ? columns_of_terminal : +[] { return std::size_t{0}; }};
+          [overwrites = can_overwrite()] { return overwrites ? columns_of(STDERR_FILENO) : 0; }};
 }
 
 Progress::Progress(ProgressOutput output) : output_(std::move(output)) {

@@ -1,8 +1,7 @@
-#include <algorithm>
 #include <chrono>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {

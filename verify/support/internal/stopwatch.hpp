@@ -1,12 +1,21 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace nipref::verify {
 
 /// The wall-clock seconds of one call of `work`.
 double seconds_of(const std::function<void()>& work);
+
+/// What `work` returns, and the seconds of the call.
+auto timed(const auto& work) {
+  std::optional<decltype(work())> found;
+  const double seconds = seconds_of([&] { found.emplace(work()); });
+  return std::pair(*std::move(found), seconds);
+}
 
 /// Something to time: run(n) does the first n of `most` different evaluations.
 struct Contender {

@@ -1,14 +1,10 @@
 #define TOML_HEADER_ONLY 1
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <toml++/toml.h>
-
-#include <algorithm>
 
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/toml_obstacle.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -18,7 +14,7 @@ std::string place(const std::string& path, std::size_t line) { return fmt::forma
 TomlTable table_of(const toml::table& table, const std::string& what, const std::string& path) {
   TomlTable all{what, place(path, table.source().begin.line)};
   for (const auto& [key, node] : table) {
-    const std::string name(key.str());
+    const std::string& name = all.keys.emplace_back(key.str());
     const toml::array* const array = node.as_array();
     const auto subtable = [&](const toml::node& one) { return table_of(*one.as_table(), what, path); };
     if (node.is_string()) {
@@ -85,15 +81,12 @@ const std::vector<TomlTable>& TomlTable::list(const std::string& key,
   static const std::vector<TomlTable> none;
   const auto all = tables.find(key);
   if (all == tables.end()) return none;
-  const auto all_allowed = [&](const auto& values) {
-    return std::ranges::all_of(values, [&](const auto& one) {
-      return std::ranges::count(required, one.first) + std::ranges::count(optional, one.first) > 0;
-    });
+  const auto is_allowed = [&](const std::string& name) {
+    return std::ranges::count(required, name) + std::ranges::count(optional, name) > 0;
   };
   for (const TomlTable& one : all->second) {
     for (const std::string_view name : required) static_cast<void>(one.text(std::string(name)));
-    if (!all_allowed(one.texts) || !all_allowed(one.numbers) || !all_allowed(one.words) ||
-        !all_allowed(one.tables))
+    if (!std::ranges::all_of(one.keys, is_allowed))
       one.refuse(fmt::format("must have no keys in [[{}]] but {}, {}", key, fmt::join(required, ", "),
                              fmt::join(optional, ", ")));
   }

@@ -17,7 +17,8 @@ struct TomlTable {
   std::map<std::string, double> numbers = {};                  ///< `true` is 1, `false` is 0
   std::map<std::string, std::vector<std::string>> words = {};  ///< lists of texts
   std::map<std::string, std::vector<TomlTable>> tables =
-      {};  ///< lists of tables; a single table is a list of one
+      {};                              ///< lists of tables; a single table is a list of one
+  std::vector<std::string> keys = {};  ///< of all these
 
   // The value of the key; BadInput if it is missing or of another type.
   [[nodiscard]] const std::string& text(const std::string& key) const;

@@ -1,0 +1,34 @@
+#pragma once
+
+// What nearly every source of verify is written with, which the build parses once: the standard library, {fmt}, and how
+// input is refused.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <ranges>
+#include <set>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/support/mapped.hpp>
