@@ -13,6 +13,7 @@
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
 #include <nipref/fast/partial_slip/internal/peak.hpp>
+#include <nipref/fast/partial_slip/internal/solutions.hpp>
 #include <nipref/fast/partial_slip/partial_slip.hpp>
 
 namespace nipref::fast {
@@ -26,34 +27,6 @@ constexpr double longest_contact = 10;  // L/B
 constexpr double nats_apart = 3;
 /// Coarser contacts may not resolve zones next to others that are much shorter.
 constexpr double least_nats = 17;
-
-/// What two contacts differ by as a whole: relative, with what is wrong in the second one, and of tractions at
-/// corresponding places, at each sample of the second.
-struct Differences {
-  double relative = 0;
-  std::vector<Traction> at_samples = {};
-};
-
-Differences differences(const ZoneContact& first, const ZoneContact& second, const PartialSlipTask& task) {
-  const double length = second.length(), load = second.load();
-  Differences found{wrongness(second, task.friction)};
-  const auto add = [&](double difference, double scale) {
-    found.relative = std::max(found.relative, std::fabs(difference) / scale);
-  };
-  add(second.length() - first.length(), length);
-  add(second.leading_length() - first.leading_length(), length);
-  add(load - first.load(), load);
-  add(second.tangential_load() - first.tangential_load(), task.friction * load);
-  add(second.creep() - first.creep(), std::max(length, std::fabs(second.creep())));
-  const std::vector<double> excess = excesses(second, task.friction);
-  for (const ZoneContact::Sample& sample : second.samples()) {
-    const Traction before = first.traction(first.corresponding_place(second, sample.e));
-    const double wrong = excess[found.at_samples.size()] * task.friction * sample.pressure;
-    found.at_samples.push_back({std::fabs(sample.pressure - before.pressure),
-                                std::fabs(sample.shear - before.shear) + std::fabs(wrong)});
-  }
-  return found;
-}
 
 PartialSlipTask task_of(const data::PartialSlipNip& nip, const ContactUnits& units) {
   const data::ElasticMaterial& material = nip.material;
@@ -98,20 +71,18 @@ std::string too_long(const data::ElasticNip& nip) {
 
 }  // namespace
 
-struct PartialSlipNip::Implementation {
+struct PartialSlipNip::Implementation : Solutions {
   double roller_radius;
   ContactUnits units;
   PartialSlipTask task;
   double nats;  ///< of the first
-  ZoneContact first, second;
-  Differences apart;
 
   [[nodiscard]] Estimate estimate(const auto& number, double unit, double scale) const {
     const double value = std::invoke(number, second);
     // A number is a sum over the nodes, each of which rounds.
     const double rounding = 0x1p-53 * static_cast<double>(second.unknowns());
-    return times(
-        unit, {value, std::fabs(value - std::invoke(number, first)) + (apart.relative + rounding) * scale});
+    return times(unit,
+                 {value, std::fabs(value - std::invoke(number, first)) + (relative + rounding) * scale});
   }
   [[nodiscard]] double length() const { return second.length(); }
   [[nodiscard]] Estimate of_length(const auto& number) const {
@@ -145,7 +116,7 @@ struct PartialSlipNip::Implementation {
     const auto next = std::ranges::lower_bound(samples, e, {}, &ZoneContact::Sample::e) - samples.begin();
     Traction largest{0, 0};
     for (long i = std::max(0L, next - beside); i < std::min(std::ssize(samples), next + beside); ++i) {
-      const Traction& difference = apart.at_samples[static_cast<std::size_t>(i)];
+      const Traction& difference = at_samples[static_cast<std::size_t>(i)];
       largest = {std::max(largest.pressure, difference.pressure), std::max(largest.shear, difference.shear)};
     }
     return largest;
@@ -268,24 +239,13 @@ Estimate PartialSlipNip::peak_shear_position() const {
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const Implementation& my = *implementation_;
-  const std::vector<Zone>& zones = my.second.zones();
-  const auto boundary = [](const ZoneContact& contact, std::size_t k) {
-    double e = 0;
-    for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
-    return contact.leading_length() - e;
-  };
-  // Where slip turns into stick: errors over the longer of both zones. See ZoneMesh::smooth_reach.
-  const auto is_smooth = [&](std::size_t k) { return k > 0 && k < zones.size() && zones[k - 1].sign != 0; };
-  const auto longer = [&](std::size_t k) { return std::max(zones[k - 1].length, zones[k].length); };
   const double reach = ZoneMesh::smooth_reach(my.nats + nats_apart);
-  double of_smooth = std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
-  for (std::size_t k = 0; k <= zones.size(); ++k)
-    if (is_smooth(k))
-      of_smooth = std::max(of_smooth, std::fabs(boundary(my.second, k) - boundary(my.first, k)) / longer(k));
+  const double of_smooth = my.of_boundaries + std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
   std::vector<Estimate> all;
-  for (std::size_t k = 0; k <= zones.size(); ++k) {
+  for (std::size_t k = 0; k <= my.second.zones().size(); ++k) {
     all.push_back(my.of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
-    if (is_smooth(k)) all.back().error += my.units.length * of_smooth * longer(k);
+    if (is_smooth(my.second, k))
+      all.back().error += my.units.length * of_smooth * longer_beside(my.second, k);
   }
   return all;
 }
@@ -341,10 +301,9 @@ bool PartialSlipNip::refine() {
   const double nats = my.nats + nats_apart;
   if (nats > most_nats) return false;
   auto second = find_zones(my.task, my.second, nats + nats_apart);
-  auto first = second ? ZoneContact::solved(my.task, *second, nats) : std::nullopt;
-  if (!first) return false;
-  const Differences apart = differences(*first, *second, my.task);
-  my = {my.roller_radius, my.units, my.task, nats, *std::move(first), *std::move(second), apart};
+  auto solutions = second ? with_differences(my.task, *std::move(second), nats) : std::nullopt;
+  if (!solutions) return false;
+  my = {*std::move(solutions), my.roller_radius, my.units, my.task, nats};
   return true;
 }
 
@@ -356,17 +315,18 @@ PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits&
                             const PartialSlipTask& task, double accuracy) {
   double nats = std::max(std::log(8 / accuracy), least_nats);
   // Zones are looked for with the better accuracy, and a better one still where the lesser one lacks them.
-  std::optional<ZoneContact> first, second;
-  for (const double last = nats + 2 * nats_apart; !first && nats <= last; nats += nats_apart) {
-    second = find_zones(task, nats + nats_apart);
-    if (second) first = ZoneContact::solved(task, *second, nats);
+  std::optional<Solutions> solutions;
+  double load = task.load ? *task.load : load_guess(*task.length);
+  for (const double last = nats + 2 * nats_apart; !solutions && nats <= last; nats += nats_apart) {
+    auto second = find_zones(task, nats + nats_apart);
+    if (!second) continue;
+    load = second->load();
+    solutions = with_differences(task, *std::move(second), nats);
   }
   nats -= nats_apart;
-  if (!second) refuse_drive(nip, units.load * (task.load ? *task.load : load_guess(*task.length)));
-  if (!first) refuse_drive(nip, units.load * second->load());
-  const Differences apart = differences(*first, *second, task);
-  return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(PartialSlipNip::Implementation{
-      nip.roller_radius, units, task, nats, *std::move(first), *std::move(second), apart}));
+  if (!solutions) refuse_drive(nip, units.load * load);
+  return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(
+      PartialSlipNip::Implementation{*std::move(solutions), nip.roller_radius, units, task, nats}));
 }
 
 NipShape shape_of(const data::ElasticNip& nip) { return {nip.roller_radius, nip.sheet_thickness}; }

@@ -15,13 +15,14 @@ namespace nipref::fast {
 /// Y as for ConvergedNip: from the line through the rollers' centres, positive on the leading (entry) side, any finite
 /// value, unit of length; otherwise BadInput. Shears act on the sheet along Y.
 ///
-/// Errors: the contact is solved twice, by two discretisations (internal/zone_mesh.hpp), the second with an error some
-/// twenty times smaller. A number J is that of the second. Its error is |J_2 - J_1| and, as these may agree by chance, the
-/// largest difference of numbers of its kind: relative, of the contact's length, place, load, traction and creep, times the
-/// size of numbers like J; for tractions, the largest at the 16 samples next to Y; for boundaries where slip turns into stick,
-/// over the longer of their zones. To these come the rounding of sums and of places. Zones too short to be found are left
-/// out: by how much conditions of stick and slip are not met, relative, adds in the mean to that of the whole and at Y to the
-/// shear's.
+/// Errors: the contact is solved by three discretisations (internal/zone_mesh.hpp), the last with an error some twenty times
+/// smaller, the first two unlike in the sign of what is left at boundaries where slip turns into stick. A number J is that of
+/// the last. Its error is |J_3 - J_1| and, as these may agree by chance, the largest difference of numbers of its kind from
+/// either: relative, of the contact's length, place, load, traction and creep, times the size of numbers like J; for
+/// tractions, the largest at the 16 samples next to Y; for boundaries where slip turns into stick, over the longer of their
+/// zones. To these come what is of the second order in the differences of boundaries, and the rounding of sums and of places.
+/// Zones too short to be found are left out: by how much conditions of stick and slip are not met, relative, adds in the mean
+/// to that of the whole and at Y to the shear's.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;

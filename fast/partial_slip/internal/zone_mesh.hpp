@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include <nipref/fast/partial_slip/internal/tail.hpp>
@@ -71,6 +72,11 @@ class ZoneMesh {
   /// e^-nats is unknown. So much over the zone's length shifts the boundary: e^(-0.8 nats) by either. Rounding shifts it by
   /// about e^reach of itself, which is as much at 12.
   [[nodiscard]] static double smooth_reach(double nats) { return std::min(0.4 * nats, 12.0); }
+  /// The accuracy, less than nats, whose mesh has one node fewer up to there: at smooth_reach(nats)/step, step = pi^2/nats.
+  [[nodiscard]] static double with_a_node_less(double nats) {
+    const double left = smooth_reach(nats) * nats - std::numbers::pi * std::numbers::pi;
+    return std::max(std::sqrt(left / 0.4), left / 12);
+  }
 
   /// The same unknowns over zones of other lengths.
   void stretch_to(const std::vector<Zone>& zones);

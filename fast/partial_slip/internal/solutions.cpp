@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include <nipref/fast/partial_slip/internal/find_zones.hpp>
+#include <nipref/fast/partial_slip/internal/solutions.hpp>
+
+namespace nipref::fast {
+namespace {
+
+/// The largest of smooth boundaries, over the longer zone beside.
+double boundary_difference(const ZoneContact& coarser, const ZoneContact& contact) {
+  double largest = 0;
+  for (std::size_t k = 1; k < contact.zones().size(); ++k) {
+    const double difference = std::fabs(boundary(contact, k) - boundary(coarser, k));
+    if (is_smooth(contact, k)) largest = std::max(largest, difference / longer_beside(contact, k));
+  }
+  return largest;
+}
+
+/// The relative error of other results that the boundaries' errors x bring and no difference of those results need show. A
+/// result is f(x) = f + f' x + f'' x^2/2, and its difference shows the first order, as x is at most the boundaries' own
+/// difference. But to the second order it is the same for x and -x. Results change over lengths of the shorter zone beside a
+/// boundary and by its share of the contact: f'' x^2 is x^2 over that zone's length and the contact's.
+double second_order(const ZoneContact& coarser, const ZoneContact& contact) {
+  double largest = 0;
+  for (std::size_t k = 1; k < contact.zones().size(); ++k) {
+    const double x = boundary(contact, k) - boundary(coarser, k),
+                 shorter = std::min(contact.zones()[k - 1].length, contact.zones()[k].length);
+    largest = std::max(largest, x * x / (shorter * contact.length()));
+  }
+  return largest;
+}
+
+double relative_difference(const ZoneContact& coarser, const ZoneContact& contact, double friction) {
+  const double length = contact.length(), load = contact.load();
+  double largest = 0;
+  const auto add = [&](const auto& number, double scale) {
+    const double difference = std::invoke(number, contact) - std::invoke(number, coarser);
+    largest = std::max(largest, std::fabs(difference) / scale);
+  };
+  add(&ZoneContact::length, length);
+  add(&ZoneContact::leading_length, length);
+  add(&ZoneContact::load, load);
+  add(&ZoneContact::tangential_load, friction * load);
+  add(&ZoneContact::creep, std::max(length, std::fabs(contact.creep())));
+  return largest + second_order(coarser, contact);
+}
+
+}  // namespace
+
+double boundary(const ZoneContact& contact, std::size_t k) {
+  double e = 0;
+  for (std::size_t z = 0; z < k; ++z) e += contact.zones()[z].length;
+  return contact.leading_length() - e;
+}
+
+bool is_smooth(const ZoneContact& contact, std::size_t k) {
+  return k > 0 && k < contact.zones().size() && contact.zones()[k - 1].sign != 0;
+}
+
+double longer_beside(const ZoneContact& contact, std::size_t k) {
+  return std::max(contact.zones()[k - 1].length, contact.zones()[k].length);
+}
+
+std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats) {
+  auto first = ZoneContact::solved(task, second, nats);
+  auto other = ZoneContact::solved(task, second, ZoneMesh::with_a_node_less(nats));
+  if (!first || !other) return std::nullopt;
+  const double mu = task.friction,
+               relative = wrongness(second, mu) + std::max(relative_difference(*first, second, mu),
+                                                           relative_difference(*other, second, mu));
+  // What no difference shows is as large in the mean pressure.
+  const double of_pressure =
+      std::max(second_order(*first, second), second_order(*other, second)) * second.load() / second.length();
+  const std::vector<double> excess = excesses(second, mu);
+  std::vector<ZoneContact::Traction> at_samples;
+  for (const ZoneContact::Sample& sample : second.samples()) {
+    ZoneContact::Traction largest{0, 0};
+    for (const ZoneContact* const coarser : {&*first, &*other}) {
+      const ZoneContact::Traction before = coarser->traction(coarser->corresponding_place(second, sample.e));
+      largest = {std::max(largest.pressure, std::fabs(sample.pressure - before.pressure)),
+                 std::max(largest.shear, std::fabs(sample.shear - before.shear))};
+    }
+    const double wrong = std::fabs(excess[at_samples.size()] * mu * sample.pressure);
+    at_samples.push_back({largest.pressure + of_pressure, largest.shear + wrong + mu * of_pressure});
+  }
+  const double of_boundaries =
+      std::max(boundary_difference(*first, second), boundary_difference(*other, second));
+  return Solutions{*std::move(first), std::move(second), relative, of_boundaries, std::move(at_samples)};
+}
+
+}  // namespace nipref::fast

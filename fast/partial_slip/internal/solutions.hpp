@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <nipref/fast/partial_slip/internal/zone_contact.hpp>
+
+namespace nipref::fast {
+
+/// The contact of two discretisations, of which the second is the result; what it differs by from coarser ones as a whole,
+/// relative, with what is wrong in it; the largest difference of a boundary where slip turns into stick, over the longer zone
+/// beside; and those of the tractions at corresponding places, at each of its samples.
+struct Solutions {
+  ZoneContact first, second;
+  double relative;
+  double of_boundaries;
+  std::vector<ZoneContact::Traction> at_samples;
+};
+
+/// With the second solution known, which has the zones: the first, and how they differ. The error of a boundary where slip
+/// turns into stick alternates in sign with the number of nodes beside it. It is in the difference from the first solution
+/// or in that from one with a node less there. Nothing where there is no such solution.
+std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats);
+
+/// Y of the boundary before the zone number k.
+double boundary(const ZoneContact& contact, std::size_t k);
+/// Where slip turns into stick. See ZoneMesh::smooth_reach.
+bool is_smooth(const ZoneContact& contact, std::size_t k);
+double longer_beside(const ZoneContact& contact, std::size_t k);
+
+}  // namespace nipref::fast
