@@ -23,6 +23,16 @@ bool is_positive_definite(const Stiffness::Voigt& matrix) {
 
 }  // namespace
 
+Stiffness::Voigt Stiffness::squared(const Voigt& factor, double unit) {
+  Voigt product{};
+  for (const auto& [i, k] : upper_triangle) {
+    double sum = 0;
+    for (std::size_t j = 0; j < 6; ++j) sum += factor[i][j] * factor[k][j];
+    product[i][k] = product[k][i] = unit * sum;
+  }
+  return product;
+}
+
 void Stiffness::check() const {
   if (!(std::isfinite(density) && density > 0)) throw BadInput("density", density, "must be finite and > 0");
   for (std::size_t i = 0; i < 6; ++i) {

@@ -1,9 +1,25 @@
 #pragma once
 #include <array>
+#include <cstddef>
+#include <utility>
 
 #include <nipref/data/material/solids.hpp>
 
 namespace nipref::data {
+
+/// Voigt's row and column of each constant, C11 to C66: row by row of the upper triangle.
+inline constexpr auto upper_triangle = [] {
+  std::array<std::pair<std::size_t, std::size_t>, 21> all{};
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = i; k < 6; ++k) all[next++] = {i, k};
+  return all;
+}();
+
+/// Sets a matrix of Voigt's, on both sides of its diagonal, to the constants of that order, which an iterator gives.
+void set_symmetric(auto& voigt, auto constants) {
+  for (const auto& [i, k] : upper_triangle) voigt[i][k] = voigt[k][i] = *constants++;
+}
 
 /// A general anisotropic solid in the axes of the half-space x3 > 0: C_ijkl as Voigt's symmetric 6x6 matrix
 /// in the order 11, 22, 33, 23, 13, 12 (sigma = C epsilon with shear strains 2 epsilon_ij), unit of stress.
@@ -12,6 +28,9 @@ struct Stiffness {
 
   Voigt voigt;
   double density;
+
+  /// The product of a factor with its transpose, symmetric to the last bit; times the unit.
+  static Voigt squared(const Voigt& factor, double unit = 1);
 
   /// BadInput "stiffness" unless finite, symmetric and positive definite (to rounding: its Cholesky
   /// factor exists in double); BadInput "density" unless finite and > 0.

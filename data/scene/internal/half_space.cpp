@@ -15,17 +15,14 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
 
 /// The upper triangle of Voigt's matrix, row by row.
 Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
-  constexpr std::size_t constants = 21;
   table.allow(SceneKind::half_space, KeyOwner::anisotropic);
   const std::vector<double> upper = table.numbers("stiffness");
-  if (upper.size() != constants) {
+  if (upper.size() != upper_triangle.size()) {
     origin.refuse("half_space.stiffness", std::to_string(upper.size()) + " numbers",
                   "must be 21 numbers: C11, C12 ... C16, C22, C23 ... C66");
   }
   Stiffness solid{{}, table.number("density")};
-  auto next = upper.begin();
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *next++;
+  set_symmetric(solid.voigt, upper.begin());
   return solid;
 }
 

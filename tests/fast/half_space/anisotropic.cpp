@@ -20,9 +20,7 @@ data::Stiffness triclinic() {
   data::Stiffness solid{{}, 2};
   constexpr double upper[] = {20, 7,   6, 1,    -2, 0.5, 31,  8, -1,   1.5, 2,
                               25, 0.7, 1, -1.2, 9,  0.4, 0.9, 7, -0.8, 11};
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = upper[at++];
+  data::set_symmetric(solid.voigt, std::begin(upper));
   return solid;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 
@@ -131,12 +132,9 @@ std::vector<double> negated(std::vector<double> numbers) {
 
 /// C_kl of the half-space with the axis x2 reversed: those with exactly one index of 4 and 6 change their sign.
 std::vector<double> mirrored_stiffness(std::vector<double> upper) {
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t k = i; k < 6; ++k, ++at) {
-      const bool is_odd = (i == 3 || i == 5) != (k == 3 || k == 5);
-      if (is_odd) upper[at] = -upper[at];
-    }
+  for (std::size_t n = 0; n < upper.size(); ++n) {
+    const auto [i, k] = data::upper_triangle[n];
+    if ((i == 3 || i == 5) != (k == 3 || k == 5)) upper[n] = -upper[n];
   }
   return upper;
 }

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
+#include <nipref/data/material/stiffness.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
@@ -33,20 +33,13 @@ struct RefusedSoFar {};
 
 /// A positive definite stiffness as a triangular matrix times its transpose, with moduli within about a decade.
 std::vector<double> draw_stiffness(Random& random, double unit) {
-  std::array<std::array<double, 6>, 6> factor{};
+  data::Stiffness::Voigt factor{};
   for (std::size_t i = 0; i < 6; ++i) {
     const double size = random.log_uniform(1, 4);
     for (std::size_t k = 0; k <= i; ++k) factor[i][k] = i == k ? size : size * random.uniform(-0.5, 0.5);
   }
-  std::vector<double> upper;
-  for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t k = i; k < 6; ++k) {
-      double sum = 0;
-      for (std::size_t j = 0; j <= i; ++j) sum += factor[i][j] * factor[k][j];
-      upper.push_back(unit * sum);
-    }
-  }
-  return upper;
+  const data::Stiffness::Voigt product = data::Stiffness::squared(factor, unit);
+  return mapped(data::upper_triangle, [&](const auto& at) { return product[at.first][at.second]; });
 }
 
 /// The results of converged nips that need no friction, but for the moments, which the eccentricity has.

@@ -1,8 +1,6 @@
 // Responses of half-spaces of any anisotropy along lines, and their critical speed. (brock2013 A.1-A.5)
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
@@ -11,45 +9,27 @@
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using fast::Direction;
 
-constexpr std::size_t constants = 21;
-
-/// Voigt's row and column of each constant, c11 to c66: row by row of the upper triangle.
-constexpr auto places = [] {
-  std::array<std::pair<std::size_t, std::size_t>, constants> all{};
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) all[next++] = {i, k};
-  return all;
-}();
-
-/// Sets the constants, c11 to c66, on both sides of the diagonal.
-void set_symmetric(auto& voigt, const auto& constant) {
-  for (std::size_t n = 0; n < constants; ++n) {
-    const auto [i, k] = places[n];
-    voigt[i][k] = voigt[k][i] = constant(n);
-  }
-}
-
 data::Stiffness stiffness_of(const NamedPoint& x) {
   data::Stiffness solid{{}, x["density"]};
-  set_symmetric(solid.voigt, [given = x.from("c11")](std::size_t n) { return given[n]; });
+  data::set_symmetric(solid.voigt, x.from("c11").begin());
   return solid;
 }
 
 ref::ExactStiffness exact_stiffness_of(const NamedExact& x) {
   const auto given = x.from("c11");
   data::Stiffness nearest{{}, x["density"].approximate()};
-  set_symmetric(nearest.voigt, [&](std::size_t n) { return given[n].approximate(); });
+  data::set_symmetric(nearest.voigt, mapped(given, &ref::Exact::approximate).begin());
   nearest.check();
   ref::ExactStiffness solid;
   solid.density = x["density"].value();
-  set_symmetric(solid.voigt, [&](std::size_t n) { return given[n].value(); });
+  data::set_symmetric(solid.voigt, mapped(given, &ref::Exact::value).begin());
   return solid;
 }
 
@@ -61,22 +41,9 @@ data::Stiffness epoxy() {
 }
 
 void put_stiffness(const NamedNumbers& x, const data::Stiffness& solid) {
-  const auto numbers = x.from("c11");
-  for (std::size_t n = 0; n < constants; ++n) numbers[n] = solid.voigt[places[n].first][places[n].second];
+  std::ranges::transform(data::upper_triangle, x.from("c11").begin(),
+                         [&](const auto& at) { return solid.voigt[at.first][at.second]; });
   x["density"] = solid.density;
-}
-
-using Factor = data::Stiffness::Voigt;
-
-/// The product with its transpose, symmetric to the last bit.
-data::Stiffness squared(const Factor& factor, double density) {
-  data::Stiffness solid{{}, density};
-  for (const auto& [i, k] : places) {
-    double sum = 0;
-    for (std::size_t j = 0; j < 6; ++j) sum += factor[i][j] * factor[k][j];
-    solid.voigt[i][k] = solid.voigt[k][i] = sum;
-  }
-  return solid;
 }
 
 /// Draws a triclinic solid, a monoclinic one about x3 or an orthotropic one, with moduli over one decade or three, sometimes
@@ -90,13 +57,13 @@ data::Stiffness draw_stiffness(Random& random) {
     const bool in_plane[] = {true, true, true, false, false, true};  // parity in x3
     return symmetry == 1 ? in_plane[i] == in_plane[k] : i < 3 && k < 3;
   };
-  Factor factor{};
+  data::Stiffness::Voigt factor{};
   for (std::size_t i = 0; i < 6; ++i) {
     const double size = random.log_uniform(1, spread);
     for (std::size_t k = 0; k <= i; ++k)
       factor[i][k] = !is_coupled(i, k) ? 0 : i == k ? size : size * random.uniform(-0.6, 0.6);
   }
-  return squared(factor, random.log_uniform(0.5, 20));
+  return {data::Stiffness::squared(factor), random.log_uniform(0.5, 20)};
 }
 
 /// Replaces a solid that does not exist, to which a step of the audit's search may lead.
@@ -162,11 +129,11 @@ data::Stiffness draw_mild_stiffness(Random& random) {
   const data::Stiffness isotropic =
       data::Stiffness::of(data::IsotropicSolid{random.log_uniform(1, 100), random.uniform(0, 0.4), 1});
   const double size = 0.15 * std::sqrt(isotropic.voigt[5][5]);
-  Factor factor{};
+  data::Stiffness::Voigt factor{};
   for (auto& row : factor)
     for (double& entry : row) entry = random.uniform(-size, size);
-  data::Stiffness solid = squared(factor, random.log_uniform(0.5, 20));
-  for (const auto& [i, k] : places)
+  data::Stiffness solid{data::Stiffness::squared(factor), random.log_uniform(0.5, 20)};
+  for (const auto& [i, k] : data::upper_triangle)
     solid.voigt[k][i] = solid.voigt[i][k] = solid.voigt[i][k] + isotropic.voigt[i][k];
   return solid;
 }

@@ -33,9 +33,7 @@ StrohSolid transverse_solid(Arguments x) {
 /// The solid of the upper triangle of Voigt's matrix row by row, which begins with c11.
 StrohSolid any_solid(Arguments x) {
   StrohSolid solid{{}, x["density"]};
-  auto modulus = x.from("c11").begin();
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *modulus++;
+  data::set_symmetric(solid.voigt, x.from("c11").begin());
   return solid;
 }
 

@@ -40,8 +40,8 @@ TEST_CASE("materials and solids: constants by default are the seed's, and keys a
   const verify::Point point = verify::point_of(any, {});
   const auto epoxy = data::Stiffness::of(data::seed::graphite_epoxy, data::SymmetryAxis::in_plane).voigt;
   std::size_t next = verify::argument_number(any.arguments, "c11");
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) CHECK(point[next++] == doctest::Approx(epoxy[i][k]).epsilon(1e-15));
+  for (const auto& [i, k] : data::upper_triangle)
+    CHECK(point[next++] == doctest::Approx(epoxy[i][k]).epsilon(1e-15));
   for (const verify::Quantity& quantity : verify::catalogue()) {
     for (const verify::Argument& argument : verify::written_arguments(quantity)) {
       const std::string table = argument.name == "solid" ? "half_space." : "material.";
