@@ -14,9 +14,9 @@ namespace {
 /// Sheet thicknesses.
 double longest_proven(data::Friction friction) { return friction == data::Friction::full ? 4 : 80; }
 
-mpq_class beta_of(const data::ElasticMaterial& material) {
-  const mpq_class poisson = material.poisson;
-  return (1 - 2 * poisson) / (2 * (1 - poisson));
+/// theta2/N
+Exact beta_of(const data::ElasticMaterial& material) {
+  return Exact(ThetaShares(Exact(material.poisson)).theta2);
 }
 
 NipTask task_of(const data::ElasticNip& nip, int digits) {
@@ -27,12 +27,10 @@ NipTask task_of(const data::ElasticNip& nip, int digits) {
 }
 
 ConvergedNip::Parts parts_of(const data::ElasticNip& nip, data::Friction friction, int digits) {
-  const mpq_class poisson = nip.material.poisson, young = nip.material.young;
-  const mpq_class compliance = 2 * (1 - poisson) * (1 + poisson) / young, beta = beta_of(nip.material);
+  const mpq_class compliance = normal_compliance(Exact(nip.material.young), Exact(nip.material.poisson));
   const WorkingDigits working(SolvedNip::working_digits(digits, 0));
   return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance),
-          beta,
-          std::make_shared<ElasticSheet>(friction == data::Friction::full, to_float(Exact(beta))),
+          std::make_shared<ElasticSheet>(friction == data::Friction::full, to_float(beta_of(nip.material))),
           digits};
 }
 
@@ -43,7 +41,7 @@ int proven_terms(const data::ElasticNip& nip, data::Friction friction, double co
   const double half_length = task_of(nip, digits).half_length(contact_length).approximate();
   if (half_length > longest_proven(friction)) return 0;
   const int terms = friction == data::Friction::full
-                        ? proven_gripped_terms(half_length, beta_of(nip.material).get_d(), digits)
+                        ? proven_gripped_terms(half_length, beta_of(nip.material).approximate(), digits)
                         : proven_elastic_terms(half_length, digits);
   return terms <= most_terms ? terms : 0;
 }
@@ -62,8 +60,8 @@ ConvergedNip converged_for_length(const data::ElasticNip& nip, data::Friction fr
   parts.half_length = half_length;
   if (proven_terms(nip, friction, contact_length, digits, most_terms) > 0) {
     parts.proof = parts.sheet->grips()
-                      ? proven_gripped(half_length, Exact(parts.beta), digits, gripped_kernels())
-                      : proven_elastic(half_length, digits, I1_interval, most_terms);
+                      ? proven_gripped(half_length, beta_of(nip.material), digits, gripped_kernels())
+                      : proven_elastic(half_length, beta_of(nip.material), digits, I1_interval, most_terms);
   }
   return ConvergedNip(std::move(parts));
 }
@@ -81,9 +79,10 @@ ConvergedNip converged_for_load(const data::ElasticNip& nip, data::Friction fric
   // The guess is good to a tenth or so.
   if (is_allowed(0.8 * guess) && is_allowed(1.25 * guess)) {
     parts.proof = parts.sheet->grips()
-                      ? proven_gripped_for_load(wanted, guess, is_allowed, Exact(parts.beta), digits,
+                      ? proven_gripped_for_load(wanted, guess, is_allowed, beta_of(nip.material), digits,
                                                 gripped_kernels(), most_terms)
-                      : proven_elastic_for_load(wanted, guess, is_allowed, digits, I1_interval, most_terms);
+                      : proven_elastic_for_load(wanted, guess, is_allowed, beta_of(nip.material), digits,
+                                                I1_interval, most_terms);
   }
   if (!parts.proof) {
     const WorkingDigits working(parts.working_digits());

@@ -7,10 +7,11 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
-#include <nipref/ref/nip/internal/thesis_creep.hpp>
 #include <nipref/ref/number/internal/enclosed_system.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
-#include <nipref/ref/sheet/internal/kernel_over.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+#include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -34,17 +35,36 @@ Interval interval_over(const Lengths& lengths) {
   return interval_of(lengths.length).widened(interval_of(abs(lengths.length) * lengths.spread));
 }
 
-/// N = theta1 + theta2.
-Interval compliance_of(const data::ElasticNip& nip) {
-  const mpfr_prec_t precision = working_bits();
-  const Interval poisson(nip.material.poisson, precision);
-  return 2 * (1 - poisson) * (poisson + 1L) / Interval(nip.material.young, precision);
-}
-
 /// theta2/N I2 of a positive distance.
 Interval theta2_part(const data::ElasticNip& nip) {
-  const Interval poisson(nip.material.poisson, working_bits());
-  return (1 - 2 * poisson) / (4 * (1 - poisson)) * Interval::pi(working_bits());
+  const Interval share(ThetaShares(Exact(nip.material.poisson)).theta2, working_bits());
+  return share / 2 * Interval::pi(working_bits());
+}
+
+/// What displacements have of loads over kernels.
+Interval compliance_over_pi(const data::ElasticNip& nip) {
+  const Exact young(nip.material.young), poisson(nip.material.poisson);
+  return Interval(normal_compliance(young, poisson), working_bits()) / Interval::pi(working_bits());
+}
+
+Enclosure kernel_at(PlainKernel kernel, const Exact& alpha, int digits) {
+  if (kernel == PlainKernel::I1) return I1(alpha, digits);
+  return kernel == PlainKernel::I3 ? I3(alpha, digits) : I6(alpha, Exact(0.0), digits);
+}
+
+/// Contains the values of I1, I3 or I6_alpha_part on an interval of arguments. Its width is about 10^-digits plus the effect
+/// of the argument's width, |alpha dI/dalpha| < 2 (1 + |alpha|). residue_terms is 0, or the number of terms of
+/// plain_series(), which then replaces the kernel.
+Interval kernel_over(PlainKernel kernel, const Interval& alpha, int residue_terms, int digits) {
+  if (sign_of(alpha) == 0)
+    throw BadInput("y", mpfi_get_d(alpha.get()), "must not be the place of a line load");
+  if (residue_terms > 0) return plain_series(kernel, alpha, residue_terms);
+  const Interval size = abs(alpha), slope = 2 * (size + 1L) / size;
+  const Float middle = middle_of(alpha);
+  const Enclosure value = kernel_at(kernel, to_exact(middle), digits);
+  return interval_of(value.value, alpha.precision())
+      .widened(interval_of(value.error))
+      .widened(slope * distance_from(middle, alpha));
 }
 
 /// A kernel at the odd multiples 1, 3 .. 4m - 1 of half an element over half a sheet.
@@ -109,12 +129,8 @@ NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths,
 }
 
 /// N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter of a shear load.
-struct LoadedSheet {
-  data::ElasticNip nip;
-  int residue_terms, digits;
-
-  [[nodiscard]] Interval displacement(const SolvedLineLoads& loads, std::size_t load,
-                                      const LineLoadPlace& place, bool is_normal) const {
+UnderLoad displacement_by(const data::ElasticNip& nip, int residue_terms, int digits) {
+  return [=](const SolvedLineLoads& loads, std::size_t load, const LineLoadPlace& place, bool is_normal) {
     const mpfr_prec_t bits = working_bits();
     const Interval alpha = 2 * loads.distance(load, place) / Interval(nip.sheet_thickness, bits);
     const auto kernel = [&](PlainKernel which) { return kernel_over(which, alpha, residue_terms, digits); };
@@ -125,15 +141,9 @@ struct LoadedSheet {
     Interval sum = loads.normal[load] * (is_normal ? kernel(PlainKernel::I1) : coupling());
     if (!loads.shear.empty())
       sum = sum + loads.shear[load] * (is_normal ? -coupling() : kernel(PlainKernel::I6_alpha_part));
-    return compliance_of(nip) / Interval::pi(bits) * sum;
-  }
-  [[nodiscard]] UnderLoad under_load(bool is_normal) const {
-    return [sheet = *this, is_normal](const SolvedLineLoads& loads, std::size_t load,
-                                      const LineLoadPlace& place) {
-      return sheet.displacement(loads, load, place, is_normal);
-    };
-  }
-};
+    return compliance_over_pi(nip) * sum;
+  };
+}
 
 /// The loads of both sides, from those of one times N/pi.
 std::vector<Interval> both_sides(const Interval& unit, std::span<const Interval> side, long sign) {
@@ -146,9 +156,8 @@ std::vector<Interval> both_sides(const Interval& unit, std::span<const Interval>
 SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const EnclosedSolutions& solved,
                            const std::vector<Interval>& unknowns, int digits) {
   const auto m = static_cast<std::size_t>(problem.elements());
-  const Interval unit = Interval::pi(working_bits()) / compliance_of(problem.nip);
+  const Interval unit = 1 / compliance_over_pi(problem.nip);
   const std::span loads = std::span(unknowns).subspan(1);
-  const LoadedSheet sheet{problem.nip, problem.method.residue_terms, digits};
   return {.roller_radius = problem.nip.roller_radius,
           .leading_elements = problem.elements(),
           .is_symmetric = true,
@@ -159,8 +168,7 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
           .error = solved.error / solved.largest,
           .condition = solved.condition,
           .unknowns = static_cast<int>(unknowns.size()),
-          .normal_under = sheet.under_load(true),
-          .tangential_under = sheet.under_load(false)};
+          .under = displacement_by(problem.nip, problem.method.residue_terms, digits)};
 }
 
 /// Nothing if the precision does not suffice to prove a bound, or which creep is the thesis's.

@@ -33,8 +33,8 @@ Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& di
   const Vector vector = vectors.col(number);
   const Float eigenvalue = eigen.eigenvalues()(number);
   const Float residual = (matrix * vector - eigenvalue * vector).norm() / vector.norm();
-  const Float modulus = to_float(Exact(solid.voigt[2][2]));
-  const Float density = to_float(Exact(solid.density));
+  const Float modulus = to_float(solid.voigt[2][2]);
+  const Float density = to_float(solid.density);
   const Float speed = sqrt(eigenvalue * modulus / density);
   // The speed has half the relative error of the eigenvalue, rounding included.
   const Float rounding = matrix.norm() * pow(Float(2), 16 - static_cast<long>(precision));

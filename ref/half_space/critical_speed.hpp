@@ -14,16 +14,14 @@ namespace nipref::ref {
 /// powers of ten or the surface wave is close to the limiting speed; "digits" unless 16 <= digits <= 1000.
 
 /// The limiting speed: the smallest at which a root s of Stroh's sextic is real, density v^2 cos^2(psi - theta) = min
-/// over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Both bounds are proven: the upper one
-/// is a Rayleigh quotient, the lower one a speed at which the impedance exists (see impedance.hpp). Horizontally
-/// polarised waves count, even where they do not contribute to the normal response; see sagittal_stiffness.
+/// over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Proven: ref/half_space/README.md, Speeds of
+/// lines. Horizontally polarised waves count, even without a part in the normal response; see sagittal_stiffness.
 Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                          const SurfaceDirection& psi, int digits);
 
-/// The speed of the surface wave, at which det M = 0 and the compliance has its pole. It is proven by opposite signs
-/// of det M in interval arithmetic; there is only one, since M decreases with the speed and never has two negative
-/// eigenvalues. Nothing if, to these digits, no such wave is slower than the limiting speed. In directions next to
-/// one in which the limiting wave itself has a traction-free surface, the two speeds are arbitrarily close.
+/// The speed of the surface wave, at which det M = 0 and the compliance has its pole. Proven: the same page. Nothing if, to
+/// these digits, no such wave is slower than the limiting speed; next to directions in which the limiting wave itself has a
+/// traction-free surface the two are arbitrarily close.
 std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                                             const SurfaceDirection& psi, int digits);
 

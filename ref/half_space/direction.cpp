@@ -19,8 +19,7 @@ SurfaceDirection::SurfaceDirection(const Exact& cosine, const Exact& sine)
 
 SurfaceDirection SurfaceDirection::of_degrees(const Exact& degrees) {
   return SurfaceDirection(std::function<Cosines(mpfr_prec_t)>([degrees](mpfr_prec_t precision) {
-    const Interval angle =
-        Interval(Exact(mpq_class(degrees.value() / 180)), precision) * Interval::pi(precision);
+    const Interval angle = Interval(mpq_class(degrees.value() / 180), precision) * Interval::pi(precision);
     return Cosines{cos(angle), sin(angle)};
   }));
 }

@@ -72,7 +72,7 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
       const auto impedance = surface_impedance(matrices);
       if (!impedance) continue;
       const auto n = psi.at(precision);
-      found = components(hermitian_inverse(*impedance), n, Interval(Exact(solid.voigt[2][2]), precision));
+      found = components(hermitian_inverse(*impedance), n, Interval(solid.voigt[2][2], precision));
       if (!are_narrow(*found, digits)) continue;
       if (with_decay) decay = decay_of(matrices, *impedance, n);
       return found->front();

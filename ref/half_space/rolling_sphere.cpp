@@ -53,19 +53,6 @@ Float oscillating_moment(const Float& index, int digits) {
   });
 }
 
-/// The factor in force = factor span^3, in the unit of stress of `lines`. (brock2012 54)
-Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, double radius,
-                    int digits, int working) {
-  const Float along = RollingLine(lines, Exact(0.0)).stiffness;
-  const auto [fine, coarse] = half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
-    const RollingLine line(lines, degrees);
-    const Float ratio = along / line.stiffness;
-    return ratio * ratio * oscillating_moment(line.index, working);
-  });
-  const Float unit = along / (4 * Float(radius));
-  return {unit * fine, unit * coarse};
-}
-
 template <class Of>
 Estimate of_rolling_lines(const SurfaceAnswer& surface, int digits, const Of& of) {
   return of_lines(surface, digits, of, cancelled_digits);
@@ -132,14 +119,20 @@ struct RollingSphere::Implementation final : ScaledContact {
   [[nodiscard]] Float ratio(const Exact& degrees) const override {
     return RollingLine(lines(), Exact(0.0)).stiffness / RollingLine(lines(), degrees).stiffness;
   }
+  /// (brock2012 54)
   [[nodiscard]] Levels integrated() const override {
-    const auto [degrees, width] = peak_of_compliance(surface);
-    const CrowdedDirections directions(Exact(degrees), width, 1);
-    const Levels found = force_factor(lines(), directions, radius, digits, working);
-    if (std::holds_alternative<data::GivenNormalForce>(load) && !(found.fine > Float(0)))
+    const auto [peak, width] = peak_of_compliance(surface);
+    const Float along = RollingLine(lines(), Exact(0.0)).stiffness, unit = along / (4 * Float(radius));
+    const auto [fine, coarse] =
+        half_turn_integral(digits, {Exact(peak), width, 1}, [&](const Exact& degrees) -> Float {
+          const RollingLine line(lines(), degrees);
+          const Float share = along / line.stiffness;
+          return share * share * oscillating_moment(line.index, working);
+        });
+    if (std::holds_alternative<data::GivenNormalForce>(load) && !(fine > Float(0)))
       throw data::BadInput("speed", "(near the Rayleigh speed)",
                            "must be farther below it: here the tractions pull");
-    return found;
+    return {unit * fine, unit * coarse};
   }
   /// The traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the amplitude. An error of
   /// the ends changes the root in the amplitude and the phase.

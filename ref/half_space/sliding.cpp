@@ -15,7 +15,7 @@ namespace {
 /// The cosine of an angle in degrees, exactly 0 at 90 degrees.
 Float cosine(const Exact& degrees) {
   mpq_class from_90 = 90 - abs(degrees.value());
-  return sin(to_float(Exact(from_90)) * pi() / 180);
+  return sin(to_float(from_90) * pi() / 180);
 }
 
 Float sine(const Exact& degrees) { return sin(to_float(degrees) * pi() / 180); }
@@ -109,63 +109,6 @@ Float curvature_of(const Indenter& body, const Exact& degrees) {
   return to_float(body.along) * c * c + to_float(body.across) * s * s;
 }
 
-/// The integrand has singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to
-/// tan = i friction S/K.
-CrowdedDirections directions_for(const WorkingSurface& surface, const Exact& friction,
-                                 const PeakOfCompliance& peak, const Indenter& body) {
-  const Float slenderness = sqrt(to_float(body.along) / to_float(body.across)), width = peak.width;
-  const Float sheared = abs(SlidingLine(surface, friction, Exact(0.0)).shear_over_K);
-  return {Exact(peak.degrees), std::min(width, slenderness), std::max({Float(1), slenderness, sheared})};
-}
-
-/// L(psi)/L(0).
-Float span_ratio_of(SpanRule rule, const SlidingLine& along, const SlidingLine& line, const Indenter& body,
-                    const Exact& degrees) {
-  const Float relative = to_float(body.along) / curvature_of(body, degrees);
-  if (rule == SpanRule::similar_contour) return sqrt(relative);
-  return relative * along.Q() / along.h * line.h / line.Q();
-}
-
-using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
-/// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
-/// L(psi)/L(0) and stresses have the unit of `lines`. The moments are for span 1; on a line of span L and curvature C
-/// the pressure is (C/h) L times theirs.
-Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& directions,
-                         const Exact& friction, const Indenter& body, SpanRule rule, int digits, int working,
-                         int power, const LineWeight& weight) {
-  const SlidingLine along(lines, friction, Exact(0.0));
-  // Without friction the moment is the same on all lines.
-  const LineMoment moment_along = line_moment(along, power, working);
-  return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
-    const SlidingLine line(lines, friction, degrees);
-    const Float curvature = curvature_of(body, degrees);
-    const Float span = span_ratio_of(rule, along, line, body, degrees);
-    const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power, working);
-    return curvature * pow(span, power + 2) / line.h * weight(moment, degrees);
-  });
-}
-
-/// The factor in force = factor span^3.
-Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
-                    const Indenter& body, SpanRule rule, int digits, int working) {
-  return pressure_integral(
-      lines, directions, friction, body, rule, digits, working, 1,
-      [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
-}
-
-/// The factor in moment = factor span^4 for the integral of pressure |x|, or for its sum with the pressure's first
-/// moment in a direction. Unlike the moment alone the sum does not vanish, so that it can be integrated to a relative
-/// error.
-Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
-                     const Indenter& body, SpanRule rule, int digits, int working,
-                     const std::function<Float(const Exact& degrees)>& component, bool with_moment) {
-  return pressure_integral(
-      lines, directions, friction, body, rule, digits, working, 2,
-      [&](const LineMoment& moment, const Exact& degrees) -> Float {
-        const Float all = moment.front + moment.back;
-        return with_moment ? Float(all + (moment.front - moment.back) * component(degrees)) : all;
-      });
-}
 }  // namespace
 
 Estimate sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
@@ -186,15 +129,7 @@ Estimate sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction,
 }
 
 Estimate sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits) {
-  check_friction(friction);
-  return with_digits(digits, [&](int working) {
-    const WorkingSurface lines(surface, working);
-    const Indenter unit{Exact(1.0), Exact(1.0)};
-    const CrowdedDirections directions = directions_for(lines, friction, peak_of_compliance(surface), unit);
-    const auto [fine, coarse] =
-        force_factor(lines, directions, friction, unit, SpanRule::stationary_force, digits, working);
-    return estimated(fine, abs(fine - coarse), digits);
-  });
+  return SlidingContact(surface, {Exact(1.0), Exact(1.0)}, friction, data::GivenSpan{1}, digits).force();
 }
 
 struct SlidingContact::Implementation final : ScaledContact {
@@ -209,26 +144,34 @@ struct SlidingContact::Implementation final : ScaledContact {
         friction(std::move(coefficient)),
         rule(by_rule) {}
 
+  [[nodiscard]] SlidingLine line_at(const Exact& degrees) const { return {lines(), friction, degrees}; }
   [[nodiscard]] Float ratio(const Exact& degrees) const override {
-    const SlidingLine along(lines(), friction, Exact(0.0)), line(lines(), friction, degrees);
-    return span_ratio_of(rule, along, line, body, degrees);
+    return ratio(line_at(Exact(0.0)), line_at(degrees), degrees);
+  }
+  /// L(psi)/L(0).
+  [[nodiscard]] Float ratio(const SlidingLine& along, const SlidingLine& line, const Exact& degrees) const {
+    const Float relative = to_float(body.along) / curvature_of(body, degrees);
+    if (rule == SpanRule::similar_contour) return sqrt(relative);
+    return relative * along.Q() / along.h * line.h / line.Q();
   }
   /// The peak pressure over the span.
   [[nodiscard]] Float steepness_of(const SlidingLine& line, const Exact& degrees) const {
     return ldexp(curvature_of(body, degrees) * line.Q() / line.h, exponent);
   }
-  [[nodiscard]] CrowdedDirections directions() const {
-    return directions_for(lines(), friction, peak_of_compliance(surface), body);
-  }
   [[nodiscard]] Levels integrated() const override {
-    return force_factor(lines(), directions(), friction, body, rule, digits, working);
+    return pressure_integral(
+        1, [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
   }
-  /// The coordinate of the centre of pressure in the direction that has these components along the lines.
+  /// The coordinate of the centre of pressure in the direction that has these components along the lines. The moment is the
+  /// difference of its sum with the integral of pressure |x|, which unlike itself does not vanish, so that it can be
+  /// integrated to a relative error, and that integral.
   [[nodiscard]] Estimate centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
-    const CrowdedDirections crowded = directions();
     const auto integral = [&](bool with_moment) {
-      return moment_factor(lines(), crowded, friction, body, rule, digits, working, component, with_moment);
+      return pressure_integral(2, [&](const LineMoment& moment, const Exact& degrees) -> Float {
+        const Float all = moment.front + moment.back;
+        return with_moment ? Float(all + (moment.front - moment.back) * component(degrees)) : all;
+      });
     };
     const Levels both = integral(true), size = integral(false);
     const Float fine = ldexp(both.fine - size.fine, exponent),
@@ -244,6 +187,28 @@ struct SlidingContact::Implementation final : ScaledContact {
                         tolerance(digits + 6) * abs(span);
     return {result.value, error, digits};
   }
+
+ private:
+  using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
+  /// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
+  /// L(psi)/L(0), in the lines' unit of stress: a factor of span^(power + 2). The moments are for span 1; on a line of span L
+  /// and curvature C the pressure is (C/h) L times theirs.
+  [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
+    const SlidingLine along = line_at(Exact(0.0));
+    // There are singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to tan = i friction S/K.
+    const auto [peak, width] = peak_of_compliance(surface);
+    const Float slenderness = sqrt(to_float(body.along) / to_float(body.across));
+    const CrowdedDirections directions(Exact(peak), std::min(Float(width), slenderness),
+                                       std::max({Float(1), slenderness, Float(abs(along.shear_over_K))}));
+    // Without friction the moment is the same on all lines.
+    const LineMoment moment_along = line_moment(along, power, working);
+    return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
+      const SlidingLine line = line_at(degrees);
+      const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power, working);
+      return curvature_of(body, degrees) * pow(ratio(along, line, degrees), power + 2) / line.h *
+             weight(moment, degrees);
+    });
+  }
 };
 
 SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
@@ -252,7 +217,7 @@ SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, cons
   implementation_ =
       std::make_shared<const Implementation>(std::move(surface), body, friction, load, digits, rule);
   const WorkingDigits scope(implementation_->working);
-  (void)SlidingLine(implementation_->lines(), friction, Exact(0.0));  // which refuses too large a friction
+  (void)implementation_->line_at(Exact(0.0));  // which refuses too large a friction
 }
 
 Estimate SlidingContact::span_ratio(const Exact& degrees) const {
@@ -264,7 +229,7 @@ Estimate SlidingContact::peak_pressure() const { return peak_pressure(Exact(0.0)
 
 Estimate SlidingContact::peak_pressure(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
-  const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
+  const SlidingLine line = implementation_->line_at(degrees);
   const Float steepness = implementation_->steepness_of(line, degrees),
               ratio = implementation_->ratio(degrees);
   return implementation_->function_of_span(
@@ -273,7 +238,7 @@ Estimate SlidingContact::peak_pressure(const Exact& degrees) const {
 
 Estimate SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
-  const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;
+  const Float share = implementation_->line_at(degrees).ahead;
   const Float ratio = implementation_->ratio(degrees);
   return implementation_->function_of_span(
       [&](const Float& along) -> Float { return share * ratio * along; });
@@ -281,7 +246,7 @@ Estimate SlidingContact::leading_end(const Exact& degrees) const {
 
 Estimate SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
-  const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
+  const SlidingLine line = implementation_->line_at(degrees);
   const Float &lead = line.ahead, &trail = line.behind;
   const Float ratio = implementation_->ratio(degrees);
   const Float there = to_float(x), steepness = implementation_->steepness_of(line, degrees);

@@ -29,7 +29,7 @@ struct DampedWave {
     const mpq_class turn = std::max<mpq_class>(rate, abs(frequency)) * length;
     const double lost = turn == 0 ? 0 : std::max(0.0, -Exact(turn).log2_magnitude());
     const mpfr_prec_t bits = bits_for(nats) + static_cast<mpfr_prec_t>(lost);
-    const auto exactly = [&](const mpq_class& x) { return Interval(Exact(x), bits); };
+    const auto exactly = [&](const mpq_class& x) { return Interval(x, bits); };
     const ComplexInterval largest = exp(ComplexInterval{-exactly(decay), exactly(angle)});
     if (turn == 0) return exactly(length) * largest;
     const ComplexInterval z{exactly(rate), -exactly(frequency)}, one{exactly(1), exactly(0)};
@@ -147,8 +147,8 @@ Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const
   if (!forgets && unfading == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
     const mpfr_prec_t bits = bits_for(nats);
-    if (!forgets) return Interval(Exact(unfading), bits);
-    return Interval(Exact(at_once), bits) +
+    if (!forgets) return Interval(unfading, bits);
+    return Interval(at_once, bits) +
            Interval(gamma, bits) * sign_memory(lambda.value(), t.value(), T.value(), nats);
   });
 }

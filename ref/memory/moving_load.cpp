@@ -52,7 +52,7 @@ Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int res
 }
 
 Interval rational(const mpq_class& value, double nats) {
-  return {Exact(value), working_precision(std::max(nats, 40.0), 1) + 64};
+  return {value, working_precision(std::max(nats, 40.0), 1) + 64};
 }
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
@@ -168,7 +168,7 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
   }
   Interval sum(64);
   for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
-    const Interval unit = 1 / Interval(Exact(travel_rate), rate.real.precision());
+    const Interval unit = 1 / Interval(travel_rate, rate.real.precision());
     const ComplexInterval over_distance = unit * amplitude;
     const double needed = std::max(nats + ln_size(over_distance) + 4, 40.0);
     sum = sum + (over_distance * history(kernel, path, {unit * rate}, needed, 0)).real;
@@ -189,12 +189,12 @@ KernelBounds bounds_of(Kernel kernel, const mpq_class& nearest, const mpq_class&
   if (kernel == Kernel::I1 && residue_terms == 0) {
     const bool is_near = nearest < 1;
     return {is_near ? 3 - log(distance) : Interval(3L, bits), 1 / distance + 2, Interval(8L, bits),
-            8 * Interval(Exact(rate), bits)};
+            8 * Interval(rate, bits)};
   }
   const long n = residue_terms;
   const Interval size(n > 0 ? 7 * n + 1 : 4, bits), terms(n, bits);
   const Interval slope = kernel == Kernel::I2 ? Interval(bits) : n > 0 ? 13 * terms * sqrt(terms) : size;
-  return {size, slope, size * Interval(Exact(way), bits), size};
+  return {size, slope, size * Interval(way, bits), size};
 }
 
 /// theta * I(path), without the sheet's 1/pi.
@@ -249,7 +249,7 @@ struct Part {
       const Interval first = kernel == Kernel::I1 ? bounds(*path.start, error.start, 0).size
                                                   : now.size;  // the others are bounded
       sum = sum + rational(amplitude, 0) * ((now.size + now.faded) * moved + first * started +
-                                            3 * Interval(Exact(share), bits) * now.memory);
+                                            3 * Interval(share, bits) * now.memory);
     }
     return sum;
   }

@@ -196,8 +196,8 @@ SurfacePoint ConvergedNip::Parts::place(double y) const {
   const mpq_class distance = mpq_class(y) / units.length;
   // Exact where the ends are.
   const Interval ahead = sheet->is_symmetric() && half_length
-                             ? Interval(Exact(mpq_class(distance / half_length->value())), working_bits())
-                             : (Interval(Exact(distance), working_bits()) - of.offset()) / of.half_length();
+                             ? Interval(mpq_class(distance / half_length->value()), working_bits())
+                             : (Interval(distance, working_bits()) - of.offset()) / of.half_length();
   const bool is_trailing = mpfr_sgn(ahead.lower()) < 0;
   return {is_trailing ? ahead + 1 : 1 - ahead, is_trailing};
 }
@@ -325,8 +325,7 @@ Estimate ConvergedNip::rolling_resistance() const {
 
 Estimate ConvergedNip::creep_ratio() const {
   const auto proven = [&](const ProvenResults& of) -> std::optional<Interval> {
-    const Interval beta(Exact(parts_->beta), working_bits());
-    const std::optional<Interval> end = of.tangential({Interval(working_bits())}, beta);
+    const std::optional<Interval> end = of.tangential({Interval(working_bits())});
     return end ? std::optional(*end / of.half_length()) : end;
   };
   const auto stretch = [&](const NipSolution& of) -> Float {
@@ -414,10 +413,7 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   parts_->check_place(y);
   if (y == 0) return exact_zero(parts_->digits);
   return parts_->number(
-      &Unit::displacement,
-      [&](const ProvenResults& of) {
-        return of.tangential(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
-      },
+      &Unit::displacement, [&](const ProvenResults& of) { return of.tangential(parts_->place(y)); },
       [&](const NipSolution& of) -> Float {
         return of.tangential(parts_->behind(of, y), parts_->by_panels().kernels()) -
                parts_->tangential_at_middle(of);
@@ -430,9 +426,7 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
 
 Estimate ConvergedNip::surface_strain(double y) const {
   parts_->check_place(y);
-  const auto proven = [&](const ProvenResults& of) {
-    return of.strain(parts_->place(y), Interval(Exact(parts_->beta), working_bits()));
-  };
+  const auto proven = [&](const ProvenResults& of) { return of.strain(parts_->place(y)); };
   if (const auto value = parts_->by_proof(&Unit::slope, proven)) return *value;
   const WorkingDigits working(parts_->working_digits());
   const NipSolution& fine = parts_->fine();

@@ -6,6 +6,7 @@
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/field.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -35,8 +36,7 @@ struct LoadSums {
         if (load.y.error > 0) {
           const Estimate moved = kernel(distance(at_working_precision(load.y.value) + load.y.error), kind);
           const Interval error(Exact(to_exact(load.y.error).value() / half_thickness), bits);
-          here = here.widened(magnitude_of(interval_of(moved) - here) +
-                              square(error) * curvature());
+          here = here.widened(magnitude_of(interval_of(moved) - here) + square(error) * curvature());
         }
         sum = sum + interval_of(force) * here;
         is_proven = is_proven && force.proven && load.y.proven && std::fabs(point.depth) < 1;
@@ -58,8 +58,7 @@ struct LoadSums {
   /// and nothing is proven.
   [[nodiscard]] Interval curvature() const {
     const mpq_class depth = 1 - abs(Exact(point.depth).value());
-    return depth == 0 ? Interval(working_bits())
-                      : 160 / square(square(Interval(Exact(depth), working_bits())));
+    return depth == 0 ? Interval(working_bits()) : 160 / square(square(Interval(depth, working_bits())));
   }
 };
 
@@ -97,8 +96,7 @@ std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad
                                                         double half_thickness,
                                                         const data::ElasticMaterial& material,
                                                         std::span<const InnerPoint> points, int digits) {
-  const Exact poisson(material.poisson);
-  const Exact compliance(2 * (1 - poisson.value() * poisson.value()) / Exact(material.young).value());
+  const Exact poisson(material.poisson), compliance(normal_compliance(Exact(material.young), poisson));
   const Exact inwards(-compliance.value()), middle(0.0);
   const auto displacements = [&](const LoadSums& sum, const InnerPoint& point) -> InnerDisplacements {
     const Exact depth(std::fabs(point.depth));

@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
-#include <nipref/ref/nip/internal/thesis_creep.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -139,9 +138,7 @@ Enclosure LineLoadNip::creep_ratio() const {
   return enclosed([&](const SolvedLineLoads& of) {
     if (of.gripped_creep) return *of.gripped_creep;
     const long leading = 2L * of.leading_elements, all = 2L * of.elements();
-    const auto at = [&](long half_elements) {
-      return of.displacement(of.tangential_under, {0, half_elements});
-    };
+    const auto at = [&](long half_elements) { return of.displacement({0, half_elements}, false); };
     if (of.is_symmetric) return at(leading) / of.length(leading);
     return (at(leading) - at(leading - all)) / of.contact_length;
   });
@@ -192,14 +189,13 @@ Enclosure LineLoadNip::shear(double y) const {
 
 Enclosure LineLoadNip::normal_displacement(double y) const {
   return enclosed(
-      [&](const SolvedLineLoads& of) { return of.displacement(of.normal_under, place_beside_loads(of, y)); });
+      [&](const SolvedLineLoads& of) { return of.displacement(place_beside_loads(of, y), true); });
 }
 Enclosure LineLoadNip::tangential_displacement(double y) const {
   if (y == 0) return exact_zero(digits_);
   return enclosed([&](const SolvedLineLoads& of) {
-    const auto at = [&](const LineLoadPlace& place) { return of.displacement(of.tangential_under, place); };
-    const Interval to_point = at(place_beside_loads(of, y));
-    return of.is_symmetric ? to_point : to_point - at({0, 0});
+    const Interval to_point = of.displacement(place_beside_loads(of, y), false);
+    return of.is_symmetric ? to_point : to_point - of.displacement({0, 0}, false);
   });
 }
 

@@ -24,8 +24,7 @@ double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(raw(result.error))) return -1;
   if (mpfr_cmpabs(raw(result.value), raw(result.error)) <= 0) return HUGE_VAL;
   const double size = std::min(0.0, log2_magnitude(result.value));
-  return (log2_magnitude(result.error) - size) * std::numbers::ln2 +
-         (result.digits + 2) * std::numbers::ln10;
+  return (log2_magnitude(result.error) - size) * std::numbers::ln2 + (result.digits + 2) * std::numbers::ln10;
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ Enclosure exactly(double value, int digits) {
 Enclosure known_number(const mpq_class& value, int digits) {
   if (value == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
-    return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
+    return Interval(value, static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
   });
 }
 

@@ -103,9 +103,9 @@ double Exact::log2_magnitude() const {
          static_cast<double>(numerator_exponent - denominator_exponent);
 }
 
-Float to_float(const Exact& exact) {
+Float to_float(const mpq_class& exact) {
   Float value;
-  mpfr_set_q(raw(value), exact.value().get_mpq_t(), MPFR_RNDN);
+  mpfr_set_q(raw(value), exact.get_mpq_t(), MPFR_RNDN);
   return value;
 }
 

@@ -38,7 +38,8 @@ class Exact {
 };
 
 /// Rounded to the working precision.
-Float to_float(const Exact& exact);
+Float to_float(const mpq_class& exact);
+inline Float to_float(const Exact& exact) { return to_float(exact.value()); }
 /// Exactly.
 Exact to_exact(const Float& value);
 

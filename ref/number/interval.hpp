@@ -16,9 +16,10 @@ class Interval {
   }
   Interval(long value, mpfr_prec_t precision) : Interval(precision) { mpfi_set_si(value_, value); }
   Interval(double value, mpfr_prec_t precision) : Interval(precision) { mpfi_set_d(value_, value); }
-  Interval(const Exact& value, mpfr_prec_t precision) : Interval(precision) {
-    mpfi_set_q(value_, value.value().get_mpq_t());
+  Interval(const mpq_class& value, mpfr_prec_t precision) : Interval(precision) {
+    mpfi_set_q(value_, value.get_mpq_t());
   }
+  Interval(const Exact& value, mpfr_prec_t precision) : Interval(value.value(), precision) {}
   /// [lower, upper], rounded outwards.
   Interval(const Float& lower, const Float& upper, mpfr_prec_t precision) : Interval(precision) {
     mpfi_interv_fr(value_, raw(lower), raw(upper));

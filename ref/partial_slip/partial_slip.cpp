@@ -7,6 +7,7 @@
 #include <nipref/ref/nip/internal/converged_parts.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 #include <nipref/ref/partial_slip/partial_slip.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -29,13 +30,6 @@ NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
   return task;
 }
 
-NipUnits slip_units(const data::ElasticNip& nip) {
-  const mpq_class poisson = nip.material.poisson, young = nip.material.young;
-  return {nip.roller_radius, nip.sheet_thickness, mpq_class(2 * (1 - poisson) * (1 + poisson) / young)};
-}
-
-Float float_of(const mpq_class& x) { return to_float(Exact(x)); }
-
 }  // namespace
 
 struct PartialSlipNip::Parts {
@@ -52,14 +46,16 @@ struct PartialSlipNip::Parts {
 
   /// The problem but for the length or load: of Y, q and T change their signs.
   Parts(const data::PartialSlipNip& nip, int the_digits)
-      : units(slip_units(nip)), digits(the_digits), kernels(kernel_digits_of_slip(digits)) {
-    const Float poisson = nip.material.poisson;
-    problem.beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+      : units(nip.roller_radius, nip.sheet_thickness,
+              normal_compliance(Exact(nip.material.young), Exact(nip.material.poisson))),
+        digits(the_digits),
+        kernels(kernel_digits_of_slip(digits)) {
+    problem.beta = to_float(ThetaShares(Exact(nip.material.poisson)).theta2);
     problem.friction = nip.friction_coefficient;
     if (const auto* creep = std::get_if<data::GivenCreep>(&nip.drive))
-      problem.creep = to_float(Exact(creep->creep_ratio, "creep_ratio")) / float_of(units.slope);
+      problem.creep = to_float(Exact(creep->creep_ratio, "creep_ratio")) / to_float(units.slope);
     else
-      problem.shear = -to_float(Exact(given_traction(nip), "force_per_length")) / float_of(units.force);
+      problem.shear = -to_float(Exact(given_traction(nip), "force_per_length")) / to_float(units.force);
   }
 
   static double given_traction(const data::PartialSlipNip& nip) {
@@ -119,7 +115,7 @@ struct PartialSlipNip::Parts {
                                 const Functional& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
     const Float value = functional(fine()), apart = abs(functional(*solved.coarse) - value),
-                in_unit = float_of(unit);
+                in_unit = to_float(unit);
     return {value * in_unit, (2 * apart + scale * (difference + pow(Float(10), -digits - 2))) * in_unit,
             digits};
   }
@@ -140,11 +136,11 @@ struct PartialSlipNip::Parts {
   [[nodiscard]] Functional at(double y, const FunctionalAt& functional) const {
     if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
     return
-        [=, this](const SlipField& of) { return functional(of, of.leading() - y / float_of(units.length)); };
+        [=, this](const SlipField& of) { return functional(of, of.leading() - y / to_float(units.length)); };
   }
   [[nodiscard]] Functional near(double y, const FunctionalAt& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
-    if (!std::isfinite(y) || abs(y / float_of(units.length)) > farthest_slip + size)
+    if (!std::isfinite(y) || abs(y / to_float(units.length)) > farthest_slip + size)
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
     return at(y, functional);
   }
@@ -165,9 +161,9 @@ struct PartialSlipNip::Parts {
     });
     Float reach = 0;
     for (const SlipField::Hump& hump : fine().humps(of))
-      if ((largest.size - hump.size) * float_of(units.pressure) <= 2 * highest.error)
+      if ((largest.size - hump.size) * to_float(units.pressure) <= 2 * highest.error)
         reach = std::max(reach, from_largest(hump));
-    place.error += reach * float_of(units.length);
+    place.error += reach * to_float(units.length);
     return place;
   }
 };
@@ -186,7 +182,7 @@ PartialSlipNip partial_slip_for_load(const data::PartialSlipNip& nip, double loa
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   const WorkingDigits working(working_digits_of_slip(digits));
   auto parts = std::make_unique<PartialSlipNip::Parts>(nip, digits);
-  const Float wanted = load / float_of(parts->units.force);
+  const Float wanted = load / to_float(parts->units.force);
   // The guess is good to a few tens of per cent.
   const double guess = 2 * guessed_half_length(static_cast<double>(wanted), [](double) { return 1; });
   if (!(guess > shortest_slip && guess < 4 * longest_slip)) task.refuse_load(load);

@@ -25,7 +25,7 @@ template <class OverNormal>
 Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& young, const Exact& poisson,
                                const OverNormal& over_normal) {
   const double size = size_nats(young);
-  const Exact normal(mpq_class(2 * (1 + poisson.value()) * (1 - poisson.value()) / young.value()));
+  const Exact normal(normal_compliance(young, poisson));
   return enclose(digits, std::max(0.0, kernel_nats + size), [&](double nats) {
     const double needed = std::max(nats - size, 40.0);
     const Interval value = over_normal(needed);
@@ -36,7 +36,7 @@ Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& youn
 /// us over N.
 Interval us_interval(const ThetaShares& shares, const Exact& alpha, double nats) {
   const Interval I2 = I2_interval(alpha, nats), pi = Interval::pi(working_precision(nats, 1));
-  return (Interval(Exact(shares.theta2), I2.precision()) * I2 - I3_interval(alpha, nats)) / pi;
+  return (Interval(shares.theta2, I2.precision()) * I2 - I3_interval(alpha, nats)) / pi;
 }
 
 Enclosure fixed_point_part(data::SheetLoad load, const Exact& eta, const Exact& poisson, int digits) {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/complex_float.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/roots.hpp>
@@ -54,21 +54,13 @@ Float approximate(long n, mpfr_prec_t precision) {
   return result;
 }
 
-/// The shortest [x - d, x + d], d = 2^k, with h_n < 0 on the left and > 0 on the right.
+/// With h_n < 0 on the left and > 0 on the right.
 Interval bracket(const Float& x, long n) {
-  Float left = zero_of_bits(bits_of(x));
-  Float right = zero_of_bits(bits_of(x));
-  Float distance = zero_of_bits(bits_of(x));
-  const mpfr_exp_t size = mpfr_get_exp(raw(x));
-  for (mpfr_exp_t exponent = size - bits_of(x) + 2; exponent < size - 2; ++exponent) {
-    mpfr_set_ui_2exp(raw(distance), 1, exponent, MPFR_RNDN);
-    mpfr_sub(raw(left), raw(x), raw(distance), MPFR_RNDN);
-    mpfr_add(raw(right), raw(x), raw(distance), MPFR_RNDN);
-    const bool rises =
-        sign_of(residual(interval_of(left), n)) < 0 && sign_of(residual(interval_of(right), n)) > 0;
-    if (rises) return {left, right, bits_of(x)};
-  }
-  throw std::logic_error("Newton's iteration missed the root of the sheet");
+  const WorkingDigits working(digits_of(bits_of(x)));
+  const auto found = proven_bracket(x, ldexp(x, 2 - static_cast<int>(bits_of(x))), x / 4, 2, -1,
+                                    [&](const Float& at) { return sign_of(residual(interval_of(at), n)); });
+  if (!found) throw std::logic_error("Newton's iteration missed the root of the sheet");
+  return *found;
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Sheet sheet_of(const data::ViscoelasticNip& nip, int digits) {
 ConvergedNip::Parts parts_of(const data::ViscoelasticNip& nip, const Sheet& sheet,
                              const std::optional<ProvenMemories>& memories, int digits) {
   const mpq_class compliance = memories ? memories->at_once : to_exact(sheet->material.compliance).value();
-  return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance), 0, sheet, digits};
+  return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance), sheet, digits};
 }
 
 /// contact_at() with the working precision that it takes; nothing where the proof does not reach.

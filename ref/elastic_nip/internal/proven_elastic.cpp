@@ -50,9 +50,10 @@ struct SolvedSystem {
     const Float growth = 2 * sum * sum / c[1];
     return exp(log(load / (pi() * system.half_length() * system.half_length() * c[1])) / growth);
   }
-  [[nodiscard]] Proof proven(const Interval& half_length, const std::shared_ptr<SmoothKernel>& kernel,
+  [[nodiscard]] Proof proven(const Interval& half_length, const Exact& beta,
+                             const std::shared_ptr<SmoothKernel>& kernel,
                              const ContactPrecision& precision) const {
-    return {std::make_shared<const ProvenContact>(system.proven(c, right, half_length), kernel,
+    return {std::make_shared<const ProvenContact>(system.proven(c, right, half_length), beta, kernel,
                                                   precision.kernel * std::numbers::ln10),
             precision.working};
   }
@@ -80,8 +81,8 @@ int proven_elastic_terms(double half_length, int digits) {
   return size_for(half_length, precision_for(half_length, digits, false).expansion);
 }
 
-std::optional<Proof> proven_elastic(const Exact& half_length, int digits, const NormalKernel& kernel,
-                                    int most_terms) {
+std::optional<Proof> proven_elastic(const Exact& half_length, const Exact& beta, int digits,
+                                    const NormalKernel& kernel, int most_terms) {
   const double near = half_length.approximate();
   const int size = proven_elastic_terms(near, digits);
   if (size > most_terms) return std::nullopt;
@@ -89,12 +90,13 @@ std::optional<Proof> proven_elastic(const Exact& half_length, int digits, const 
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
   const SolvedSystem solved(to_float(half_length), size, *smooth);
-  return solved.proven(Interval(half_length, working_bits()), smooth, precision);
+  return solved.proven(Interval(half_length, working_bits()), beta, smooth, precision);
 }
 
 std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
                                              const std::function<bool(double half_length)>& is_allowed,
-                                             int digits, const NormalKernel& kernel, int most_terms) {
+                                             const Exact& beta, int digits, const NormalKernel& kernel,
+                                             int most_terms) {
   const ContactPrecision precision = precision_for(guess, digits, true);
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
@@ -106,9 +108,9 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
       improved_half_length(wanted, near, first_digits - 1, precision.expansion, *smooth), size, *smooth);
   // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
   const Interval here = interval_of(solved.system.half_length());
-  const Interval found = solved.proven(here, smooth, precision).contact->load();
+  const Interval found = solved.proven(here, beta, smooth, precision).contact->load();
   const Interval there = here * sqrt(Interval(load, working_bits()) / found);
-  return solved.proven(hull(here, there), smooth, precision);
+  return solved.proven(hull(here, there), beta, smooth, precision);
 }
 
 }  // namespace nipref::ref

@@ -8,19 +8,18 @@
 namespace nipref::ref {
 
 // The frictionless contact of an elastic sheet, solved and proven so that its results have the requested digits; half
-// lengths are in half-thicknesses. Nothing where an expansion of most_terms does not give them. The kernel is ref's I1,
-// except in tests.
+// lengths are in half-thicknesses, beta = theta2/N. Nothing where an expansion of most_terms does not give them. The kernel
+// is ref's I1, except in tests.
 
-std::optional<Proof> proven_elastic(const Exact& half_length, int digits, const NormalKernel& kernel,
-                                    int most_terms);
+std::optional<Proof> proven_elastic(const Exact& half_length, const Exact& beta, int digits,
+                                    const NormalKernel& kernel, int most_terms);
 
 /// The same for a load. `guess` is an approximation of the half length to a tenth. Nothing, too, where is_allowed does not
-/// hold for the half length to 1e-11.
-///
-/// Only one length carries it, as the load grows at least with the square of the length: ref/elastic_nip/README.md.
+/// hold for the half length to 1e-11. Only one length carries it, as the load grows at least with the square of the length: ref/elastic_nip/README.md.
 std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
                                              const std::function<bool(double half_length)>& is_allowed,
-                                             int digits, const NormalKernel& kernel, int most_terms);
+                                             const Exact& beta, int digits, const NormalKernel& kernel,
+                                             int most_terms);
 
 /// That a contact of given length is expanded in.
 int proven_elastic_terms(double half_length, int digits);

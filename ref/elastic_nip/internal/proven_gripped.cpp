@@ -56,12 +56,6 @@ Interval gripped_coercivity(const Interval& half_length, const Interval& beta) {
   return coercivity(half_length, [&](const Interval& x) { return gripped_stiffness(x, beta); });
 }
 
-Interval sum_of_magnitudes(const std::vector<Interval>& x) {
-  Interval sum(working_bits());
-  for (const Interval& value : x) sum = sum + magnitude_of(value);
-  return sum;
-}
-
 /// What an expansion is computed to, and its size.
 struct GrippedPlan {
   long size;
@@ -115,14 +109,12 @@ class GrippedContact final : public ProvenResults {
     if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
     return edge_displacement_ + square(A_) * (place.before_end * (2 - place.before_end));
   }
-  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place,
-                                                   const Interval& /*beta*/) const override {
+  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place) const override {
     if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
     const Interval away = 2 * square(A_) * creep_ * (1 - place.before_end);
     return place.is_trailing ? -away : away;
   }
-  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place,
-                                               const Interval& /*beta*/) const override {
+  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place) const override {
     if (mpfr_sgn(place.before_end.lower()) < 0) return std::nullopt;
     return 2 * A_ * creep_;
   }

@@ -45,7 +45,7 @@ AcousticMatrices acoustic_matrices(const ExactStiffness& solid, const SurfaceDir
 
 Interval inertia_of(const ExactStiffness& solid, const Exact& speed, const Interval& cosine) {
   const mpq_class factor = solid.density * speed.value() * speed.value() / solid.voigt[2][2];
-  return Interval(Exact(factor), cosine.precision()) * square(cosine);
+  return Interval(factor, cosine.precision()) * square(cosine);
 }
 
 }  // namespace nipref::ref

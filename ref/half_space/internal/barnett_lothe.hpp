@@ -15,11 +15,9 @@ struct Impedance {
 ///
 ///     [S H; -L S^T] = (1/pi) int_0^pi N(phi) dphi,   M = H^{-1} + i H^{-1} S,
 ///
-/// of Stroh's 6x6 matrix N = N(0). They need no roots, so that degenerate (isotropic) solids are no special case. As
-/// N(phi) obeys the addition theorem of the tangent, the trapezoidal rule with 2^k points is k steps of Z <- (Z -
-/// Z^{-1})/2 from Z = N; each step squares the error once 2^k exceeds 1/(smallest Im s). The iteration ends when the
-/// relative change of Z is below `small`, and the error is then about the square of `small`. Nothing if that takes
-/// more than `most_doublings` steps, which means that the speed is too close to the limiting speed or beyond it.
+/// of Stroh's 6x6 matrix N = N(0). As N(phi) obeys the addition theorem of the tangent, the trapezoidal rule with 2^k points
+/// is k steps of Z <- (Z - Z^{-1})/2 from Z = N. They end when the relative change of Z is below `small`, and the error is then
+/// about the square of `small`; nothing if that takes more than `most_doublings`, near the limiting speed and beyond.
 template <class Scalar>
 std::optional<Impedance<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scalar>& q,
                                                          const DenseMatrix<Scalar>& r,

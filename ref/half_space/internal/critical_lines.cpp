@@ -75,7 +75,7 @@ class Landscape {
     for (const double margin : {1e-10, 1e-7, 1e-4}) {
       const double slower = inertia * (1 - 2 * margin);
       if (!is_subcritical(solid_, direction,
-                          [&](mpfr_prec_t precision) { return Interval(Exact(slower), precision); }))
+                          [&](mpfr_prec_t precision) { return Interval(slower, precision); }))
         continue;
       least_ = std::min(least_, speed);
       proven_ = std::min(proven_, (1 - margin) * speed);

@@ -68,7 +68,7 @@ CrowdedDirections::Direction CrowdedDirections::at(long i, long count) const {
   if (share < 0) from_centre = Exact(mpq_class(-from_centre.value()));
   const Exact degrees(mpq_class(centre_.value() + from_centre.value()));
   const Float angle = to_float(degrees) * pi() / 180;
-  const Float across = to_float(Exact(mpq_class(90 - degrees.value()))) * pi() / 180;
+  const Float across = to_float(mpq_class(90 - degrees.value())) * pi() / 180;
   return {degrees, sin(across), sin(angle), smallest_ * slope * 2 * quarter_};
 }
 

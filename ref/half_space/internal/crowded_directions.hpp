@@ -30,9 +30,8 @@ class CrowdedDirections {
 };
 
 /// The direction, in degrees, in which the compliance is largest, and the half width of this peak at half its height,
-/// in radians and at most 1, which is about the distance of the nearest singularity. Both are found by parabolas from
-/// a scan of 1/K in steps of 5 degrees: 1/K is smooth even close to the critical speed. 16 digits of the response
-/// suffice.
+/// in radians and at most 1, which is about the distance of the nearest singularity. By parabolas from a scan of 1/K, which
+/// is smooth even close to the critical speed.
 struct PeakOfCompliance {
   double degrees, width;
 };

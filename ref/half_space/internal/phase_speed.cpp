@@ -54,21 +54,6 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
 /// The least number of bits for which a bracket of the root is below the limiting speed.
 constexpr mpfr_prec_t fewest_bits = 48;
 
-/// [root - d, root + d] with det M > 0 at the left and < 0 at the right, for the smallest d = root 2^-k, k <=
-/// bits, that proves it.
-Interval proven_bracket(const ExactStiffness& solid, const SurfaceDirection& psi, const Float& root,
-                        mpfr_prec_t bits, mpfr_prec_t precision) {
-  for (mpfr_prec_t k = bits; k > bits / 2; k -= 4) {
-    const Float distance = root * power_of_two(-k);
-    const Float left = root - distance;
-    const Float right = root + distance;
-    const auto before = determinant(solid, psi, left, precision);
-    const auto after = determinant(solid, psi, right, precision);
-    if (before && after && sign_of(*before) > 0 && sign_of(*after) < 0) return {left, right, precision};
-  }
-  refuse_proof(psi, surface_wave);
-}
-
 }  // namespace
 
 void refuse_proof(const SurfaceDirection& psi, const char* what) {
@@ -118,7 +103,14 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
   if (!(f(nearest_w) < 0)) return std::nullopt;
   const auto w = bracketed_root(f, Float(1), nearest_w, power_of_two(-bits - 8));
   if (!w) refuse_proof(psi, surface_wave);
-  return proven_bracket(solid, psi, inertia(*w), bits, precision);
+  const Float root = inertia(*w);
+  const auto proven = proven_bracket(root, root * power_of_two(-bits), root * power_of_two(-bits / 2), 16, 1,
+                                     [&](const Float& at) {
+                                       const auto value = determinant(solid, psi, at, precision);
+                                       return value ? sign_of(*value) : 0;
+                                     });
+  if (!proven) refuse_proof(psi, surface_wave);
+  return proven;
 }
 
 bool is_subcritical(const ExactStiffness& solid, const SurfaceDirection& psi,

@@ -14,8 +14,6 @@ namespace {
 
 using Points = std::vector<ComplexInterval>;
 
-Interval rational_interval(const mpq_class& x, mpfr_prec_t bits) { return {Exact(x), bits}; }
-
 ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
 
 /// The divided difference of e^x for points within a distance of 1, by its series. The truncation error is below
@@ -118,7 +116,7 @@ Interval bound_of(const Points& differences, std::size_t roots, const Interval& 
 Points over_last(const Polynomial& numerator, const mpq_class& last, mpfr_prec_t bits) {
   Points result;
   for (const mpq_class& c : numerator)
-    result.push_back({rational_interval(mpq_class(c / last), bits), Interval(bits)});
+    result.push_back({Interval(mpq_class(c / last), bits), Interval(bits)});
   return result;
 }
 
@@ -139,7 +137,7 @@ Points backward_error(const Polynomial& denominator, const Points& roots, mpfr_p
 
 Interval inverse_transform(const Polynomial& numerator, const Polynomial& denominator, const mpq_class& t,
                            mpfr_prec_t bits) {
-  const Interval time = rational_interval(t, bits);
+  const Interval time(t, bits);
   Points roots, faded;
   Interval mu(bits);
   for (const ComplexInterval& root : roots_near(denominator, bits)) {

@@ -42,9 +42,9 @@ data::MaterialFunction in_double(const Compliance& compliance) {
 }  // namespace
 
 Compliance compliance_of(const ExactFunction& theta) {
-  Compliance result{to_float(Exact(theta.instantaneous)), {}};
+  Compliance result{to_float(theta.instantaneous), {}};
   for (const auto& [amplitude, rate] : theta.terms)
-    result.terms.push_back({to_float(Exact(amplitude)), to_float(Exact(rate))});
+    result.terms.push_back({to_float(amplitude), to_float(rate)});
   for (const ExactRatio& fraction : theta.fractions) {
     for (const auto& [amplitude, rate] :
          partial_fractions(fraction.numerator, fraction.denominator, 2 * working_bits())) {

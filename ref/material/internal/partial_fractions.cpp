@@ -12,7 +12,7 @@ ComplexInterval at(const Polynomial& p, const ComplexInterval& z) {
   ComplexInterval value{Interval(bits), Interval(bits)};
   for (std::size_t k = p.size(); k-- > 0;) {
     value = value * z;
-    value.real = value.real + Interval(Exact(p[k]), bits);
+    value.real = value.real + Interval(p[k], bits);
   }
   return value;
 }
@@ -34,7 +34,7 @@ std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bi
   std::vector<Interval> radii;
   Points roots;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const Interval lead = abs(apart(near, i)) * Interval(Exact(mpq_class(abs(last.value()))), bits);
+    const Interval lead = abs(apart(near, i)) * Interval(mpq_class(abs(last.value())), bits);
     if (mpfi_has_zero(lead.get()) > 0) return {};
     radii.push_back(static_cast<long>(near.size()) * (abs(at(denominator, near[i])) / lead));
     roots.push_back({near[i].real.widened(radii[i]), near[i].imag.widened(radii[i])});
@@ -57,7 +57,7 @@ std::vector<OscillatingTerm> partial_fractions(const Polynomial& numerator, cons
   std::vector<OscillatingTerm> terms;
   for (std::size_t i = 0; i < roots->size(); ++i) {
     const ComplexInterval& root = (*roots)[i];
-    const ComplexInterval slope = Interval(Exact(denominator.back()), bits) * apart(*roots, i);
+    const ComplexInterval slope = Interval(denominator.back(), bits) * apart(*roots, i);
     terms.push_back({at(numerator, root) * inverse(slope), -root});
   }
   return terms;

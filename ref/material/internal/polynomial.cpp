@@ -56,7 +56,7 @@ Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
 }
 
 FloatPolynomial::FloatPolynomial(const Polynomial& exact) {
-  for (const mpq_class& c : exact) coefficients.push_back(to_float(Exact(c)));
+  for (const mpq_class& c : exact) coefficients.push_back(to_float(c));
 }
 
 std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z) const {

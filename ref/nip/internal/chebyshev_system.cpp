@@ -174,13 +174,13 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   const long n = size_, rest = is_odd_ ? 2 * n + 1 : 2 * n;  // the first m of the rows that are not computed
   const mpfr_prec_t bits = working_bits();
   std::vector<Interval> c;
-  Interval unknowns(bits), node_sum(bits), sum(bits);  // sum |x_m|
+  Interval unknowns(bits), sum(bits);  // sum |x_m|
   for (long m = 0; m < end(); ++m) {
     c.push_back(interval_of(coefficients[at(m)]));
     unknowns = unknowns + sqrt_of(m) * magnitude_of(c.back());
   }
   const auto [at_nodes, smooth] = applied_to(c);
-  for (const Interval& y : at_nodes) node_sum = node_sum + magnitude_of(y);
+  const Interval node_sum = sum_of_magnitudes(at_nodes);
   for (long m = first(); m < end(); m += 2)
     sum = sum + m * square(c[at(m)] + 2 * smooth[at(m)] / (n * n) - right.coefficients[at(m)]);
   // Arguments of J are rounded; and the system's own half length is not all of the interval.

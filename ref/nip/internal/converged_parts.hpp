@@ -59,7 +59,6 @@ double guessed_half_length(double load, const std::function<double(double half_l
 
 struct ConvergedNip::Parts {
   NipUnits units;
-  mpq_class beta;  ///< theta2 at once over N; of the proof, so only without memory
   SolvedNip::Sheet sheet;
   int digits;
   std::optional<Exact> half_length = std::nullopt;  ///< where it is given

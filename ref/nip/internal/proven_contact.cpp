@@ -51,8 +51,13 @@ Interval I3_over(const Interval& alpha, double nats) {
 
 }  // namespace
 
-ProvenContact::ProvenContact(ProvenExpansion expansion, std::shared_ptr<SmoothKernel> kernel, double nats)
-    : expansion_(std::move(expansion)), offset_(working_bits()), kernel_(std::move(kernel)), nats_(nats) {
+ProvenContact::ProvenContact(ProvenExpansion expansion, const Exact& beta,
+                             std::shared_ptr<SmoothKernel> kernel, double nats)
+    : expansion_(std::move(expansion)),
+      offset_(working_bits()),
+      beta_(beta, working_bits()),
+      kernel_(std::move(kernel)),
+      nats_(nats) {
   const Cosines cosines(2 * size(), working_bits());
   for (long j = 0; j < size(); ++j) {
     const auto sine = [&](long mu) -> const Interval& { return cosines(2 * size() - mu * (2 * j + 1)); };
@@ -152,7 +157,7 @@ Interval ProvenContact::normal_by_pressure(const SurfacePoint& place) const {
 }
 
 /// v pi/(2 A^2).
-Interval ProvenContact::tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const {
+Interval ProvenContact::tangential_by_pressure(const SurfacePoint& place) const {
   const mpfr_prec_t precision = working_bits();
   const Interval pi = Interval::pi(precision);
   const bool inside = is_inside(place);
@@ -174,7 +179,7 @@ Interval ProvenContact::tangential_by_pressure(const SurfacePoint& place, const 
   const Interval smooth = smooth_integral(
       place, [&](const Interval& alpha) { return I3_over(alpha, nats_); },
       2 * (half_length() * (position(place) + 1)));
-  return smooth - pi * beta * between;
+  return smooth - pi * beta_ * between;
 }
 
 Interval ProvenContact::edge_displacement() const {
@@ -201,15 +206,15 @@ std::optional<Interval> ProvenContact::normal(const SurfacePoint& place) const {
   return by_side(place, on_roller, [&](const SurfacePoint& p) { return scale * normal_by_pressure(p); });
 }
 
-std::optional<Interval> ProvenContact::tangential(const SurfacePoint& place, const Interval& beta) const {
+std::optional<Interval> ProvenContact::tangential(const SurfacePoint& place) const {
   if (!reaches(place)) return std::nullopt;
   const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
-  const auto displacement = [&](const SurfacePoint& p) { return scale * tangential_by_pressure(p, beta); };
+  const auto displacement = [&](const SurfacePoint& p) { return scale * tangential_by_pressure(p); };
   const Interval away = by_side(place, displacement, displacement);
   return place.is_trailing ? -away : away;
 }
 
-std::optional<Interval> ProvenContact::strain(const SurfacePoint& place, const Interval& beta) const {
+std::optional<Interval> ProvenContact::strain(const SurfacePoint& place) const {
   if (!reaches(place)) return std::nullopt;
   const Interval t = position(place), pi = Interval::pi(working_bits());
   Interval sum(working_bits());
@@ -222,7 +227,7 @@ std::optional<Interval> ProvenContact::strain(const SurfacePoint& place, const I
   coupling_values_ += 2 * size();
   const Interval by_parts =
       (-(pi * sum) / (2 * size())).widened(expansion_.quadrature_error + pi * expansion_.radius);
-  return 2 * half_length() * by_parts / pi - beta * pressure(place);
+  return 2 * half_length() * by_parts / pi - beta_ * pressure(place);
 }
 
 /// By theta, with d theta: |dp|/(2A) and the difference of its slope are at most sum m |dc_m|.

@@ -44,12 +44,9 @@ class ProvenResults {
   [[nodiscard]] virtual Interval shear(const SurfacePoint& place) const = 0;     ///< the same
   /// Towards the middle plane.
   [[nodiscard]] virtual std::optional<Interval> normal(const SurfacePoint& place) const = 0;
-  /// Along Y; beta = theta2/N.
-  [[nodiscard]] virtual std::optional<Interval> tangential(const SurfacePoint& place,
-                                                           const Interval& beta) const = 0;
+  [[nodiscard]] virtual std::optional<Interval> tangential(const SurfacePoint& place) const = 0;  ///< along Y
   /// Its derivative along the surface, in b/(2R).
-  [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place,
-                                                       const Interval& beta) const = 0;
+  [[nodiscard]] virtual std::optional<Interval> strain(const SurfacePoint& place) const = 0;
   [[nodiscard]] virtual std::optional<Interval> peak_pressure() const = 0;
   [[nodiscard]] virtual std::optional<Interval> peak_pressure_position() const { return {}; }  ///< Y
   [[nodiscard]] virtual std::optional<Interval> peak_shear() const { return {}; }              ///< of |shear|
@@ -62,8 +59,9 @@ class ProvenResults {
 /// (ref/elastic_nip/README.md, Contacts without friction)
 class ProvenContact final : public ProvenResults {
  public:
-  /// Of a sheet without memory: both halves are alike.
-  ProvenContact(ProvenExpansion expansion, std::shared_ptr<SmoothKernel> kernel, double nats);
+  /// Of a sheet without memory: both halves are alike. beta = theta2/N.
+  ProvenContact(ProvenExpansion expansion, const Exact& beta, std::shared_ptr<SmoothKernel> kernel,
+                double nats);
   /// Of a rolling sheet with a memory, of which less is proven.
   ProvenContact(ProvenExpansion expansion, Interval offset, Interval edge_displacement);
 
@@ -79,11 +77,9 @@ class ProvenContact final : public ProvenResults {
   /// With a memory, only in the contact.
   [[nodiscard]] std::optional<Interval> normal(const SurfacePoint& place) const override;
   /// Without memory.
-  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place,
-                                                   const Interval& beta) const override;
+  [[nodiscard]] std::optional<Interval> tangential(const SurfacePoint& place) const override;
   /// By parts and by the same nodes. Without memory.
-  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place,
-                                               const Interval& beta) const override;
+  [[nodiscard]] std::optional<Interval> strain(const SurfacePoint& place) const override;
   [[nodiscard]] std::optional<Interval> peak_pressure() const override;
   [[nodiscard]] std::optional<Interval> peak_pressure_position() const override;
   /// Whether all of these are known to so many digits of their scale.
@@ -104,7 +100,7 @@ class ProvenContact final : public ProvenResults {
   [[nodiscard]] Interval first() const;  ///< c_1
   [[nodiscard]] long size() const { return static_cast<long>(expansion_.coefficients.size()) / 2; }
   [[nodiscard]] Interval normal_by_pressure(const SurfacePoint& place) const;
-  [[nodiscard]] Interval tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const;
+  [[nodiscard]] Interval tangential_by_pressure(const SurfacePoint& place) const;
   [[nodiscard]] Interval pressure_between(const SurfacePoint& place) const;
   [[nodiscard]] std::optional<LargestValue> peak() const;  ///< of p/(2A) by theta
   /// int k(A (t - s)) p/(2A) ds, |k| <= largest.
@@ -113,7 +109,7 @@ class ProvenContact final : public ProvenResults {
                                          const Interval& largest) const;
 
   ProvenExpansion expansion_;
-  Interval offset_;
+  Interval offset_, beta_ = offset_;
   std::shared_ptr<SmoothKernel> kernel_;
   double nats_ = 0;
   mutable long coupling_values_ = 0;

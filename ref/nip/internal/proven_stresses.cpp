@@ -99,8 +99,6 @@ std::optional<StressIntervals> proven_stresses(const ProvenExpansion& pressure, 
   const auto N = static_cast<long>(c.size());
   const Cosines cosines(N, working_bits());
   const Interval from_middle = A * (1 - place.before_end);
-  Interval sizes = zero();
-  for (const Interval& value : c) sizes = sizes + magnitude_of(value);
   for (long i = 0; i < N; ++i) {
     Interval traction = zero();
     for (long m = 1; m < N; ++m)
@@ -116,7 +114,7 @@ std::optional<StressIntervals> proven_stresses(const ProvenExpansion& pressure, 
   // What the rule and the coefficients miss.
   const EntryBounds decay = entry_bounds(A, static_cast<int>(N / 2));
   const Interval height = interval_of(upper_end(A)) * sinh(decay.rate), left = decay.power(N);
-  const Interval missed = 4 * pi * square(A) * sheet_rest(height) * sizes * left / (1 - left) +
+  const Interval missed = 4 * pi * square(A) * sheet_rest(height) * sum_of_magnitudes(c) * left / (1 - left) +
                           (8 * A + pi * square(A) * sheet_rest(zero())) * pressure.radius;
   sum = widened(sum, magnitude_of(missed));
   if (place.is_trailing) sum.shear = -sum.shear;

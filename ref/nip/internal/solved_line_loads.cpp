@@ -7,8 +7,7 @@
 namespace nipref::ref {
 
 Interval SolvedLineLoads::distance(std::size_t load, const LineLoadPlace& place) const {
-  return Interval(Exact(place.distance), working_bits()) +
-         length(place.half_elements - half_elements_to(load));
+  return Interval(place.distance, working_bits()) + length(place.half_elements - half_elements_to(load));
 }
 
 Interval SolvedLineLoads::load() const {
@@ -17,9 +16,9 @@ Interval SolvedLineLoads::load() const {
   return sum;
 }
 
-Interval SolvedLineLoads::displacement(const UnderLoad& under, const LineLoadPlace& place) const {
+Interval SolvedLineLoads::displacement(const LineLoadPlace& place, bool is_normal) const {
   Interval sum(working_bits());
-  for (std::size_t load = 0; load < normal.size(); ++load) sum = sum + under(*this, load, place);
+  for (std::size_t load = 0; load < normal.size(); ++load) sum = sum + under(*this, load, place, is_normal);
   return sum;
 }
 

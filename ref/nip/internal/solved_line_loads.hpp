@@ -9,6 +9,18 @@
 
 namespace nipref::ref {
 
+/// The creep ratio of Grip::Creep::thesis, and the lowest and the highest of those around it that meet the conditions as
+/// well, where the intervals tell these.
+struct ThesisCreep {
+  Interval chosen;
+  std::optional<Interval> lower = {}, upper = {};
+};
+
+/// The loads are at_zero + creep per_creep, the normal ones before as many shear loads. Nothing if there is none, or if the
+/// intervals do not tell which: otherwise it is proven, and goes with the loads continuously. (thesis, section 5.5)
+std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
+                                        const std::vector<Interval>& per_creep);
+
 /// A place Y: a distance, unit of length, and so many half widths of an element from the line through the rollers'
 /// centres.
 struct LineLoadPlace {
@@ -16,9 +28,10 @@ struct LineLoadPlace {
   long half_elements;
 };
 
-/// What the surface of a sheet does under one of the loads of a contact, not at the place of the load.
-using UnderLoad =
-    std::function<Interval(const SolvedLineLoads& loads, std::size_t load, const LineLoadPlace& place)>;
+/// What the surface of a sheet does under one of the loads of a contact, not at the place of the load: towards the middle plane
+/// if `is_normal`, otherwise along Y from a point that is the same for all places.
+using UnderLoad = std::function<Interval(const SolvedLineLoads& loads, std::size_t load,
+                                         const LineLoadPlace& place, bool is_normal)>;
 
 /// All lengths within `spread` of a length, relative.
 struct Lengths {
@@ -38,8 +51,7 @@ struct SolvedLineLoads {
   Float error;      ///< the largest of an unknown over the largest unknown
   Float condition;  ///< of the matrix
   int unknowns;
-  /// Displacements towards the middle plane, and along Y from a point that is the same for all places.
-  UnderLoad normal_under, tangential_under;
+  UnderLoad under;
   int systems = 1;
   std::optional<Interval> gripped_creep = {};
   /// With full friction, of one side from the middle outwards, in any unit: the normal loads and then the shear loads
@@ -59,7 +71,7 @@ struct SolvedLineLoads {
   [[nodiscard]] Interval distance(std::size_t load, const LineLoadPlace& place) const;
   [[nodiscard]] Interval load() const;
   /// Under all loads.
-  [[nodiscard]] Interval displacement(const UnderLoad& under, const LineLoadPlace& place) const;
+  [[nodiscard]] Interval displacement(const LineLoadPlace& place, bool is_normal) const;
   /// No normal load is negative; nothing where the bounds do not tell.
   [[nodiscard]] std::optional<bool> presses_everywhere() const;
 };

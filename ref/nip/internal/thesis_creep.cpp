@@ -1,4 +1,4 @@
-#include <nipref/ref/nip/internal/thesis_creep.hpp>
+#include <nipref/ref/nip/internal/solved_line_loads.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {

@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
 
+#include <nipref/ref/number/internal/float_interval.hpp>
+
 namespace nipref::ref {
 
 /// A root of f between `positive` and `negative`, where f has these signs, by the Illinois form of false
@@ -30,6 +32,18 @@ std::optional<Scalar> bracketed_root(const Function& f, Scalar positive, Scalar 
       if (side < 0) above /= 2;
       side = -1;
     }
+  }
+  return std::nullopt;
+}
+
+/// The first of root -+ distance, distance growing by a factor up to `most`, at whose ends sign(x), which is proven, is as at
+/// the left end of a zero and the opposite: it contains the zero. Nothing if there is none.
+template <class Sign>
+std::optional<Interval> proven_bracket(const Float& root, Float distance, const Float& most, int factor,
+                                       int at_left, const Sign& sign) {
+  for (; distance < most; distance *= factor) {
+    const Float left = root - distance, right = root + distance;
+    if (sign(left) == at_left && sign(right) == -at_left) return Interval(left, right, bits_of(left));
   }
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <vector>
 
 #include <nipref/ref/number/interval.hpp>
 
@@ -40,11 +41,16 @@ inline Float upper_end(const Interval& x) {
   return result;
 }
 
-/// The largest |x|, and the largest distance of x from `centre`, as points.
+/// The largest |x|, the sum of those of several, and the largest distance of x from `centre`, as points.
 inline Interval magnitude_of(const Interval& x) {
   Float value = zero_of_bits(x.precision());
   mpfi_mag(raw(value), x.get());
   return interval_of(value);
+}
+inline Interval sum_of_magnitudes(const std::vector<Interval>& x) {
+  Interval sum(x.front().precision());
+  for (const Interval& value : x) sum = sum + magnitude_of(value);
+  return sum;
 }
 inline Interval distance_from(const Float& centre, const Interval& x) {
   return magnitude_of(x - interval_of(centre));

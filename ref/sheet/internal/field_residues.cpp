@@ -21,8 +21,6 @@ long field_terms_needed(double alpha, double nats) {
   return static_cast<long>(std::ceil(terms));
 }
 
-Interval exactly(const mpq_class& x, mpfr_prec_t precision) { return Interval(Exact(x), precision); }
-
 /// sum of factor c e^{i alpha z} over the terms, c without its 1/2.
 ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at, const SheetPole& pole) {
   const mpfr_prec_t precision = pole.z.real.precision();
@@ -39,7 +37,7 @@ ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at,
         (term.symbol == FieldSymbol::sinh_over_S ? of_sinh : pole.sech) * (term.sinh ? rises : grows);
     if (term.power > 0) next = next * pole.z;
     if (term.power < 0) next = next * inverse(pole.z);
-    const Interval factor = exactly(term.factor, precision);
+    const Interval factor = Interval(term.factor, precision);
     sum = sum + ComplexInterval{factor * next.real, factor * next.imag};
   }
   return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
@@ -68,7 +66,7 @@ Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at
   Interval value = sum;
   if (quarters != 0) {
     const mpfr_prec_t precision = std::max(sum.precision(), working_precision(nats, alpha));
-    value = exactly(mpq_class(quarters / 4), precision) + sum;
+    value = Interval(mpq_class(quarters / 4), precision) + sum;
   }
   const long count = terms + 1;
   Interval tail =

@@ -227,7 +227,7 @@ Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr
     const ClosedForms closed(at, precision);
     Interval sum(precision);
     for (const FieldTerm& term : integrand.terms) {
-      sum = sum + Interval(Exact(term.factor), precision) * closed_term(term, integrand.sine, closed);
+      sum = sum + Interval(term.factor, precision) * closed_term(term, integrand.sine, closed);
     }
     Float width = zero_of_bits(64);
     mpfi_diam_abs(raw(width), sum.get());

@@ -73,7 +73,7 @@ Interval I6_interval(const Exact& alpha, const Exact& eta, double nats) {
   const Exact e = eta.magnitude();
   const mpq_class longer = e.value() - a.value();
   const mpfr_prec_t precision = working_precision(nats, std::abs(longer.get_d()));
-  const Interval growth = Interval::pi(precision) / 4 * Interval(Exact(longer), precision);
+  const Interval growth = Interval::pi(precision) / 4 * Interval(longer, precision);
   return growth + (I1_interval(a, nats) + cheaper_transform(Symbol::I6_alpha, a, nats)) -
          I6_eta_interval(e, nats);
 }

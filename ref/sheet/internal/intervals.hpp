@@ -21,7 +21,12 @@ Interval I7_interval(const Exact& eta, double nats);
 /// transform of 2 cosh z/(z S).
 Interval I6_eta_interval(const Exact& eta, double nats);
 
-/// theta1/N and theta2/N of an elastic sheet.
+/// N = theta1 + theta2 of an elastic sheet, 1/stress.
+inline mpq_class normal_compliance(const Exact& young, const Exact& poisson) {
+  return 2 * (1 + poisson.value()) * (1 - poisson.value()) / young.value();
+}
+
+/// theta1/N and theta2/N.
 struct ThetaShares {
   mpq_class theta1, theta2;
 

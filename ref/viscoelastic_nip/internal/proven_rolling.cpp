@@ -8,6 +8,7 @@
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
@@ -20,7 +21,6 @@ using Intervals = std::vector<Interval>;
 constexpr int most_points = 500;
 constexpr double most_growth = 160;  ///< 2A times the fastest rate
 
-Interval exactly(const mpq_class& x) { return {Exact(x), working_bits()}; }
 Interval zero() { return Interval(working_bits()); }
 Interval upper(const Interval& x) { return interval_of(upper_end(x)); }
 
@@ -49,22 +49,19 @@ std::optional<Interval> zero_between(const Memory& memory, Float low, Float high
     const Float middle = (low + high) / 2;
     (middle_of(memory.compliance(interval_of(middle))) < Float(0) ? low : high) = middle;
   }
-  for (Float apart = ldexp(high, 8 - working_bits()); apart < (to - from) / 4; apart *= 16) {
-    const Float left = high - apart, right = high + apart;
-    if (!(left > from && right < to)) return std::nullopt;
-    if (sign_of(memory.compliance(interval_of(left))) < 0 &&
-        sign_of(memory.compliance(interval_of(right))) > 0)
-      return Interval(left, right, working_bits());
-  }
-  return std::nullopt;
+  return proven_bracket(high, ldexp(high, 8 - working_bits()), (to - from) / 4, 16, -1, [&](const Float& at) {
+    return from < at && at < to ? sign_of(memory.compliance(interval_of(at))) : 0;
+  });
 }
 
 std::optional<Memory> memory_of(const ProvenMemories& memories) {
   Memory memory;
-  const Interval share = exactly(memories.error);
-  for (const ProvenMemory& term : memories.terms) {
-    memory.a.push_back(exactly(term.amplitude).widened(exactly(term.amplitude) * share));
-    memory.r.push_back(exactly(term.rate).widened(exactly(term.rate) * share));
+  const Interval share(memories.error, working_bits());
+  for (const ExactFunction::Term& term : memories.terms) {
+    memory.a.push_back(
+        Interval(term.amplitude, working_bits()).widened(Interval(term.amplitude, working_bits()) * share));
+    memory.r.push_back(
+        Interval(term.rate, working_bits()).widened(Interval(term.rate, working_bits()) * share));
   }
   Float all(0);
   for (const Interval& a : memory.a) all += upper_end(a);
@@ -188,7 +185,7 @@ Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
 
 /// Those of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
 Intervals memory_moments(const Moments& moments, const mpq_class& rate, const Interval& share, double nats) {
-  const Interval r = exactly(rate), A = moments.half_length(), top = upper(A);
+  const Interval r = Interval(rate, working_bits()), A = moments.half_length(), top = upper(A);
   const long n = moments.points();
   // E in cosines.
   Intervals e{A, -A};
@@ -257,7 +254,7 @@ std::optional<Intervals> eliminated(std::vector<Intervals> rows) {
 
 double largest_growth(const ProvenMemories& memories, double half_length) {
   double rate = 0;
-  for (const ProvenMemory& term : memories.terms) rate += term.amplitude.get_d();
+  for (const ExactFunction::Term& term : memories.terms) rate += term.amplitude.get_d();
   if (!memories.terms.empty()) rate += memories.terms.back().rate.get_d();
   return 2 * rate * half_length;
 }
@@ -265,7 +262,7 @@ double largest_growth(const ProvenMemories& memories, double half_length) {
 /// Digits that slow memories cost, whose exponentials are nearly lines.
 double digits_of_slowness(const ProvenMemories& memories, double half_length) {
   double digits = 0;
-  for (const ProvenMemory& term : memories.terms) {
+  for (const ExactFunction::Term& term : memories.terms) {
     const double rate = mpq_class(term.rate + term.amplitude).get_d() * half_length;
     digits += 2 * std::max(0.0, -std::log10(rate));
   }
@@ -293,7 +290,7 @@ std::optional<ProvenMemories> proven_memories(const data::ViscoelasticNip& nip) 
     if (sgn(term.amplitude) < 0 || sgn(term.rate) < 0) return std::nullopt;
     result.terms.push_back({term.amplitude * ways / normal.instantaneous, term.rate * ways});
   }
-  std::ranges::sort(result.terms, {}, &ProvenMemory::rate);
+  std::ranges::sort(result.terms, {}, &ExactFunction::Term::rate);
   return result;
 } catch (const data::BadInput&) {  // complex rates
   return std::nullopt;
@@ -329,9 +326,9 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   const std::size_t n = memory->s.size();
 
   // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each; |moments of M| <= 4.
-  const Interval share = exactly(memories.error);
+  const Interval share(memories.error, working_bits());
   std::vector<Intervals> memories_at, ahead;
-  for (const ProvenMemory& term : memories.terms) {
+  for (const ExactFunction::Term& term : memories.terms) {
     memories_at.push_back(memory_moments(moments, term.rate, share, nats));
     Intervals of_columns;
     for (const BoundedColumn& column : columns)

@@ -3,20 +3,17 @@
 #include <vector>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
 
-/// A term a e^(-r w) of N over its instantaneous part, w the way in half-thicknesses; a > 0, r >= 0.
-struct ProvenMemory {
-  mpq_class amplitude, rate;
-};
-
-/// The terms by rising rate, what they may be off by as a share of each, and the instantaneous part, 1/stress. Nothing
-/// unless all rates are real and all amplitudes are positive.
+/// The terms a e^(-r w) of N over its instantaneous part by rising rate, w the way in half-thicknesses, a > 0, r >= 0; what
+/// they may be off by as a share of each, and the instantaneous part, 1/stress. Nothing unless all rates are real and all
+/// amplitudes are positive.
 struct ProvenMemories {
-  std::vector<ProvenMemory> terms;
+  std::vector<ExactFunction::Term> terms;
   mpq_class error, at_once;
 };
 std::optional<ProvenMemories> proven_memories(const data::ViscoelasticNip& nip);

@@ -23,9 +23,7 @@ struct RollingLoads {
   [[nodiscard]] mpq_class half_element(const mpq_class& contact_length) const {
     return contact_length / (2 * loads() * half_thickness());
   }
-  [[nodiscard]] Float instantaneous() const {
-    return to_float(Exact(material.material.normal().instantaneous));
-  }
+  [[nodiscard]] Float instantaneous() const { return to_float(material.material.normal().instantaneous); }
   /// In which the sheet moves by a distance in half-thicknesses.
   [[nodiscard]] Exact time(const mpq_class& distance) const {
     return Exact(mpq_class(distance * half_thickness() / mpq_class(nip.speed)));
@@ -39,19 +37,6 @@ struct RollingGrid {
   /// Of so many half widths, in half-thicknesses.
   [[nodiscard]] Interval length(long half_elements) const;
 };
-
-/// A place Y in half-thicknesses: at a distance and so many half widths of an element from the line through the rollers'
-/// centres.
-struct RollingPlace {
-  mpq_class distance;
-  long half_elements;
-};
-
-/// Displacement of a place by the unit load j, 1/stress; the tangential one from the fixed point of thesis 6.27.
-/// (thesis 6.26, 6.27)
-Interval normal_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place, int load);
-Interval tangential_at(const RollingLoads& problem, const RollingGrid& grid, const RollingPlace& place,
-                       int load);
 
 /// Nothing if the digits do not suffice to prove that no system of the grid is singular.
 std::optional<SolvedLineLoads> solve_loads(const RollingLoads& problem, const RollingGrid& grid);

@@ -22,8 +22,7 @@ std::vector<Interval> results_of_gripped(const ref::Proof& proof) {
   const auto place = [](double before_end) {
     return ref::SurfacePoint{Interval(before_end, ref::working_bits()), true};
   };
-  std::vector<Interval> results{contact.load(), contact.edge_displacement(),
-                                *contact.strain(place(1), Interval(ref::working_bits()))};
+  std::vector<Interval> results{contact.load(), contact.edge_displacement(), *contact.strain(place(1))};
   for (const double before_end : {0.75, 0x1p-10}) {
     results.push_back(contact.pressure(place(before_end)));
     results.push_back(contact.shear(place(before_end)));

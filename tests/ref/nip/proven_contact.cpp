@@ -13,7 +13,7 @@ using namespace nipref::ref;
 namespace {
 
 Interval load_of(double half_length, int digits, const NormalKernel& kernel) {
-  const auto proof = proven_elastic(Exact(half_length), digits, kernel, 100);
+  const auto proof = proven_elastic(Exact(half_length), Exact(0.0), digits, kernel, 100);
   const WorkingDigits working(proof->working_digits);
   return proof->contact->load();
 }
@@ -265,10 +265,10 @@ TEST_CASE("what an expansion for one half length misses at another is in its rad
 }
 
 TEST_CASE("a place that may be inside or outside has results for both") {
-  const auto proof = proven_elastic(Exact(1.25), 25, I1_interval, 100);
+  const auto proof = proven_elastic(Exact(1.25), Exact(0.25), 25, I1_interval, 100);
   const WorkingDigits working(proof->working_digits);
   const ProvenResults& contact = *proof->contact;
-  const Interval beta(0.25, working_bits()), step(1e-18, working_bits());
+  const Interval step(1e-18, working_bits());
   const SurfacePoint inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
   const auto covers = [&](const auto& result) {
     const Interval both = result(either);
@@ -278,7 +278,7 @@ TEST_CASE("a place that may be inside or outside has results for both") {
   };
   covers([&](const SurfacePoint& place) { return contact.pressure(place); });
   covers([&](const SurfacePoint& place) { return *contact.normal(place); });
-  covers([&](const SurfacePoint& place) { return *contact.tangential(place, beta); });
+  covers([&](const SurfacePoint& place) { return *contact.tangential(place); });
   CHECK(highest(contact.pressure(outside)) == 0);
   CHECK(lowest(contact.pressure(inside)) > 0);
 }

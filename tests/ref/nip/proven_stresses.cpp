@@ -82,7 +82,7 @@ TEST_CASE("proven stresses inside meet those with more digits and the estimated,
 }
 
 TEST_CASE("proven stresses inside: a coefficient that is off by 1e-25 is outside, or its radius covers it") {
-  const auto proof = ref::proven_elastic(ref::Exact(0.7), 30, ref::I1_interval, 500);
+  const auto proof = ref::proven_elastic(ref::Exact(0.7), ref::Exact(0.0), 30, ref::I1_interval, 500);
   const ref::WorkingDigits working(proof->working_digits);
   const Interval off(1e-25, ref::working_bits());
   for (const double depth : {0.0, 0.9, 1.0}) {
