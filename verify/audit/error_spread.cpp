@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
-
 #include <nipref/verify/audit/error_spread.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,8 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <nipref/verify/audit/error_tally.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,16 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-#include <span>
-
 #include <nipref/data/directory.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 

@@ -1,14 +1,8 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {

@@ -1,19 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/grade/speed.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {

@@ -1,18 +1,12 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

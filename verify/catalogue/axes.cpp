@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <utility>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

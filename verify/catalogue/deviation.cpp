@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <stdexcept>
-#include <string>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

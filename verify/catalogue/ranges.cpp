@@ -1,12 +1,8 @@
-
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

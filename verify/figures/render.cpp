@@ -1,12 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>

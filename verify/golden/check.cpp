@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-#include <sstream>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/contacts.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -1,19 +1,11 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/sweep.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/golden/confirm/scene.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {

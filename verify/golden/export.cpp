@@ -1,21 +1,13 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/export.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
-#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

@@ -1,18 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <span>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/golden.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

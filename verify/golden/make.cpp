@@ -1,17 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <set>
-#include <utility>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
 #include <numeric>
 
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,17 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

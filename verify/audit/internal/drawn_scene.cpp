@@ -1,9 +1,6 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,13 +1,7 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <optional>
-#include <string_view>
-
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
-#include <optional>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/number/with_error.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

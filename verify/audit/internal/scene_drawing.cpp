@@ -1,16 +1,10 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/solve.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -1,10 +1,6 @@
-
-#include <algorithm>
-#include <array>
-
 #include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 namespace {

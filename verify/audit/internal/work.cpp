@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
-#include <utility>
-
 #include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify {
 QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points)

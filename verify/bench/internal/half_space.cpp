@@ -1,13 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,8 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/table/index.hpp>
@@ -24,6 +19,7 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

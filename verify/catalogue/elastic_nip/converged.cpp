@@ -1,15 +1,9 @@
 // Elastic nips, dimensionless.
-#include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,15 +1,12 @@
 // Responses of half-spaces of any anisotropy along lines, and their critical speed. (brock2013 A.1-A.5)
-#include <algorithm>
-#include <cmath>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,13 +1,6 @@
 // Contacts of rigid bodies on isotropic half-spaces, and of the seed's steel sphere on a transversely isotropic half-space
 // (brock2013): by the papers' contour rule, and the exact contacts without friction.
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <numbers>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
@@ -20,6 +13,7 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,9 +1,5 @@
 // Responses of isotropic half-spaces along lines, and their critical speed.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
@@ -12,6 +8,7 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

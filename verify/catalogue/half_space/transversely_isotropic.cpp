@@ -1,8 +1,5 @@
 // Responses of transversely isotropic half-spaces along lines, and their critical speeds.
-#include <algorithm>
-#include <cmath>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/bulk_wave.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
@@ -10,6 +7,7 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

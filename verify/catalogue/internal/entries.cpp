@@ -1,15 +1,10 @@
-#include <fmt/format.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <iterator>
-#include <optional>
-#include <span>
 #include <stdexcept>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/support/formula.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -1,12 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,12 +1,6 @@
 // The response functions of a viscoelastic material.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <complex>
-#include <string>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/moduli.hpp>
@@ -16,6 +10,7 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

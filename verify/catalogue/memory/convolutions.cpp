@@ -1,11 +1,8 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <nipref/fast/memory/convolutions.hpp>
 #include <nipref/fast/sheet/roots.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,13 +1,6 @@
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
 #include <complex>
-#include <numbers>
-#include <optional>
-#include <utility>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
@@ -15,7 +8,7 @@
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

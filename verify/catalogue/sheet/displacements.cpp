@@ -1,12 +1,8 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

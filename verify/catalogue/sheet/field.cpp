@@ -1,13 +1,10 @@
 // The field inside the sheet under one line load on each face.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,14 +1,9 @@
 // Viscoelastic nips in steady frictionless rolling, dimensionless.
-#include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

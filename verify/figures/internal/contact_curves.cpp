@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
@@ -8,7 +5,7 @@
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/mapped.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 // What no formula of a figure describes: curves with as many points as a contact has loads, ranges or zones, and contours.
 

@@ -1,16 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
-
 #include <nipref/data/directory.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/mapped.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

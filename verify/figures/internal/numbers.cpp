@@ -1,9 +1,3 @@
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
@@ -15,6 +9,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -1,15 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/witness/internal/calculix.hpp>
 
 namespace nipref::verify::calculix {

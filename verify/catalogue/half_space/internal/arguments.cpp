@@ -1,14 +1,10 @@
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

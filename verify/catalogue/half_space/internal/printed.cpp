@@ -1,11 +1,9 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <cmath>
-#include <functional>
-#include <numbers>
 
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

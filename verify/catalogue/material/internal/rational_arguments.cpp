@@ -1,12 +1,6 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <string>
-#include <vector>
-
 #include <nipref/data/magnitude.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

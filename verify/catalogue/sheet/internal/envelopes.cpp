@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <limits>
-#include <numbers>
 
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
