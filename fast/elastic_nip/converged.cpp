@@ -1,6 +1,5 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
-#include <nipref/fast/nip/internal/converged_nip.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -19,37 +19,24 @@ class ElasticSheet final : public LineLoadSheet {
   ElasticSheet(const data::ElasticNip& nip, const LineLoadMethod& method, bool grips)
       : nip_(nip), method_(method), grips_(grips) {}
 
-  [[nodiscard]] double normal_displacement(std::span<const FaceLoad> loads, double y,
-                                           Work& work) const override {
-    const LineLoadKernels kernels = at(loads, y, {.I1 = true, .coupling = grips_}, work);
+  [[nodiscard]] double displacement(Direction direction, std::span<const FaceLoad> loads, double y,
+                                    Work& work) const override {
+    const bool normal = direction == Direction::normal;
+    std::vector<double> alpha;
+    for (const FaceLoad& load : loads) alpha.push_back((y - load.y) / nip_.half_thickness());
+    const LineLoadKernels kernels =
+        line_load_kernels(nip_.material, method_, alpha,
+                          {.I1 = normal, .coupling = !normal || grips_, .I6 = !normal && grips_}, work);
     double sum = 0;
-    for (std::size_t j = 0; j < loads.size(); ++j) {
-      sum += loads[j].normal * kernels.I1[j];
-      if (grips_) sum -= loads[j].shear * kernels.coupling[j];
+    for (Eigen::Index j = 0; const FaceLoad& load : loads) {
+      sum += load.normal * (normal ? kernels.I1 : kernels.coupling)[j];
+      if (grips_) sum += load.shear * (normal ? -kernels.coupling[j] : kernels.I6[j]);
+      ++j;
     }
-    return scale() * sum;
-  }
-
-  [[nodiscard]] double tangential_displacement(std::span<const FaceLoad> loads, double y,
-                                               Work& work) const override {
-    const LineLoadKernels kernels = at(loads, y, {.coupling = true, .I6 = grips_}, work);
-    double sum = 0;
-    for (std::size_t j = 0; j < loads.size(); ++j) {
-      sum += loads[j].normal * kernels.coupling[j];
-      if (grips_) sum += loads[j].shear * kernels.I6[j];
-    }
-    return scale() * sum;
+    return nip_.material.normal_compliance() * std::numbers::inv_pi * sum;
   }
 
  private:
-  [[nodiscard]] double scale() const { return nip_.material.normal_compliance() * std::numbers::inv_pi; }
-  [[nodiscard]] LineLoadKernels at(std::span<const FaceLoad> loads, double y, WantedKernels wanted,
-                                   Work& work) const {
-    std::vector<double> alpha;
-    for (const FaceLoad& load : loads) alpha.push_back((y - load.y) / nip_.half_thickness());
-    return line_load_kernels(nip_.material, method_, alpha, wanted, work);
-  }
-
   data::ElasticNip nip_;
   LineLoadMethod method_;
   bool grips_;

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/converged.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
-#include <nipref/fast/nip/internal/converged_nip.hpp>
-#include <nipref/fast/nip/internal/kept.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/nip/internal/solved_nip.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
@@ -25,33 +25,32 @@ struct ConvergedNip::Implementation {
   struct Along {
     SolvedNip::InBoth displacement, strain;
   };
-  mutable Kept<double, Along> places_along = {};  ///< by Y
+  mutable std::map<double, Along> places_along = {};  ///< by Y
   mutable std::optional<SolvedNip::InBoth> mean_strain = {};
+  mutable std::optional<Estimate> kept_offset = {};
 
   /// What is kept of solutions that are no more.
   void forget() {
     inner_field.reset();
     places_along = {};
     mean_strain.reset();
+    kept_offset.reset();
   }
   [[nodiscard]] bool is_symmetric() const { return !equations->offset_unknown(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
-  [[nodiscard]] double offset() const {
-    if (is_symmetric()) return 0;
-    return solved.value(
-        [&](const Solution& solution) { return solution.unknown(*equations->offset_unknown()); });
+  [[nodiscard]] const Estimate& offset() const {
+    if (!kept_offset && is_symmetric()) kept_offset = {0, 0};
+    if (!kept_offset) {
+      kept_offset = solved.estimate(
+          [&](const Solution& solution) { return solution.of_unknown(*equations->offset_unknown()); });
+      kept_offset->error += 0x1p-52 * half_length();
+    }
+    return *kept_offset;
   }
-  [[nodiscard]] double offset_error() const {
-    if (is_symmetric()) return 0;
-    const auto offset = [&](const Solution& solution) {
-      return solution.of_unknown(*equations->offset_unknown());
-    };
-    return solved.estimate(offset).error + 0x1p-52 * half_length();
-  }
-  [[nodiscard]] double unsure_end() const { return offset_error() + solved.half_length_estimate().error; }
+  [[nodiscard]] double unsure_end() const { return offset().error + solved.half_length_estimate().error; }
   /// position: half-thicknesses from the line through the centres.
   [[nodiscard]] ContactPlace place(double position) const {
-    const double from_middle = position - offset();
+    const double from_middle = position - offset().value;
     return {from_middle < 0, half_length() - std::fabs(from_middle)};
   }
   /// Of Y; its distance from the end is without loss where the length is given and the contact symmetric.
@@ -60,24 +59,11 @@ struct ConvergedNip::Implementation {
     if (!is_symmetric() || !given_length) return place(y / units.length);
     return {y < 0, (*given_length / 2 - std::fabs(y)) / units.length};
   }
-  /// A functional of a place that is known as well as the contact's ends.
-  template <class AtPlace>
-  [[nodiscard]] static SolvedNip::AtPlace at_distance(bool trailing, const AtPlace& at) {
-    return [&at, trailing](const Solution& solution, double e) {
-      return at(solution, ContactPlace{trailing, e});
-    };
-  }
-  template <class AtPlace>
-  [[nodiscard]] SolvedNip::InBoth at_unsure_place(const ContactPlace& place, const AtPlace& at) const {
-    return solved.at_place(place.e, unsure_end(), at_distance(place.trailing, at));
-  }
-  [[nodiscard]] auto traction(TractionComponent component) const {
-    return [this, component](const Solution& solution, const ContactPlace& place) {
-      return equations->traction(solution, component, place);
-    };
-  }
   [[nodiscard]] Estimate traction(TractionComponent component, const ContactPlace& place) const {
-    return solved.estimate(at_unsure_place(place, traction(component)));
+    const auto at = [&](const Solution& solution, const ContactPlace& there) {
+      return equations->traction(solution, component, there);
+    };
+    return solved.estimate(solved.at_place(place, unsure_end(), at));
   }
   /// Its value alone.
   [[nodiscard]] double value(TractionComponent component, double position) const {
@@ -109,15 +95,15 @@ struct ConvergedNip::Implementation {
     return *mean_strain;
   }
   [[nodiscard]] const Along& along(double y) const {
-    return places_along.of(y, [&] {
-      const ContactPlace place = place_of(y);
-      CountedKernels kernels = solved.kernels();
-      if (!equations->grips()) return sliding_along(place, kernels);
-      const auto displacement = [&](const Solution& solution, const ContactPlace& there) {
-        return equations->along(solution, there, kernels).displacement;
-      };
-      return Along{at_unsure_place(place, displacement), {}};
-    });
+    const ContactPlace place = place_of(y);
+    if (const auto kept = places_along.find(y); kept != places_along.end()) return kept->second;
+    CountedKernels kernels = solved.kernels();
+    const auto displacement = [&](const Solution& solution, const ContactPlace& there) {
+      return equations->along(solution, there, kernels).displacement;
+    };
+    return places_along[y] = equations->grips()
+                                 ? Along{solved.at_place(place, unsure_end(), displacement), {}}
+                                 : sliding_along(place, kernels);
   }
   /// The displacement is shifted by the reach times the sum of the strain here and what that changes by
   /// towards both ends of the reach.
@@ -130,17 +116,16 @@ struct ConvergedNip::Implementation {
       result.strain.there = std::move(there.strain);
     }
     const auto strain = [&](const Solution& solution, const ContactPlace& moved) {
-      return equations->strain(solution, moved);
+      return equations->along(solution, moved, kernels).strain;
     };
     const double value = solved.last().value(result.strain.here);
-    result.strain.shift =
-        solved.shift(result.strain.here, place.e, unsure_end(), at_distance(place.trailing, strain));
+    result.strain.shift = solved.shift(result.strain.here, place, unsure_end(), strain);
     result.displacement.shift =
-        SolvedNip::reach(place.e, unsure_end()) * (std::fabs(value) + result.strain.shift);
+        SolvedNip::reach(place, unsure_end()) * (std::fabs(value) + result.strain.shift);
     return result;
   }
   [[nodiscard]] const ContactField& field() const {
-    if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset(), unsure_end());
+    if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset().value, unsure_end());
     return *inner_field;
   }
   /// Rising positions at which tractions are looked at, in a symmetric contact those >= 0. With full friction they are the
@@ -166,7 +151,7 @@ struct ConvergedNip::Implementation {
   }
   [[nodiscard]] std::vector<double> places_on_panels() const {
     constexpr int steps = 16;
-    const double middle = offset();
+    const double middle = offset().value;
     std::vector<double> result;
     if (is_symmetric()) result.push_back(0);
     for (const Panel& panel : solved.last().tractions().panels()) {
@@ -243,173 +228,160 @@ struct ConvergedNip::Implementation {
 };
 
 ConvergedNip::ConvergedNip(std::unique_ptr<Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
+    : nip_(std::move(implementation)) {}
 ConvergedNip::ConvergedNip(ConvergedNip&&) noexcept = default;
 ConvergedNip::~ConvergedNip() = default;
 
 Estimate ConvergedNip::contact_length() const {
-  const Implementation& nip = *implementation_;
-  if (nip.given_length) return {*nip.given_length, 0};
-  return times(2 * nip.units.length, nip.solved.half_length_estimate());
+  if (nip_->given_length) return {*nip_->given_length, 0};
+  return times(2 * nip_->units.length, nip_->solved.half_length_estimate());
 }
 
 Estimate ConvergedNip::leading_length() const {
-  const Implementation& nip = *implementation_;
-  if (nip.is_symmetric()) return 0.5 * contact_length();
-  return times(nip.units.length, {nip.half_length() + nip.offset(), nip.unsure_end()});
+  if (nip_->is_symmetric()) return 0.5 * contact_length();
+  return times(nip_->units.length, {nip_->half_length() + nip_->offset().value, nip_->unsure_end()});
 }
 
 Estimate ConvergedNip::trailing_length() const {
-  const Implementation& nip = *implementation_;
-  if (nip.is_symmetric()) return 0.5 * contact_length();
-  return times(nip.units.length, {nip.half_length() - nip.offset(), nip.unsure_end()});
+  if (nip_->is_symmetric()) return 0.5 * contact_length();
+  return times(nip_->units.length, {nip_->half_length() - nip_->offset().value, nip_->unsure_end()});
 }
 
 Estimate ConvergedNip::load() const {
-  return times(implementation_->units.load, implementation_->solved.estimate(&Solution::load));
+  return times(nip_->units.load, nip_->solved.estimate(&Solution::load));
 }
 
-Estimate ConvergedNip::indentation() const { return implementation_->roller_displacement(0); }
+Estimate ConvergedNip::indentation() const { return nip_->roller_displacement(0); }
+Estimate ConvergedNip::leading_displacement() const { return nip_->end_displacement(false); }
 
-Estimate ConvergedNip::leading_displacement() const { return implementation_->end_displacement(false); }
-
-Estimate ConvergedNip::trailing_displacement() const { return implementation_->end_displacement(true); }
+Estimate ConvergedNip::trailing_displacement() const { return nip_->end_displacement(true); }
 
 Estimate ConvergedNip::pressure(double y) const {
-  const Implementation& nip = *implementation_;
-  return times(nip.units.pressure, nip.traction(TractionComponent::pressure, nip.place_of(y)));
+  return times(nip_->units.pressure, nip_->traction(TractionComponent::pressure, nip_->place_of(y)));
 }
 
 Estimate ConvergedNip::shear(double y) const {
-  const Implementation& nip = *implementation_;
-  const ContactPlace place = nip.place_of(y);
+  const ContactPlace place = nip_->place_of(y);
   // In the middle it changes its sign.
-  if (!nip.equations->grips() || y == 0) return {0, 0};
-  return times(nip.units.pressure, nip.traction(TractionComponent::shear, place));
+  if (!nip_->equations->grips() || y == 0) return {0, 0};
+  return times(nip_->units.pressure, nip_->traction(TractionComponent::shear, place));
 }
 
-Estimate ConvergedNip::peak_pressure() const { return implementation_->peak(TractionComponent::pressure); }
+Estimate ConvergedNip::peak_pressure() const { return nip_->peak(TractionComponent::pressure); }
 
 Estimate ConvergedNip::peak_shear() const {
-  if (!implementation_->equations->grips()) return {0, 0};
-  return implementation_->peak(TractionComponent::shear);
+  if (!nip_->equations->grips()) return {0, 0};
+  return nip_->peak(TractionComponent::shear);
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
-  if (implementation_->is_symmetric()) return {0, 0};
-  return implementation_->peak_position(TractionComponent::pressure);
+  if (nip_->is_symmetric()) return {0, 0};
+  return nip_->peak_position(TractionComponent::pressure);
 }
 
 Estimate ConvergedNip::peak_shear_position() const {
-  implementation_->check_shears();
-  return implementation_->peak_position(TractionComponent::shear);
+  nip_->check_shears();
+  return nip_->peak_position(TractionComponent::shear);
 }
 
 std::vector<Estimate> ConvergedNip::shear_zeros() const {
-  const Implementation& nip = *implementation_;
-  nip.check_shears();
+  nip_->check_shears();
   const PlaceFunction shear{
-      [&](double position) { return nip.value(TractionComponent::shear, position); },
-      [&](double position) { return nip.traction(TractionComponent::shear, nip.place(position)); }};
+      [&](double position) { return nip_->value(TractionComponent::shear, position); },
+      [&](double position) { return nip_->traction(TractionComponent::shear, nip_->place(position)); }};
   std::vector<Estimate> zeros{{0, 0}};
-  for (const Estimate& zero : places_of_sure_zeros(shear, nip.places()))
-    zeros.push_back(nip.in_contact(zero));
+  for (const Estimate& zero : places_of_sure_zeros(shear, nip_->places()))
+    zeros.push_back(nip_->in_contact(zero));
   return zeros;
 }
 
 Estimate ConvergedNip::rolling_resistance() const {
-  const Implementation& nip = *implementation_;
-  if (nip.is_symmetric()) return {0, 0};
-  return times(nip.units.length / nip.roller_radius, nip.solved.estimate([&](const Solution& solution) {
-    return nip.equations->eccentricity(solution);
+  if (nip_->is_symmetric()) return {0, 0};
+  return times(nip_->units.length / nip_->roller_radius, nip_->solved.estimate([&](const Solution& solution) {
+    return nip_->equations->eccentricity(solution);
   }));
 }
 
 Estimate ConvergedNip::creep_ratio() const {
-  const Implementation& nip = *implementation_;
-  return times(nip.units.creep, nip.solved.estimate(nip.creep()));
+  return times(nip_->units.creep, nip_->solved.estimate(nip_->creep()));
 }
 
 Estimate ConvergedNip::normal_displacement(double y) const {
-  const Implementation& nip = *implementation_;
-  const ContactPlace place = nip.place_of(y);
-  if (place.e >= 0) return nip.roller_displacement(y / nip.units.length);
+  const ContactPlace place = nip_->place_of(y);
+  if (place.e >= 0) return nip_->roller_displacement(y / nip_->units.length);
   const auto at = [&](const Solution& solution, const ContactPlace& there) {
-    CountedKernels kernels = nip.solved.kernels();
-    return nip.equations->normal(solution, there, kernels);
+    CountedKernels kernels = nip_->solved.kernels();
+    return nip_->equations->normal(solution, there, kernels);
   };
-  return times(nip.units.displacement, nip.solved.estimate(nip.at_unsure_place(place, at)));
+  return times(nip_->units.displacement,
+               nip_->solved.estimate(nip_->solved.at_place(place, nip_->unsure_end(), at)));
 }
 
 Estimate ConvergedNip::tangential_displacement(double y) const {
-  const Implementation& nip = *implementation_;
-  const ContactPlace place = nip.place_of(y);
+  const ContactPlace place = nip_->place_of(y);
   if (y == 0) return {0, 0};
-  const double unit = nip.units.creep * nip.units.length;
-  if (nip.equations->grips() && place.e >= 0) return times(y, creep_ratio());
-  const SolvedNip::InBoth& displacement = nip.along(y).displacement;
-  if (nip.is_symmetric()) return times(unit, nip.solved.estimate(displacement));
-  return times(unit, nip.solved.estimate(displacement - nip.along(0).displacement));
+  const double unit = nip_->units.creep * nip_->units.length;
+  if (nip_->equations->grips() && place.e >= 0) return times(y, creep_ratio());
+  const SolvedNip::InBoth& displacement = nip_->along(y).displacement;
+  if (nip_->is_symmetric()) return times(unit, nip_->solved.estimate(displacement));
+  return times(unit, nip_->solved.estimate(displacement - nip_->along(0).displacement));
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
-  const Implementation& nip = *implementation_;
-  if (!nip.equations->grips()) return times(nip.units.creep, nip.solved.estimate(nip.along(y).strain));
-  const ContactPlace place = nip.place_of(y);
+  if (!nip_->equations->grips())
+    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y).strain));
+  const ContactPlace place = nip_->place_of(y);
   if (place.e < 0)
-    return times(nip.units.creep / 2, nip.field().at({{y / nip.units.length, 1}}).front().along);
+    return times(nip_->units.creep / 2, nip_->field().at({{y / nip_->units.length, 1}}).front().along);
   Estimate creep = creep_ratio();
   // Where the end may be farther inwards, the strain is that outside.
-  if (place.e < nip.unsure_end())
-    creep.error += nip.units.creep * (nip.traction(TractionComponent::pressure, place).error +
-                                      2 * nip.traction(TractionComponent::shear, place).error);
+  if (place.e < nip_->unsure_end())
+    creep.error += nip_->units.creep * (nip_->traction(TractionComponent::pressure, place).error +
+                                        2 * nip_->traction(TractionComponent::shear, place).error);
   return creep;
 }
 
 Estimate ConvergedNip::slip(double y) const {
-  const Implementation& nip = *implementation_;
-  if (!nip.equations->grips())
-    return times(nip.units.creep, nip.solved.estimate(nip.along(y).strain - nip.creep()));
-  if (nip.place_of(y).e >= nip.unsure_end()) return {0, 0};
+  if (!nip_->equations->grips())
+    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y).strain - nip_->creep()));
+  if (nip_->place_of(y).e >= nip_->unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
   return {strain.value - creep.value, strain.error + creep.error};
 }
 
 std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {
-  const Implementation& nip = *implementation_;
-  auto stresses = nip.field().at(checked_points(points, nip.units.length));
-  for (InnerStresses& here : stresses) here = in_unit(nip.units.pressure, here);
+  auto stresses = nip_->field().at(checked_points(points, nip_->units.length));
+  for (InnerStresses& here : stresses)
+    for (Estimate* stress : {&here.across, &here.along, &here.shear})
+      *stress = times(nip_->units.pressure, *stress);
   return stresses;
 }
 
 std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<const InnerPoint> points) const {
-  const Implementation& nip = *implementation_;
-  const auto shares = nip.equations->shares();
+  const auto shares = nip_->equations->shares();
   if (!shares) throw data::BadInput("nip", "rolling", "must be elastic for displacements inside the sheet");
-  auto displacements = nip.field().from_face(checked_points(points, nip.units.length), *shares);
-  Kept<double, InnerDisplacements> of_face;
+  auto displacements = nip_->field().from_face(checked_points(points, nip_->units.length), *shares);
+  std::map<double, InnerDisplacements> of_faces;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [y, depth] = points[i];
-    const InnerDisplacements& face = of_face.of(y, [&, y = y] {
-      return InnerDisplacements{normal_displacement(y), tangential_displacement(y)};
-    });
-    displacements[i] = beyond_face(face, depth, nip.units.displacement, displacements[i]);
+    const auto [face, is_new] = of_faces.try_emplace(y);
+    if (is_new) face->second = {normal_displacement(y), tangential_displacement(y)};
+    displacements[i] = beyond_face(face->second, depth, nip_->units.displacement, displacements[i]);
   }
   return displacements;
 }
 
 GreatestShear ConvergedNip::greatest_shear() const {
-  const Implementation& nip = *implementation_;
-  const auto [value, y, depth] = nip.field().greatest();
-  return {times(nip.units.pressure, value), times(nip.units.length, y), depth};
+  const auto [value, y, depth] = nip_->field().greatest();
+  return {times(nip_->units.pressure, value), times(nip_->units.length, y), depth};
 }
 
 bool ConvergedNip::refine() {
-  implementation_->forget();
-  return implementation_->solved.refine();
+  nip_->forget();
+  return nip_->solved.refine();
 }
 
-Work ConvergedNip::work() const { return implementation_->solved.work(); }
+Work ConvergedNip::work() const { return nip_->solved.work(); }
 
 ConvergedNip converged_nip(const NipShape& shape, double compliance,
                            std::shared_ptr<const NipEquations> equations, const GivenContact& given,
@@ -423,7 +395,8 @@ ConvergedNip converged_nip(const NipShape& shape, double compliance,
     load = *given.load / units.load;
   }
   const double half_length =
-      load ? equations->half_length_guess(*load) : *given.length / shape.sheet_thickness;
+      load ? half_length_guess(*load * equations->softening_over(half_length_guess(*load)))
+           : *given.length / shape.sheet_thickness;
   if (!load) equations->check(half_length);
   SolvedNip solved(equations, half_length, load, accuracy);
   if (load) {

@@ -82,7 +82,7 @@ class ConvergedNip {
  private:
   struct Implementation;
   explicit ConvergedNip(std::unique_ptr<Implementation> implementation);
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<Implementation> nip_;
   friend ConvergedNip converged_nip(const NipShape& shape, double compliance,
                                     std::shared_ptr<const NipEquations> equations, const GivenContact& given,
                                     double accuracy);

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
+#include <nipref/fast/sheet/field.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -28,7 +31,25 @@ void check_beside_loads(const LineLoadNip& nip, double y) {
     throw data::BadInput("y", y, "must not be the place of a line load");
 }
 
+double sum(const LineLoadNip& nip, const auto& part) {
+  double sum = 0;
+  for (const FaceLoad& load : nip.loads) sum += part(load);
+  return sum;
+}
+
 double shear_size(const FaceLoad& load) { return std::fabs(load.shear); }
+
+/// Calls add(distance from the load in half-thicknesses, kind of load, force) for each load that is not 0.
+void for_each_load(const auto& loads, double half_thickness, const InnerPoint& point, const auto& add) {
+  static_cast<void>(checked_points({&point, 1}, half_thickness));
+  for (const FaceLoad& load : loads) {
+    const double alpha = (point.y - load.y) / half_thickness;
+    if (alpha == 0 && std::fabs(point.depth) == 1)
+      throw data::BadInput("field.positions", point.y, "must not be the place of a line load on a face");
+    if (load.normal != 0) add(alpha, data::SheetLoad::normal, load.normal);
+    if (load.shear != 0) add(alpha, data::SheetLoad::shear, load.shear);
+  }
+}
 
 }  // namespace
 
@@ -41,9 +62,7 @@ double LineLoadNip::leading_displacement() const { return indentation - parabola
 double LineLoadNip::trailing_displacement() const { return indentation - parabola(*this, trailing_length()); }
 
 double LineLoadNip::load() const {
-  double sum = 0;
-  for (const FaceLoad& load : loads) sum += load.normal;
-  return sum;
+  return sum(*this, [](const FaceLoad& load) { return load.normal; });
 }
 
 double LineLoadNip::peak_pressure() const {
@@ -58,14 +77,10 @@ double LineLoadNip::peak_shear() const {
 double LineLoadNip::peak_shear_position() const { return std::ranges::max_element(loads, {}, shear_size)->y; }
 
 double LineLoadNip::leading_moment() const {
-  double sum = 0;
-  for (const FaceLoad& load : loads) sum += load.normal * std::max(load.y, 0.0);
-  return sum;
+  return sum(*this, [](const FaceLoad& load) { return load.normal * std::max(load.y, 0.0); });
 }
 double LineLoadNip::trailing_moment() const {
-  double sum = 0;
-  for (const FaceLoad& load : loads) sum += load.normal * std::min(load.y, 0.0);
-  return sum;
+  return sum(*this, [](const FaceLoad& load) { return load.normal * std::min(load.y, 0.0); });
 }
 double LineLoadNip::rolling_resistance() const {
   return is_symmetric ? 0 : (leading_moment() + trailing_moment()) / (load() * roller_radius);
@@ -73,9 +88,8 @@ double LineLoadNip::rolling_resistance() const {
 
 double LineLoadNip::creep_ratio() const {
   if (gripped_creep) return *gripped_creep;
-  const auto at = [&](double y) { return sheet->tangential_displacement(loads, y, *spent); };
-  if (is_symmetric) return at(leading_length) / leading_length;
-  return (at(leading_length) - at(-trailing_length())) / contact_length();
+  if (is_symmetric) return tangential(leading_length) / leading_length;
+  return (tangential(leading_length) - tangential(-trailing_length())) / contact_length();
 }
 
 std::vector<double> LineLoadNip::shear_zeros() const {
@@ -96,18 +110,55 @@ double LineLoadNip::shear(double y) const {
 
 double LineLoadNip::normal_displacement(double y) const {
   check_beside_loads(*this, y);
-  return sheet->normal_displacement(loads, y, *spent);
+  return sheet->displacement(LineLoadSheet::Direction::normal, loads, y, *spent);
 }
 
 double LineLoadNip::tangential_displacement(double y) const {
   check_beside_loads(*this, y);
   if (y == 0) return 0;
-  const double to_point = sheet->tangential_displacement(loads, y, *spent);
-  return is_symmetric ? to_point : to_point - sheet->tangential_displacement(loads, 0, *spent);
+  return is_symmetric ? tangential(y) : tangential(y) - tangential(0);
 }
 
 bool LineLoadNip::presses_everywhere() const {
   return std::ranges::all_of(loads, [](const FaceLoad& load) { return load.normal >= 0; });
+}
+
+std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
+                                              std::span<const InnerPoint> points) {
+  std::vector<InnerStresses> result;
+  const std::size_t half = loads.size() / 2;
+  for (const InnerPoint& point : points) {
+    const auto sum_over = [&](const auto& some) {
+      SheetStresses sum{};
+      for_each_load(some, half_thickness, point, [&](double alpha, data::SheetLoad kind, double force) {
+        sum = sum + force / half_thickness * sheet_stresses(alpha, point.depth, kind);
+      });
+      return sum;
+    };
+    // Each half from its end inwards, so that what is 0 by symmetry is exactly 0.
+    const SheetStresses sum =
+        sum_over(loads.first(half)) + sum_over(loads.subspan(half) | std::views::reverse);
+    result.push_back({{sum.across, 0}, {sum.along, 0}, {sum.shear, 0}});
+  }
+  return result;
+}
+
+std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad> loads,
+                                                        double half_thickness,
+                                                        const data::ElasticMaterial& material,
+                                                        std::span<const InnerPoint> points) {
+  const double compliance = material.normal_compliance(), poisson = material.poisson;
+  std::vector<InnerDisplacements> result;
+  for (const InnerPoint& point : points) {
+    double u = 0, v = 0;
+    // Where v of a single load is counted from cancels between the loads.
+    for_each_load(loads, half_thickness, point, [&](double alpha, data::SheetLoad kind, double force) {
+      u -= force * sheet_u(alpha, std::fabs(point.depth), kind, poisson);
+      v += force * sheet_v(alpha, 0, point.depth, kind, poisson);
+    });
+    result.push_back({{compliance * u, 0}, {point.y == 0 ? 0 : compliance * v, 0}});
+  }
+  return result;
 }
 
 }  // namespace nipref::fast

@@ -4,21 +4,26 @@
 #include <span>
 #include <vector>
 
-#include <nipref/fast/nip/line_load_field.hpp>
+#include <nipref/data/material/elastic.hpp>
+#include <nipref/fast/nip/inner_stresses.hpp>
 #include <nipref/fast/nip/work.hpp>
 
 namespace nipref::fast {
+
+/// A line load on both faces of the sheet at Y, force per unit width: it presses, and its shear acts along Y.
+struct FaceLoad {
+  double y, normal, shear;
+};
 
 /// What the surface of a sheet does under line loads.
 class LineLoadSheet {
  public:
   virtual ~LineLoadSheet() = default;
-  /// At Y, unit of length, where there is no load: towards the middle plane, and along Y relative to a point that is the
-  /// same for all Y. An elastic sheet counts the kernels that it evaluates in `work`.
-  [[nodiscard]] virtual double normal_displacement(std::span<const FaceLoad> loads, double y,
-                                                   Work& work) const = 0;
-  [[nodiscard]] virtual double tangential_displacement(std::span<const FaceLoad> loads, double y,
-                                                       Work& work) const = 0;
+  enum class Direction { normal, tangential };
+  /// The displacement at Y, unit of length, where there is no load: towards the middle plane, or along Y relative to a point
+  /// that is the same for all Y. An elastic sheet counts the kernels that it evaluates in `work`.
+  [[nodiscard]] virtual double displacement(Direction direction, std::span<const FaceLoad> loads, double y,
+                                            Work& work) const = 0;
 };
 
 /// Creep ratios from `lower` to `upper`, dimensionless.
@@ -84,6 +89,23 @@ struct LineLoadNip {
   [[nodiscard]] bool presses_everywhere() const;  ///< no normal load is negative (thesis 2.1)
   [[nodiscard]] const std::vector<FaceLoad>& face_loads() const { return loads; }
   [[nodiscard]] Work work() const { return *spent; }
+
+ private:
+  [[nodiscard]] double tangential(double y) const {
+    return sheet->displacement(LineLoadSheet::Direction::tangential, loads, y, *spent);
+  }
 };
+
+// Inside a sheet under line loads: the sums of the loads' own fields (sheet/field.hpp), with errors of 0. BadInput for a
+// place of a load on a face, where nothing is bounded, and for places that are out of the domains of InnerPoint.
+
+std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
+                                              std::span<const InnerPoint> points);
+
+/// Of an elastic sheet, whose loads are symmetric about Y = 0: the normal ones even, the shear odd.
+std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad> loads,
+                                                        double half_thickness,
+                                                        const data::ElasticMaterial& material,
+                                                        std::span<const InnerPoint> points);
 
 }  // namespace nipref::fast

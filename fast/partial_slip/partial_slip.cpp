@@ -12,7 +12,6 @@
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
-#include <nipref/fast/partial_slip/internal/peak.hpp>
 #include <nipref/fast/partial_slip/internal/solutions.hpp>
 #include <nipref/fast/partial_slip/partial_slip.hpp>
 
@@ -21,12 +20,15 @@ namespace {
 
 using data::BadInput;
 using Traction = ZoneContact::Traction;
+using Peak = ZoneContact::Peak;
 
 constexpr double longest_contact = 10;  // L/B
 /// The natural logarithm of how much smaller the second discretisation's error is.
 constexpr double nats_apart = 3;
 /// Coarser contacts may not resolve zones next to others that are much shorter.
 constexpr double least_nats = 17;
+
+Peak largest(const std::vector<Peak>& peaks) { return std::ranges::max(peaks, {}, &Peak::size); }
 
 PartialSlipTask task_of(const data::PartialSlipNip& nip, const ContactUnits& units) {
   const data::ElasticMaterial& material = nip.material;
@@ -139,7 +141,7 @@ struct PartialSlipNip::Implementation : Solutions {
     return times(unit, {value, std::fabs(value - before) + error_near(e).*part + rounding});
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part) const {
-    return peak_size(part, largest(peaks(first, part)), largest(peaks(second, part)));
+    return peak_size(part, largest(first.peaks(part)), largest(second.peaks(part)));
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
     const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size;
@@ -148,8 +150,8 @@ struct PartialSlipNip::Implementation : Solutions {
   }
   /// Its error reaches to any place whose traction is as large but for twice its error.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
-    const std::vector<Peak> all = peaks(second, part);
-    const Peak before = largest(peaks(first, part)), peak = largest(all);
+    const std::vector<Peak> all = second.peaks(part);
+    const Peak before = largest(first.peaks(part)), peak = largest(all);
     const double least = peak.size - 2 * (peak_size(part, before, peak).error / units.pressure);
     const auto is_as_large = [&](double e) { return std::fabs(second.traction(e).*part) >= least; };
     double farthest = 0;
@@ -168,146 +170,128 @@ struct PartialSlipNip::Implementation : Solutions {
 };
 
 PartialSlipNip::PartialSlipNip(std::unique_ptr<Implementation> implementation)
-    : implementation_(std::move(implementation)) {}
+    : nip_(std::move(implementation)) {}
 PartialSlipNip::PartialSlipNip(PartialSlipNip&&) noexcept = default;
 PartialSlipNip::~PartialSlipNip() = default;
 
-Estimate PartialSlipNip::contact_length() const { return implementation_->of_length(&ZoneContact::length); }
+Estimate PartialSlipNip::contact_length() const { return nip_->of_length(&ZoneContact::length); }
 
-Estimate PartialSlipNip::leading_length() const {
-  return implementation_->of_length(&ZoneContact::leading_length);
-}
+Estimate PartialSlipNip::leading_length() const { return nip_->of_length(&ZoneContact::leading_length); }
 
 Estimate PartialSlipNip::trailing_length() const {
-  return implementation_->of_length(
+  return nip_->of_length(
       [](const ZoneContact& contact) { return contact.length() - contact.leading_length(); });
 }
 
 Estimate PartialSlipNip::load() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::load, my.units.load, my.second.load());
+  return nip_->estimate(&ZoneContact::load, nip_->units.load, nip_->second.load());
 }
 
 Estimate PartialSlipNip::traction() const {
-  const Implementation& my = *implementation_;
-  return my.estimate(&ZoneContact::tangential_load, -my.units.load, my.task.friction * my.second.load());
+  return nip_->estimate(&ZoneContact::tangential_load, -nip_->units.load,
+                        nip_->task.friction * nip_->second.load());
 }
 
-Estimate PartialSlipNip::indentation() const {
-  return implementation_->of_displacement(&ZoneContact::approach);
-}
+Estimate PartialSlipNip::indentation() const { return nip_->of_displacement(&ZoneContact::approach); }
 
 Estimate PartialSlipNip::leading_displacement() const {
-  return implementation_->of_displacement(
-      [](const ZoneContact& contact) { return contact.displacement(0).normal; });
+  return nip_->of_displacement([](const ZoneContact& contact) { return contact.displacement(0).normal; });
 }
 
 Estimate PartialSlipNip::trailing_displacement() const {
-  return implementation_->of_displacement(
+  return nip_->of_displacement(
       [](const ZoneContact& contact) { return contact.displacement(contact.length()).normal; });
 }
 
-Estimate PartialSlipNip::creep_ratio() const { return implementation_->of_strain(&ZoneContact::creep); }
+Estimate PartialSlipNip::creep_ratio() const { return nip_->of_strain(&ZoneContact::creep); }
 
 Estimate PartialSlipNip::rolling_resistance() const {
-  const Implementation& my = *implementation_;
-  return my.estimate([](const ZoneContact& contact) { return contact.moment() / contact.load(); },
-                     my.units.length / my.roller_radius, my.length());
+  return nip_->estimate([](const ZoneContact& contact) { return contact.moment() / contact.load(); },
+                        nip_->units.length / nip_->roller_radius, nip_->length());
 }
 
 Estimate PartialSlipNip::dissipation() const {
-  const Implementation& my = *implementation_;
-  Estimate lost = my.estimate(&ZoneContact::dissipation, my.units.load * my.units.creep,
-                              my.task.friction * my.second.load() * my.length());
+  Estimate lost = nip_->estimate(&ZoneContact::dissipation, nip_->units.load * nip_->units.creep,
+                                 nip_->task.friction * nip_->second.load() * nip_->length());
   // What the rollers put in, which is the same, is computed otherwise.
-  const double put_in = my.second.creep() * my.second.tangential_load() + 2 * my.second.moment();
-  lost.error += my.units.load * my.units.creep * std::fabs(my.second.dissipation() - put_in);
+  const double put_in = nip_->second.creep() * nip_->second.tangential_load() + 2 * nip_->second.moment();
+  lost.error += nip_->units.load * nip_->units.creep * std::fabs(nip_->second.dissipation() - put_in);
   return lost;
 }
 
-Estimate PartialSlipNip::peak_pressure() const { return implementation_->peak_size(&Traction::pressure); }
+Estimate PartialSlipNip::peak_pressure() const { return nip_->peak_size(&Traction::pressure); }
 
-Estimate PartialSlipNip::peak_pressure_position() const {
-  return implementation_->peak_position(&Traction::pressure);
-}
+Estimate PartialSlipNip::peak_pressure_position() const { return nip_->peak_position(&Traction::pressure); }
 
-Estimate PartialSlipNip::peak_shear() const { return implementation_->peak_size(&Traction::shear); }
+Estimate PartialSlipNip::peak_shear() const { return nip_->peak_size(&Traction::shear); }
 
-Estimate PartialSlipNip::peak_shear_position() const {
-  return implementation_->peak_position(&Traction::shear);
-}
+Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_position(&Traction::shear); }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
-  const Implementation& my = *implementation_;
-  const double reach = ZoneMesh::smooth_reach(my.nats + nats_apart);
-  const double of_smooth = my.of_boundaries + std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
+  const double reach = ZoneMesh::smooth_reach(nip_->nats + nats_apart);
+  const double of_smooth = nip_->of_boundaries + std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
   std::vector<Estimate> all;
-  for (std::size_t k = 0; k <= my.second.zones().size(); ++k) {
-    all.push_back(my.of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
-    if (is_smooth(my.second, k))
-      all.back().error += my.units.length * of_smooth * longer_beside(my.second, k);
+  for (std::size_t k = 0; k <= nip_->second.zones().size(); ++k) {
+    all.push_back(nip_->of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
+    if (is_smooth(nip_->second, k))
+      all.back().error += nip_->units.length * of_smooth * longer_beside(nip_->second, k);
   }
   return all;
 }
 
 std::vector<int> PartialSlipNip::zone_signs() const {
   std::vector<int> signs;
-  for (const Zone& zone : implementation_->second.zones()) signs.push_back(-zone.sign);
+  for (const Zone& zone : nip_->second.zones()) signs.push_back(-zone.sign);
   return signs;
 }
 
 Estimate PartialSlipNip::pressure(double y) const {
-  const Implementation& my = *implementation_;
-  return my.traction(y, &Traction::pressure, my.units.pressure);
+  return nip_->traction(y, &Traction::pressure, nip_->units.pressure);
 }
 
 Estimate PartialSlipNip::shear(double y) const {
-  const Implementation& my = *implementation_;
-  return my.traction(y, &Traction::shear, -my.units.pressure);
+  return nip_->traction(y, &Traction::shear, -nip_->units.pressure);
 }
 
 Estimate PartialSlipNip::surface_strain(double y) const {
-  return implementation_->of_strain_at(y, &ZoneContact::strain);
+  return nip_->of_strain_at(y, &ZoneContact::strain);
 }
 
 Estimate PartialSlipNip::slip(double y) const {
-  return implementation_->of_strain_at(
+  return nip_->of_strain_at(
       y, [](const ZoneContact& contact, double e) { return contact.strain(e) - contact.creep(); });
 }
 
 Estimate PartialSlipNip::normal_displacement(double y) const {
-  const Implementation& my = *implementation_;
-  return my.of_displacement(
-      my.at(y, [](const ZoneContact& contact, double e) { return contact.displacement(e).normal; }));
+  return nip_->of_displacement(
+      nip_->at(y, [](const ZoneContact& contact, double e) { return contact.displacement(e).normal; }));
 }
 
 Estimate PartialSlipNip::tangential_displacement(double y) const {
-  const Implementation& my = *implementation_;
   if (y == 0) return {0, 0};
   const auto relative = [](const ZoneContact& contact, double e) {
     return contact.displacement(contact.leading_length()).along - contact.displacement(e).along;
   };
-  const double scale = my.length() * std::max(my.length(), std::fabs(y / my.units.length));
-  Estimate displacement = my.estimate(my.at(y, relative), my.units.displacement, scale);
-  for (const double place : {my.place(0), my.place(y)})
-    displacement.error += my.units.displacement * my.length() * my.error_by_tractions(place);
+  const double scale = nip_->length() * std::max(nip_->length(), std::fabs(y / nip_->units.length));
+  Estimate displacement = nip_->estimate(nip_->at(y, relative), nip_->units.displacement, scale);
+  for (const double place : {nip_->place(0), nip_->place(y)})
+    displacement.error += nip_->units.displacement * nip_->length() * nip_->error_by_tractions(place);
   return displacement;
 }
 
 bool PartialSlipNip::refine() {
-  Implementation& my = *implementation_;
   // Rounding rules from here on.
   constexpr double most_nats = 36;
-  const double nats = my.nats + nats_apart;
+  const double nats = nip_->nats + nats_apart;
   if (nats > most_nats) return false;
-  auto second = find_zones(my.task, my.second, nats + nats_apart);
-  auto solutions = second ? with_differences(my.task, *std::move(second), nats) : std::nullopt;
+  auto second = find_zones(nip_->task, nip_->second, nats + nats_apart);
+  auto solutions = second ? with_differences(nip_->task, *std::move(second), nats) : std::nullopt;
   if (!solutions) return false;
-  my = {*std::move(solutions), my.roller_radius, my.units, my.task, nats};
+  *nip_ = {*std::move(solutions), nip_->roller_radius, nip_->units, nip_->task, nats};
   return true;
 }
 
-Work PartialSlipNip::work() const { return *implementation_->task.work; }
+Work PartialSlipNip::work() const { return *nip_->task.work; }
 
 namespace {
 

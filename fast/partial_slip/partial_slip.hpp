@@ -66,7 +66,7 @@ class PartialSlipNip {
   explicit PartialSlipNip(std::unique_ptr<Implementation> implementation);
 
  private:
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<Implementation> nip_;
 };
 
 /// The contact of length L, 1e-8 <= L/B <= 10 and L <= R; accuracy: relative, 1e-13 <= accuracy <= 0.1, of the length, the

@@ -1,5 +1,4 @@
 #include <nipref/fast/material/functions.hpp>
-#include <nipref/fast/nip/internal/converged_nip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 

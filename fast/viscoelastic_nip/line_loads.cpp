@@ -99,21 +99,10 @@ class RollingSurface final : public LineLoadSheet {
   RollingSurface(std::shared_ptr<const RollingLoads> problem, double leading_length)
       : problem_(std::move(problem)), leading_length_(leading_length) {}
 
-  [[nodiscard]] double normal_displacement(std::span<const FaceLoad> loads, double y,
-                                           Work& /*work*/) const override {
-    return sum(loads, y, [&](double t, double T, double) { return problem_->normal_displacement(t, T); });
-  }
-  /// Against the point of the middle plane on the line through the centres.
-  [[nodiscard]] double tangential_displacement(std::span<const FaceLoad> loads, double y,
-                                               Work& /*work*/) const override {
-    return sum(loads, y,
-               [&](double t, double T, double t0) { return problem_->tangential_displacement(t, T, t0); });
-  }
-
- private:
-  /// The sum of each load's displacement(t, T, t0) for the point that is at Y at the time t, with lengths in
-  /// half-thicknesses and times in half-thickness/speed.
-  [[nodiscard]] double sum(std::span<const FaceLoad> loads, double y, const auto& displacement) const {
+  /// Along Y against the point of the middle plane on the line through the centres. Of the point that is at Y at the time t,
+  /// with lengths in half-thicknesses and times in half-thickness/speed.
+  [[nodiscard]] double displacement(Direction direction, std::span<const FaceLoad> loads, double y,
+                                    Work& /*work*/) const override {
     const double half_thickness = problem_->nip.half_thickness();
     const double t = problem_->approach + (leading_length_ - y) / half_thickness;
     if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
@@ -121,11 +110,13 @@ class RollingSurface final : public LineLoadSheet {
     for (const FaceLoad& load : loads) {
       // What the load is ahead of the centres, the pinned point has been passed by.
       const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
-      sum += load.normal * displacement(t, T, t0);
+      sum += load.normal * (direction == Direction::normal ? problem_->normal_displacement(t, T)
+                                                           : problem_->tangential_displacement(t, T, t0));
     }
     return sum;
   }
 
+ private:
   std::shared_ptr<const RollingLoads> problem_;
   double leading_length_;
 };

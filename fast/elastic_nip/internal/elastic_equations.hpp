@@ -17,7 +17,6 @@ class ElasticEquations : public NipEquations {
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
-  [[nodiscard]] double half_length_guess(double load) const override;
 
   [[nodiscard]] bool grips() const override { return grips_; }
   [[nodiscard]] Functional roller_displacement(const Solution& solution, double y) const override;
@@ -26,24 +25,18 @@ class ElasticEquations : public NipEquations {
                                   CountedKernels& kernels) const override;
   [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
                                    CountedKernels& kernels) const override;
-  [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
   [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
   [[nodiscard]] std::optional<internal::Shares> shares() const override { return {{1 - beta_, beta_}}; }
 
  private:
-  /// Of normal displacement; of displacement along the surface and, without friction, of the nonlocal part of its strain; and
-  /// of that alone.
-  [[nodiscard]] Tractions::Kernel normal_kernel(CountedKernels& kernels) const;
+  /// The kernel of v under the pressure and, with the other sign, of u under the shear.
+  [[nodiscard]] Eigen::RowVectorXd coupling(CountedKernels::Alphas alpha, CountedKernels& kernels) const;
+  /// Without friction, of displacement along the surface and of the nonlocal part of its strain; and of both displacements
+  /// that are matched.
   [[nodiscard]] Tractions::Kernel along_kernel(CountedKernels& kernels) const;
-  [[nodiscard]] static Tractions::Kernel strain_kernel();
-  /// A strain's nonlocal part and what the pressure at its own place adds to it.
-  [[nodiscard]] Functional with_pressure_there(const Solution& solution, const ContactPlace& place,
-                                               const Eigen::RowVectorXd& nonlocal) const;
-  [[nodiscard]] Tractions::Kernel both(CountedKernels& kernels) const;
   [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 
-  /// The kernel that couples the pressure to v and the shear to u is at most 1/4 + beta/2; what is on both sides of a
-  /// place cancels.
+  /// The coupling is at most 1/4 + beta/2; what is on both sides of a place cancels.
   [[nodiscard]] double cancelling_sides(const Solution& solution) const;
 
   bool grips_;

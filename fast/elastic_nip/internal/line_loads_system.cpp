@@ -33,16 +33,17 @@ LineLoadKernels from_library(Accuracy accuracy, std::span<const double> alpha, W
 /// Likewise.
 LineLoadKernels from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
   LineLoadKernels values;
-  const auto provide = [&](bool is_wanted, int kernel, std::vector<double>& room) {
-    if (!is_wanted) return;
-    room.resize(alpha.size());
-    work.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] += alpha.size();
+  const auto provided = [&](bool is_wanted, std::size_t kernel,
+                            Eigen::RowVectorXd& room) -> std::span<double> {
+    if (!is_wanted) return {};
+    room.resize(static_cast<Eigen::Index>(alpha.size()));
+    work.kernel_evaluations[kernel - 1] += alpha.size();
     work.terms += alpha.size() * static_cast<std::uint64_t>(terms);
+    return {room.data(), alpha.size()};
   };
-  provide(wanted.I1, 1, values.I1);
-  provide(wanted.coupling, 3, values.coupling);
-  provide(wanted.I6, 6, values.I6);
-  plain_series(alpha, terms, {values.I1, values.coupling, values.I6});
+  plain_series(alpha, terms,
+               {provided(wanted.I1, 1, values.I1), provided(wanted.coupling, 3, values.coupling),
+                provided(wanted.I6, 6, values.I6)});
   return values;
 }
 
@@ -64,10 +65,8 @@ std::vector<double> odd_multiples(const data::ElasticNip& nip, const LineLoadMet
 }
 
 /// A kernel's value at an odd multiple of half an element.
-double even(const std::vector<double>& kernel, int multiple) {
-  return kernel[static_cast<std::size_t>(std::abs(multiple) / 2)];
-}
-double odd(const std::vector<double>& kernel, int multiple) {
+double even(const Eigen::RowVectorXd& kernel, int multiple) { return kernel[std::abs(multiple) / 2]; }
+double odd(const Eigen::RowVectorXd& kernel, int multiple) {
   return multiple < 0 ? -even(kernel, multiple) : even(kernel, multiple);
 }
 
@@ -84,7 +83,8 @@ LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const L
                                 ? from_library(method.accuracy, alpha, wanted, work)
                                 : from_residues(method.residue_terms, alpha, wanted, work);
   const double part = material.theta2() / material.normal_compliance();
-  for (std::size_t i = 0; i < kernels.coupling.size(); ++i) kernels.coupling[i] -= part * I2(alpha[i]);
+  for (Eigen::Index i = 0; i < kernels.coupling.size(); ++i)
+    kernels.coupling[i] -= part * I2(alpha[static_cast<std::size_t>(i)]);
   return kernels;
 }
 

@@ -2,7 +2,6 @@
 #include <Eigen/Core>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 
@@ -19,7 +18,7 @@ struct WantedKernels {
 /// (theta2/N) I2, which is -u under a shear load too, and v under a shear load N/pi I6, N = theta1 + theta2.
 /// Functions of eta, the same for all alpha, are left out: in a symmetric nip they cancel between the loads at +-Y.
 struct LineLoadKernels {
-  std::vector<double> I1, coupling, I6;
+  Eigen::RowVectorXd I1, coupling, I6;
 };
 
 /// The kernels at each alpha, finite and nonzero, as `method` computes them; counted into `work`.

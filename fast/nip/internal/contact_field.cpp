@@ -171,8 +171,4 @@ InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, dou
   return {sum(std::fabs(depth), face.across, beyond.across), sum(1, face.along, beyond.along)};
 }
 
-InnerStresses in_unit(double unit, const InnerStresses& s) {
-  return {times(unit, s.across), times(unit, s.along), times(unit, s.shear)};
-}
-
 }  // namespace nipref::fast

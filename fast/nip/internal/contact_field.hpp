@@ -53,6 +53,4 @@ std::vector<SheetPoint> checked_points(std::span<const InnerPoint> points, doubl
 InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
                                const InnerDisplacements& beyond);
 
-InnerStresses in_unit(double unit, const InnerStresses& stresses);
-
 }  // namespace nipref::fast

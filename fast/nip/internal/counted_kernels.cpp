@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
@@ -7,9 +9,24 @@
 
 namespace nipref::fast {
 
-void CountedKernels::count_values(int kernel, std::size_t values) {
-  work_.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] += values;
-  work_.terms += values * static_cast<std::size_t>(internal::tier_works[accuracy_.tier()].piece + 1);
+using Eigen::RowVectorXd;
+
+RowVectorXd CountedKernels::counted(std::size_t kernel, Alphas alpha, const auto& evaluate) {
+  RowVectorXd values(static_cast<Eigen::Index>(alpha.size()));
+  evaluate(std::span(values.data(), alpha.size()));
+  work_.kernel_evaluations[kernel - 1] += alpha.size();
+  work_.terms += alpha.size() * static_cast<std::size_t>(internal::tier_works[accuracy_.tier()].piece + 1);
+  return values;
+}
+
+Work& Work::operator+=(const Work& other) {
+  std::ranges::transform(kernel_evaluations, other.kernel_evaluations, kernel_evaluations.begin(),
+                         std::plus());
+  terms += other.terms;
+  systems += other.systems;
+  unknowns = std::max(unknowns, other.unknowns);
+  line_responses += other.line_responses;
+  return *this;
 }
 
 void CountedKernels::count_system(int unknowns) {
@@ -17,40 +34,21 @@ void CountedKernels::count_system(int unknowns) {
   work_.unknowns = std::max(work_.unknowns, unknowns);
 }
 
-std::vector<double> CountedKernels::I1(std::span<const double> alpha) {
-  std::vector<double> values(alpha.size());
-  fast::I1(alpha, values, accuracy_);
-  count_values(1, values.size());
-  return values;
+RowVectorXd CountedKernels::I1(Alphas alpha) {
+  return counted(1, alpha, [&](auto values) { fast::I1(alpha, values, accuracy_); });
 }
-
-std::vector<double> CountedKernels::regular_I1(std::span<const double> alpha) {
-  std::vector<double> values(alpha.size());
-  internal::regular_I1(alpha, values);
-  count_values(1, values.size());
-  return values;
+RowVectorXd CountedKernels::I3(Alphas alpha) {
+  return counted(3, alpha, [&](auto values) { fast::I3(alpha, values, accuracy_); });
 }
-
-std::vector<double> CountedKernels::regular_I6(std::span<const double> alpha) {
-  std::vector<double> values(alpha.size());
-  internal::regular_I6(alpha, values);
-  count_values(6, values.size());
-  return values;
-}
-
-std::vector<double> CountedKernels::I3(std::span<const double> alpha) {
-  std::vector<double> values(alpha.size());
-  fast::I3(alpha, values, accuracy_);
-  count_values(3, values.size());
-  return values;
-}
-
-std::vector<double> CountedKernels::I6(std::span<const double> alpha) {
+RowVectorXd CountedKernels::I6(Alphas alpha) {
   const std::vector<double> eta(alpha.size(), 0.0);
-  std::vector<double> values(alpha.size());
-  fast::I6(alpha, eta, values, accuracy_);
-  count_values(6, values.size());
-  return values;
+  return counted(6, alpha, [&](auto values) { fast::I6(alpha, eta, values, accuracy_); });
+}
+RowVectorXd CountedKernels::regular_I1(Alphas alpha) {
+  return counted(1, alpha, [&](auto values) { internal::regular_I1(alpha, values); });
+}
+RowVectorXd CountedKernels::regular_I6(Alphas alpha) {
+  return counted(6, alpha, [&](auto values) { internal::regular_I6(alpha, values); });
 }
 
 }  // namespace nipref::fast

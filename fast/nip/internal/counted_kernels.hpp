@@ -1,6 +1,6 @@
 #pragma once
+#include <Eigen/Core>
 #include <span>
-#include <vector>
 
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/accuracy.hpp>
@@ -10,21 +10,22 @@ namespace nipref::fast {
 /// The sheet kernels in batches, with their evaluations counted.
 class CountedKernels {
  public:
+  using Alphas = std::span<const double>;
   /// Counts into `work`, which outlives this.
   CountedKernels(Accuracy accuracy, Work& work) : accuracy_(accuracy), work_(work) {}
 
-  [[nodiscard]] std::vector<double> I1(std::span<const double> alpha);
-  [[nodiscard]] std::vector<double> I3(std::span<const double> alpha);
-  /// The same plus ln|alpha|.
-  [[nodiscard]] std::vector<double> regular_I1(std::span<const double> alpha);
-  [[nodiscard]] std::vector<double> regular_I6(std::span<const double> alpha);
+  [[nodiscard]] Eigen::RowVectorXd I1(Alphas alpha);
+  [[nodiscard]] Eigen::RowVectorXd I3(Alphas alpha);
   /// I6(alpha, 0): by symmetry the terms in eta cancel in pairs.
-  [[nodiscard]] std::vector<double> I6(std::span<const double> alpha);
+  [[nodiscard]] Eigen::RowVectorXd I6(Alphas alpha);
+  /// The same plus ln|alpha|.
+  [[nodiscard]] Eigen::RowVectorXd regular_I1(Alphas alpha);
+  [[nodiscard]] Eigen::RowVectorXd regular_I6(Alphas alpha);
 
   void count_system(int unknowns);
 
  private:
-  void count_values(int kernel, std::size_t values);
+  [[nodiscard]] Eigen::RowVectorXd counted(std::size_t kernel, Alphas alpha, const auto& evaluate);
 
   Accuracy accuracy_;
   Work& work_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 
 #include <nipref/fast/nip/internal/nip_equations.hpp>
 
@@ -20,12 +21,23 @@ Functional NipEquations::traction(const Solution& solution, TractionComponent co
 }
 
 Functional NipEquations::eccentricity(const Solution& solution) const {
-  const double load = solution.value(solution.load()), from_middle = solution.value(solution.moment()) / load;
+  const double load = solution.carried_load(), from_middle = solution.value(solution.moment()) / load;
   Functional result = solution.of_unknown(*offset_unknown());
   result.on_tractions =
       solution.moment().on_tractions / load - from_middle * (solution.load().on_tractions / load);
   result.constant = from_middle;
   return result;
+}
+
+Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels) {
+  using Alphas = CountedKernels::Alphas;
+  const auto whole = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_q = on_p = kernels.I1(alpha) / std::numbers::pi;
+  };
+  const auto regular = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_q = on_p = kernels.regular_I1(alpha) / std::numbers::pi;
+  };
+  return {{1, true, {}, whole}, Eigen::RowVector2d(1, 1), Eigen::RowVector2d(0, 0), regular};
 }
 
 }  // namespace nipref::fast

@@ -1,8 +1,11 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include <nipref/fast/nip/converged.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/panels.hpp>
 #include <nipref/fast/nip/internal/solution.hpp>
 #include <nipref/fast/nip/internal/traction_field.hpp>
@@ -43,10 +46,10 @@ class NipEquations {
   /// tolerance: of the quadratures.
   [[nodiscard]] virtual Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                        CountedKernels& kernels) const = 0;
-  /// Beside the load.
+  /// Beside the load and the tractions.
   [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
-  /// Where the search for the length begins.
-  [[nodiscard]] virtual double half_length_guess(double load) const = 0;
+  /// The compliance with which a contact acts over its whole length, over what acts at once: about.
+  [[nodiscard]] virtual double softening_over(double /*half_length*/) const { return 1; }
   /// BadInput for a half length at which the contact is out of reach.
   virtual void check(double /*half_length*/) const {}
 
@@ -63,18 +66,31 @@ class NipEquations {
   /// The distance of the pressure's resultant from the line through the centres, of a contact that is not symmetric:
   /// offset + int y p dy/load.
   [[nodiscard]] Functional eccentricity(const Solution& solution) const;
-  /// u; v and v'; v' alone, without friction; and the mean of v' over the contact.
+  /// u; v and v'; and the mean of v' over the contact.
   [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,
                                           CountedKernels& kernels) const = 0;
   [[nodiscard]] virtual SurfaceAlong along(const Solution& solution, const ContactPlace& place,
                                            CountedKernels& kernels) const = 0;
-  [[nodiscard]] virtual Functional strain(const Solution& solution, const ContactPlace& place) const = 0;
   [[nodiscard]] virtual Functional creep(const Solution& solution, CountedKernels& kernels) const = 0;
   /// The shares of theta1 and theta2 in N of an elastic sheet; nothing in rolling.
   [[nodiscard]] virtual std::optional<internal::Shares> shares() const { return {}; }
 };
 
+/// I1/pi: the normal displacement that the pressure causes in an elastic sheet. `kernels` lives as long.
+Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels);
+
 /// Of the quadratures, whose error is less than that of rounding.
 inline constexpr double quadrature_tolerance = 1e-16;
+
+/// One of the two.
+struct GivenContact {
+  std::optional<double> length = {}, load = {};  ///< L, unit of length; force per unit width
+};
+
+/// The solved contact of a nip of these equations. compliance: N (at once). BadInput for an accuracy, a length or a load
+/// outside the domain, and for a load whose contact is.
+ConvergedNip converged_nip(const NipShape& shape, double compliance,
+                           std::shared_ptr<const NipEquations> equations, const GivenContact& given,
+                           double accuracy);
 
 }  // namespace nipref::fast

@@ -20,13 +20,10 @@ constexpr double nats_of_double = 37;
 /// The factor, as a logarithm, by which Chebyshev coefficients fall a degree on a panel.
 double log_fall(double left, double right, double half_length, bool is_whole) {
   const double middle = (left + right) / 2, half = (right - left) / 2;
-  std::vector<Complex> singular{{0, 2}};
-  if (left > 0) singular.push_back(0);
-  if (!is_whole) singular.push_back(2 * half_length);
-  double least = 1e300;
-  for (const Complex& place : singular)
-    least = std::min(least, internal::log_of_ellipse((place - middle) / half));
-  return least;
+  const auto by = [&](Complex singular) { return internal::log_of_ellipse((singular - middle) / half); };
+  double least = by({0, 2});
+  if (left > 0) least = std::min(least, by(0));
+  return is_whole ? least : std::min(least, by(2 * half_length));
 }
 
 /// The degree from which on the coefficients of e^(-rate x) on a panel, e^(-rate middle) I_n(rate half), are below e^-nats

@@ -100,24 +100,19 @@ void SheetPart::add_nodes(std::size_t block, const LoadsOfBlock& loads) {
   const double length = blocks_.length(block);
   const double before =
       from_end == 0 ? 0 : blocks_.graded() + blocks_.inner() * (static_cast<double>(from_end) - 1);
-  std::array<double, nodes_of_block> polynomials{}, pressure{}, shear{};
+  std::array<double, nodes_of_block> polynomials{};
+  std::array<FaceTraction, nodes_of_block> sums{};
   for (const LoadOnFace& load : loads(right, from_end)) {
     internal::legendre(2 * (load.e - before) / length - 1, polynomials);
-    for (std::size_t k = 0; k < nodes_of_block; ++k) {
-      pressure[k] += load.pressure * polynomials[k];
-      shear[k] += load.shear * polynomials[k];
-    }
+    for (std::size_t k = 0; k < nodes_of_block; ++k) sums[k].add(polynomials[k], load.force);
   }
   const GaussRule& rule = rule_of_block();
   for (std::size_t j = 0; j < nodes_of_block; ++j) {
     const double e = before + length * rule.at[j];
-    Node node{right ? blocks_.half_length() - e : e - blocks_.half_length(), 0, 0};
+    Node node{right ? blocks_.half_length() - e : e - blocks_.half_length(), {0, 0}};
     internal::legendre(2 * rule.at[j] - 1, polynomials);
-    for (std::size_t k = 0; k < nodes_of_block; ++k) {
-      const double share = rule.weight[j] * static_cast<double>(2 * k + 1) * polynomials[k];
-      node.pressure += share * pressure[k];
-      node.shear += share * shear[k];
-    }
+    for (std::size_t k = 0; k < nodes_of_block; ++k)
+      node.force.add(rule.weight[j] * static_cast<double>(2 * k + 1) * polynomials[k], sums[k]);
     nodes_.push_back(node);
   }
 }
@@ -127,7 +122,7 @@ void SheetPart::mirror() {
   std::vector<Node> left;
   for (std::size_t first = nodes_.size(); first > 0; first -= nodes_of_block) {
     for (const Node& node : std::span(nodes_).subspan(first - nodes_of_block, nodes_of_block))
-      left.push_back({-node.alpha, node.pressure, -node.shear});
+      left.push_back({-node.alpha, {node.force.pressure, -node.force.shear}});
   }
   nodes_.insert(nodes_.begin(), left.begin(), left.end());
 }
@@ -150,10 +145,10 @@ void SheetPart::sum_far() {
     const std::span<const Node> nodes = nodes_of({block, block + 1});
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       for (std::size_t n = 0; n < to[j].of.size(); ++n) {
-        sum.pressure.of[n] += nodes[j].pressure * to[j].of[n];
-        sum.shear.of[n] += nodes[j].shear * to[j].of[n];
+        sum.pressure.of[n] += nodes[j].force.pressure * to[j].of[n];
+        sum.shear.of[n] += nodes[j].force.shear * to[j].of[n];
       }
-      sum.shear_force += nodes[j].shear;
+      sum.shear_force += nodes[j].force.shear;
     }
     return sum;
   };
@@ -167,44 +162,31 @@ void SheetPart::sum_far() {
 
 ContactBlocks::Range SheetPart::near(double alpha) const { return blocks_.near(alpha, nearest_far); }
 
-std::optional<FarLoads> SheetPart::to_the_left(const ContactBlocks::Range& near, double alpha) const {
-  if (near.begin == 0) return std::nullopt;
-  return seen_from(to_the_left_[near.begin], AlongWaves(alpha - blocks_.left_end(near.begin)));
-}
-std::optional<FarLoads> SheetPart::to_the_right(const ContactBlocks::Range& near, double alpha) const {
-  if (near.end == blocks_.count()) return std::nullopt;
-  return seen_from(to_the_right_[near.end], AlongWaves(blocks_.left_end(near.end) - alpha));
+template <class Field>
+Field SheetPart::under_all(double alpha, const auto& there) const {
+  const ContactBlocks::Range seen = near(alpha);
+  Field sum{};
+  for (const Node& node : nodes_of(seen)) {
+    const auto one = there.beside(alpha - node.alpha);
+    sum = sum + node.force.pressure * one.normal + node.force.shear * one.shear;
+  }
+  if (seen.begin > 0) {
+    const AlongWaves further(alpha - blocks_.left_end(seen.begin));
+    sum = sum + there.far(seen_from(to_the_left_[seen.begin], further), 1);
+  }
+  if (seen.end < blocks_.count()) {
+    const AlongWaves further(blocks_.left_end(seen.end) - alpha);
+    sum = sum + there.far(seen_from(to_the_right_[seen.end], further), -1);
+  }
+  return sum;
 }
 
 SheetStresses SheetPart::at(double alpha, double depth) const {
-  const internal::StressesAtDepth there(depth);
-  const ContactBlocks::Range seen = near(alpha);
-  SheetStresses sum{};
-  for (const Node& node : nodes_of(seen)) {
-    const internal::StressesBeside one = there.beside(alpha - node.alpha);
-    sum = sum + node.pressure * one.normal + node.shear * one.shear;
-  }
-  if (const auto loads = to_the_left(seen, alpha)) sum = sum + there.far(*loads, 1);
-  if (const auto loads = to_the_right(seen, alpha)) sum = sum + there.far(*loads, -1);
-  return sum;
+  return under_all<SheetStresses>(alpha, internal::StressesAtDepth(depth));
 }
 
 internal::FromFace SheetPart::from_face(double alpha, double depth, const internal::Shares& share) const {
-  const internal::DisplacementsFromFace there(depth, share);
-  const ContactBlocks::Range seen = near(alpha);
-  internal::FromFace sum{};
-  const auto add = [&](double pressure, const internal::FromFace& normal, double traction,
-                       const internal::FromFace& shear) {
-    sum.u += pressure * normal.u + traction * shear.u;
-    sum.v += pressure * normal.v + traction * shear.v;
-  };
-  for (const Node& node : nodes_of(seen)) {
-    const internal::FromFaceBeside one = there.beside(alpha - node.alpha);
-    add(node.pressure, one.normal, node.shear, one.shear);
-  }
-  if (const auto loads = to_the_left(seen, alpha)) add(1, there.far(*loads, 1), 0, {});
-  if (const auto loads = to_the_right(seen, alpha)) add(1, there.far(*loads, -1), 0, {});
-  return sum;
+  return under_all<internal::FromFace>(alpha, internal::DisplacementsFromFace(depth, share));
 }
 
 }  // namespace nipref::fast

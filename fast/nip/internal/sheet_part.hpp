@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,10 +9,17 @@
 
 namespace nipref::fast {
 
-/// Pressure, and shear along the sheet, dimensionless.
-struct FaceTraction {
-  double pressure, shear;
+/// Pressure, and shear along the sheet, dimensionless, or sums over both.
+template <class Number>
+struct PressureAndShear {
+  Number pressure, shear;
+
+  void add(const Number& factor, const PressureAndShear<double>& of) {
+    pressure += of.pressure * factor;
+    shear += of.shear * factor;
+  }
 };
+using FaceTraction = PressureAndShear<double>;
 
 /// The traction at the distance e >= 0 from the right or the left end of a contact: continuous, 0 at the ends and
 /// analytic between them.
@@ -48,7 +54,8 @@ class ContactBlocks {
 
 /// A line load at the distance e from the end of its side.
 struct LoadOnFace {
-  double e, pressure, shear;
+  double e;
+  FaceTraction force;
 };
 /// Line loads that act as the tractions of a block do on polynomials; blocks are counted from the contact's end.
 using LoadsOfBlock = std::function<std::vector<LoadOnFace>(bool right, std::size_t from_end)>;
@@ -64,7 +71,8 @@ class SheetPart {
 
   /// A line load.
   struct Node {
-    double alpha, pressure, shear;
+    double alpha;
+    FaceTraction force;
   };
 
   /// The blocks that are near to alpha.
@@ -74,12 +82,9 @@ class SheetPart {
   [[nodiscard]] internal::FromFace from_face(double alpha, double depth, const internal::Shares& share) const;
 
  private:
+  template <class Field>
+  [[nodiscard]] Field under_all(double alpha, const auto& there) const;
   [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
-  /// The residues' coefficients of the loads beyond `near`, for places about alpha.
-  [[nodiscard]] std::optional<internal::FarLoads> to_the_left(const ContactBlocks::Range& near,
-                                                              double alpha) const;
-  [[nodiscard]] std::optional<internal::FarLoads> to_the_right(const ContactBlocks::Range& near,
-                                                               double alpha) const;
   void add_nodes(std::size_t block, const LoadsOfBlock& loads);
   void mirror();  ///< makes the left half's nodes from the right half's
   void sum_far();
@@ -91,6 +96,12 @@ class SheetPart {
   std::vector<internal::FarLoads> to_the_left_, to_the_right_;
 };
 
+inline internal::FromFace operator+(const internal::FromFace& a, const internal::FromFace& b) {
+  return {a.u + b.u, a.v + b.v};
+}
+inline internal::FromFace operator*(double factor, const internal::FromFace& a) {
+  return {factor * a.u, factor * a.v};
+}
 inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {
   return {a.across + b.across, a.along + b.along, a.shear + b.shear};
 }

@@ -17,6 +17,8 @@ constexpr double underflow = 16 * std::numeric_limits<double>::min();
 
 Solution::Solution(Tractions tractions, const Equations& equations)
     : tractions_(std::move(tractions)), integrals_(tractions_.integrals()), layers_(equations.layers) {
+  for (std::vector<int>* columns : {&solved_, &left_out_})
+    columns->reserve(static_cast<std::size_t>(tractions_.columns()));
   for (std::size_t p = 0; p < tractions_.panels().size(); ++p) {
     const int terms = tractions_.panels()[p].terms;
     for (int component = 0; component < tractions_.components(); ++component) {
@@ -47,10 +49,8 @@ Solution::Solution(Tractions tractions, const Equations& equations)
   unit_ = (equations.memories > 0 ? 2 : 1) * unit_roundoff;
   matrix.leftCols(terms) =
       matrix.leftCols(terms).cwiseAbs().cwiseMax(equations.size_on_tractions(Eigen::all, solved_));
-  if (equations.size_right.size() > 0) {
-    matrix.rightCols(unknowns) = matrix.rightCols(unknowns).cwiseAbs().cwiseMax(equations.size_on_unknowns);
-    right = right.cwiseAbs().cwiseMax(equations.size_right);
-  }
+  matrix.rightCols(unknowns) = matrix.rightCols(unknowns).cwiseAbs().cwiseMax(equations.size_on_unknowns);
+  right = right.cwiseAbs().cwiseMax(equations.size_right);
   equation_errors_ = 8 * unit_ *
                      (matrix.array().square().matrix() * solution.array().square().matrix() +
                       right.array().square().matrix())

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <utility>
 #include <vector>
 
 #include <nipref/fast/nip/internal/tractions.hpp>
@@ -10,17 +11,28 @@ namespace nipref::fast {
 
 /// Linear equations for the tractions of a contact and further unknowns.
 struct Equations {
+  /// With zeros beside what acts on the tractions.
+  Equations(Eigen::MatrixXd of_tractions, Eigen::MatrixXd sizes, Eigen::Index unknowns,
+            Eigen::Index of_layers)
+      : on_tractions(std::move(of_tractions)),
+        on_unknowns(Eigen::MatrixXd::Zero(on_tractions.rows(), unknowns)),
+        right(Eigen::VectorXd::Zero(on_tractions.rows())),
+        size_on_tractions(std::move(sizes)),
+        size_on_unknowns(on_unknowns),
+        size_right(right),
+        layers(Eigen::MatrixXd::Zero(of_layers, unknowns + 1)) {}
+
   Eigen::MatrixXd on_tractions;  ///< columns of Tractions
   Eigen::MatrixXd on_unknowns;
   Eigen::VectorXd right;
-  /// Sizes of what cancels in these numbers; of the last two empty where nothing does.
+  /// Sizes of what cancels in these numbers, 0 where nothing does.
   Eigen::MatrixXd size_on_tractions;
   Eigen::MatrixXd size_on_unknowns;
   Eigen::VectorXd size_right;
   /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
   Eigen::MatrixXd layers;
-  int memories =
-      0;  ///< last equations, whose numbers are memories of kernels, right to eight units in the last place
+  /// Last equations, whose numbers are memories of kernels, right to eight units in the last place.
+  int memories = 0;
 };
 
 /// A linear functional of a solution, plus a constant.
@@ -79,6 +91,7 @@ class Solution {
   /// g at 0 <= e <= A, see Tractions.
   [[nodiscard]] std::complex<double> traction(double e) const { return tractions_.value(e, coefficients_); }
   [[nodiscard]] double value(const Functional& functional) const;
+  [[nodiscard]] double carried_load() const { return integrals_.row(0).dot(coefficients_); }
   struct Parts {
     double value, truncation, rounding;
   };

@@ -60,7 +60,7 @@ void SolvedNip::search_roughly() {
   while (!settled && search.residual() > near_enough) {
     near_ = search.length();
     solution_ = solve(near_, few_nats, tolerance);
-    settled = search.settled(solution_->value(solution_->load()));
+    settled = search.settled(solution_->carried_load());
   }
   near_ = sought_ = search.length();
   exponent_ = search.exponent();
@@ -74,7 +74,7 @@ void SolvedNip::meet_load() {
     length_.reset();
     return curvature() <= std::max(1e-2 * accuracy_, rounding);
   };
-  while (!search.settled(last().value(last().load()))) {
+  while (!search.settled(last().carried_load())) {
     const bool is_far = std::fabs(search.length() / last().half_length() - 1) > nearest_neighbour;
     if (!is_far && suffices()) break;
     auto before = std::exchange(solution_, solve(search.length(), nats_));
@@ -96,9 +96,7 @@ double SolvedNip::growth(double here, double there) const {
   return (there - here) / (neighbour().half_length() - last().half_length());
 }
 
-double SolvedNip::load_growth() const {
-  return growth(last().value(last().load()), neighbour().value(neighbour().load()));
-}
+double SolvedNip::load_growth() const { return growth(last().carried_load(), neighbour().carried_load()); }
 
 const Estimate& SolvedNip::half_length_estimate() const {
   if (!length_) {
@@ -114,7 +112,7 @@ const Estimate& SolvedNip::half_length_estimate() const {
 }
 
 double SolvedNip::curvature() const {
-  const double here = last().half_length(), left = (*load_ - last().value(last().load())) / load_growth();
+  const double here = last().half_length(), left = (*load_ - last().carried_load()) / load_growth();
   double bend = 15;
   for (const std::complex<double>& rate : equations_->resolution(nats_).rates)
     bend =
@@ -128,10 +126,6 @@ Estimate SolvedNip::extrapolated(double here, double error, const std::function<
   const double value = here + rise * (half_length() - last().half_length());
   return {value, error + std::fabs(rise) * half_length_estimate().error +
                      curvature() * std::max(std::fabs(value), std::fabs(rise) * half_length())};
-}
-
-double SolvedNip::value(const std::function<double(const Solution&)>& number) const {
-  return extrapolated(number(last()), 0, [&] { return number(neighbour()); }).value;
 }
 
 std::complex<double> SolvedNip::traction(double e) const {
@@ -164,23 +158,35 @@ SolvedNip::InBoth SolvedNip::in_both(const Number& number) const {
   return result;
 }
 
-SolvedNip::InBoth SolvedNip::at_place(double e, double unsure, const AtPlace& number) const {
-  InBoth result = in_both([&](const Solution& solution) { return number(solution, e); });
-  result.shift = shift(result.here, e, unsure, number);
+SolvedNip::InBoth SolvedNip::at_place(const ContactPlace& place, double unsure, const AtPlace& number) const {
+  InBoth result = in_both([&](const Solution& solution) { return number(solution, place); });
+  result.shift = shift(result.here, place, unsure, number);
   return result;
 }
 
-double SolvedNip::shift(const Functional& here, double e, double unsure, const AtPlace& number) const {
-  const double value = last().value(here);
+double SolvedNip::shift(const Functional& here, const ContactPlace& place, double unsure,
+                        const AtPlace& number) const {
+  const double value = last().value(here), reach = SolvedNip::reach(place, unsure);
   double largest = 0;
-  for (const double moved : {e - reach(e, unsure), e + reach(e, unsure)})
-    largest = std::max(largest, std::fabs(last().value(number(last(), moved)) - value));
+  for (const double e : {place.e - reach, place.e + reach})
+    largest = std::max(largest, std::fabs(last().value(number(last(), {place.trailing, e})) - value));
   return largest;
 }
 
 SolvedNip::Shortfall SolvedNip::shortfall() const {
   std::vector<AccuracyTarget> targets = equations_->accuracy_targets(last());
   targets.push_back({last().load(), 0});
+  const double middle = last().traction(last().half_length()).real();
+  for (const Panel& panel : last().tractions().panels()) {
+    const double at =
+        panel.about_middle && !panel.at_end ? last().half_length() : panel.left + 0.2 * panel.width();
+    const auto add = [&](TractionComponent component, bool trailing) {
+      targets.push_back({equations_->traction(last(), component, {trailing, at}), middle});
+    };
+    add(TractionComponent::pressure, false);
+    if (equations_->grips()) add(TractionComponent::shear, false);
+    if (equations_->offset_unknown()) add(TractionComponent::pressure, true);
+  }
   Shortfall largest{0, 0};
   for (const auto& [number, scale] : targets) {
     const auto [value, truncation, rounding] = last().parts(number);

@@ -31,8 +31,6 @@ class SolvedNip {
   /// Of the contact that carries the load; last() is next to it, as near as the search has come.
   [[nodiscard]] double half_length() const { return half_length_estimate().value; }
   [[nodiscard]] const Estimate& half_length_estimate() const;
-  /// `number` gives a number of a solution; the value is that of the contact of half_length().
-  [[nodiscard]] double value(const std::function<double(const Solution&)>& number) const;
   /// g at e >= 0, see Tractions; beyond the middle that of the other half.
   [[nodiscard]] std::complex<double> traction(double e) const;
   /// A number in last() and, for a given load, in the neighbour; `shift` is what the error of a place adds to its error.
@@ -47,13 +45,16 @@ class SolvedNip {
   /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
   [[nodiscard]] InBoth in_both(const Number& number) const;
   [[nodiscard]] Estimate estimate(const Number& number) const { return estimate(in_both(number)); }
-  /// A number of a place at the distance e from an end, negative outside the contact, where e is known to `unsure`.
-  using AtPlace = std::function<Functional(const Solution&, double e)>;
-  [[nodiscard]] InBoth at_place(double e, double unsure, const AtPlace& number) const;
+  /// A number of a place whose distance from the end is known to `unsure`.
+  using AtPlace = std::function<Functional(const Solution&, const ContactPlace&)>;
+  [[nodiscard]] InBoth at_place(const ContactPlace& place, double unsure, const AtPlace& number) const;
   /// How much such a number, which is `here` in last(), may change because the place has an error.
-  [[nodiscard]] double shift(const Functional& here, double e, double unsure, const AtPlace& number) const;
-  /// How far the place may be from e.
-  [[nodiscard]] static double reach(double e, double unsure) { return unsure + 0x1p-52 * std::fabs(e); }
+  [[nodiscard]] double shift(const Functional& here, const ContactPlace& place, double unsure,
+                             const AtPlace& number) const;
+  /// How far the place may be from there.
+  [[nodiscard]] static double reach(const ContactPlace& place, double unsure) {
+    return unsure + 0x1p-52 * std::fabs(place.e);
+  }
   /// The neighbour of a contact of given load, otherwise nullptr.
   [[nodiscard]] const Solution* there() const { return load_ ? &neighbour() : nullptr; }
   /// Solves with more terms; false where rounding rules, so that more do not help.

@@ -31,6 +31,8 @@ const GaussRule& rule_of_panel(int order) {
   return rule;
 }
 
+double largest(const FaceTraction& of) { return std::max(std::fabs(of.pressure), std::fabs(of.shear)); }
+
 /// Q_0 .. Q_(order-1) at z in the upper half-plane or, as limits from there, on the axis but for +-1. The recurrence
 /// runs forwards where the values fall little with the order, otherwise backwards.
 template <std::size_t order>
@@ -82,12 +84,12 @@ TractionField::Side TractionField::mirrored(const Side& right) {
   for (SampledPanel& panel : left.panels) {
     for (std::size_t j = 0; j < order; ++j) {
       panel.t[j] = -panel.t[j];
-      panel.shear[j] = -panel.shear[j];
-      (j % 2 == 0 ? panel.shear_series : panel.pressure_series)[j] *= -1;
+      panel.loads[j].shear *= -1;
+      (j % 2 == 0 ? panel.series[j].shear : panel.series[j].pressure) *= -1;
     }
   }
   for (Moments& moments : left.moments) {
-    for (double& moment : moments.shear) moment = -moment;
+    for (FaceTraction& moment : moments) moment.shear *= -1;
   }
   return left;
 }
@@ -98,8 +100,7 @@ TractionField::Side TractionField::make_side(bool right, const FaceTractions& tr
   double left = 0, peak = 0;
   for (const double end : panel_ends(blocks_)) {
     coarse.push_back(sampled(right, left, end, traction));
-    peak = std::max(
-        {peak, std::fabs(coarse.back().pressure_series[0]), std::fabs(coarse.back().shear_series[0])});
+    peak = std::max(peak, largest(coarse.back().series[0]));
     left = end;
   }
   Side side;
@@ -116,9 +117,7 @@ TractionField::Side TractionField::make_side(bool right, const FaceTractions& tr
 
 void TractionField::add_resolved(bool right, const SampledPanel& panel, const FaceTractions& traction,
                                  double negligible, int halvings, Side& side) {
-  double last = 0;
-  for (const auto* series : {&panel.pressure_series, &panel.shear_series})
-    last = std::max({last, std::fabs((*series)[order - 2]), std::fabs((*series)[order - 1])});
+  const double last = std::max(largest(panel.series[order - 2]), largest(panel.series[order - 1]));
   if (last <= negligible || halvings == 0) {
     side.unresolved = std::max(side.unresolved, last);
     add(panel, side);
@@ -140,15 +139,11 @@ TractionField::SampledPanel TractionField::sampled(bool right, double left, doub
   for (std::size_t j = 0; j < order; ++j) {
     const FaceTraction here = traction(right, left + panel.width * rule.at[j]);
     panel.t[j] = right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1;
-    panel.pressure[j] = 2 * rule.weight[j] * here.pressure;
-    panel.shear[j] = 2 * rule.weight[j] * here.shear;
+    panel.loads[j].add(2 * rule.weight[j], here);
     std::array<double, order> polynomials{};
     internal::legendre(panel.t[j], polynomials);
-    for (std::size_t k = 0; k < order; ++k) {
-      const double factor = (static_cast<double>(k) + 0.5) * polynomials[k];
-      panel.pressure_series[k] += factor * panel.pressure[j];
-      panel.shear_series[k] += factor * panel.shear[j];
-    }
+    for (std::size_t k = 0; k < order; ++k)
+      panel.series[k].add((static_cast<double>(k) + 0.5) * polynomials[k], panel.loads[j]);
   }
   return panel;
 }
@@ -158,9 +153,10 @@ std::vector<LoadOnFace> TractionField::loads_of(bool right, std::size_t block) c
   std::vector<LoadOnFace> loads;
   for (std::size_t i = side.first_of_block[block]; i < side.first_of_block[block + 1]; ++i) {
     const SampledPanel& panel = side.panels[i];
-    for (std::size_t j = 0; j < order; ++j)
-      loads.push_back({panel.left + panel.width * rule_of_panel(order).at[j],
-                       panel.width / 2 * panel.pressure[j], panel.width / 2 * panel.shear[j]});
+    for (std::size_t j = 0; j < order; ++j) {
+      loads.push_back({panel.left + panel.width * rule_of_panel(order).at[j], {}});
+      loads.back().force.add(panel.width / 2, panel.loads[j]);
+    }
   }
   return loads;
 }
@@ -172,24 +168,20 @@ void TractionField::add(const SampledPanel& panel, Side& side) {
   for (std::size_t j = 0; j < order; ++j) {
     const double share = (left + panel.width * rule_of_panel(order).at[j]) / end;
     double power = panel.width / 2;
-    for (std::size_t m = 0; m < moment_count; ++m, power *= share) {
-      moments.pressure[m] += power * panel.pressure[j];
-      moments.shear[m] += power * panel.shear[j];
-    }
+    for (std::size_t m = 0; m < moment_count; ++m, power *= share) moments[m].add(power, panel.loads[j]);
   }
   if (!side.moments.empty()) {
     double power = 1;
-    for (std::size_t m = 0; m < moment_count; ++m, power *= left / end) {
-      moments.pressure[m] += power * side.moments.back().pressure[m];
-      moments.shear[m] += power * side.moments.back().shear[m];
-    }
+    for (std::size_t m = 0; m < moment_count; ++m, power *= left / end)
+      moments[m].add(power, side.moments.back()[m]);
   }
   side.panels.push_back(panel);
   side.moments.push_back(moments);
 }
 
 void TractionField::add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
-                             Wanted wanted, Cauchy& sum) const {
+                             Wanted wanted, Cauchy& total) const {
+  Cauchy sum = total;
   const bool slopes = wanted == Wanted::slopes;
   const Side& side = sides_[right ? 1 : 0];
   const auto [begin, end_panel] = panels_of(right, near);
@@ -207,17 +199,11 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     Complex power = inverse;
     for (std::size_t m = 0; m < moment_count; ++m, power *= ratio) {
       const auto n = static_cast<double>(m);
-      sum.pressure += moments.pressure[m] * power;
-      sum.shear += moments.shear[m] * power;
-      if (slopes) {
-        const Complex slope = (n + 1) * power * inverse;
-        sum.pressure_slope += moments.pressure[m] * slope;
-        sum.shear_slope += moments.shear[m] * slope;
-      } else {
-        const Complex logarithm = m == 0 ? std::log(from_end) : -power * from_end / n;
-        sum.pressure_log += moments.pressure[m] * logarithm;
-        sum.shear_log += moments.shear[m] * logarithm;
-      }
+      sum.whole.add(power, moments[m]);
+      if (slopes)
+        sum.slope.add((n + 1) * power * inverse, moments[m]);
+      else
+        sum.log.add(m == 0 ? std::log(from_end) : -power * from_end / n, moments[m]);
     }
   }
   for (std::size_t i = first; i < end_panel; ++i) {
@@ -229,28 +215,15 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     };
     const Complex z = (from_end - turn * (panel.left + half)) / half;
     if (std::norm(z) > 2.6) {
-      double real[4] = {}, imag[4] = {};
       for (std::size_t j = 0; j < order; ++j) {
         const double x = z.real() - panel.t[j], y = z.imag(), inverse = 1 / (x * x + y * y);
-        const double re = x * inverse, im = -y * inverse, re2 = re * re - im * im, im2 = 2 * re * im;
-        real[0] += panel.pressure[j] * re;
-        imag[0] += panel.pressure[j] * im;
-        real[1] += panel.pressure[j] * re2;
-        imag[1] += panel.pressure[j] * im2;
-        real[2] += panel.shear[j] * re;
-        imag[2] += panel.shear[j] * im;
-        real[3] += panel.shear[j] * re2;
-        imag[3] += panel.shear[j] * im2;
-        if (!slopes) {
-          const Complex logarithm = half * std::log(half * Complex(x, y));
-          sum.pressure_log += panel.pressure[j] * logarithm;
-          sum.shear_log += panel.shear[j] * logarithm;
-        }
+        const double re = x * inverse, im = -y * inverse;
+        sum.whole.add({re, im}, panel.loads[j]);
+        if (slopes)
+          sum.slope.add({(re * re - im * im) / half, 2 * re * im / half}, panel.loads[j]);
+        else
+          sum.log.add(half * std::log(half * Complex(x, y)), panel.loads[j]);
       }
-      sum.pressure += Complex(real[0], imag[0]);
-      sum.pressure_slope += Complex(real[1], imag[1]) / half;
-      sum.shear += Complex(real[2], imag[2]);
-      sum.shear_slope += Complex(real[3], imag[3]) / half;
       continue;
     }
     // At the common end of two panels their logarithms cancel.
@@ -264,23 +237,23 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
     const Complex over = half / from_left * (half / from_right);
     for (std::size_t k = 0; k < order; ++k) {
       const auto n = static_cast<double>(k);
-      sum.pressure += panel.pressure_series[k] * 2.0 * q[k];
-      sum.shear += panel.shear_series[k] * 2.0 * q[k];
-      if (!slopes) {
-        // The integral of P_k(t) ln(half (z - t)), by parts with (2k + 1) P_k = P_(k+1)' - P_(k-1)'.
-        const Complex logarithm =
-            half * (k == 0 ? from_minus_1 * std::log(from_left) - from_1 * std::log(from_right) - 2.0
-                           : 2.0 / (2 * n + 1) * (q[k + 1] - q[k - 1]));
-        sum.pressure_log += panel.pressure_series[k] * logarithm;
-        sum.shear_log += panel.shear_series[k] * logarithm;
-        continue;
-      }
-      // -Q_k'
-      const Complex slope = (k == 0 ? Complex(1) : n * (q[k - 1] - z * q[k])) * over * (2 / half);
-      sum.pressure_slope += panel.pressure_series[k] * slope;
-      sum.shear_slope += panel.shear_series[k] * slope;
+      sum.whole.add(2.0 * q[k], panel.series[k]);
+      if (slopes)  // -Q_k'
+        sum.slope.add((k == 0 ? Complex(1) : n * (q[k - 1] - z * q[k])) * over * (2 / half), panel.series[k]);
+      else  // The integral of P_k(t) ln(half (z - t)), by parts with (2k + 1) P_k = P_(k+1)' - P_(k-1)'.
+        sum.log.add(half * (k == 0 ? from_minus_1 * std::log(from_left) - from_1 * std::log(from_right) - 2.0
+                                   : 2.0 / (2 * n + 1) * (q[k + 1] - q[k - 1])),
+                    panel.series[k]);
     }
   }
+  total = sum;
+}
+
+TractionField::Cauchy TractionField::cauchy(const ContactBlocks::Range& near, double alpha, double distance,
+                                            Wanted wanted) const {
+  Cauchy sum{};
+  for (const bool right : {false, true}) add_side(right, near, alpha, distance, wanted, sum);
+  return sum;
 }
 
 std::pair<std::size_t, std::size_t> TractionField::panels_of(bool right,
@@ -296,13 +269,12 @@ SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const
   SheetStresses sum{};
   for (const double face : {1.0, -1.0}) {
     const double d = 1 - face * place.depth;
-    Cauchy f{};
-    for (const bool right : {false, true}) add_side(right, near, place.alpha, d, Wanted::slopes, f);
-    const Complex p = d * f.pressure_slope, q = d * f.shear_slope;
-    sum =
-        sum + SheetStresses{(f.pressure.imag() + p.real() + q.imag()) / std::numbers::pi,
-                            (f.pressure.imag() - p.real() - 2 * f.shear.real() - q.imag()) / std::numbers::pi,
-                            face * (q.real() - f.shear.imag() - p.imag()) / std::numbers::pi};
+    const auto [whole, slope, log] = cauchy(near, place.alpha, d, Wanted::slopes);
+    const Complex p = d * slope.pressure, q = d * slope.shear;
+    sum = sum + SheetStresses{
+                    (whole.pressure.imag() + p.real() + q.imag()) / std::numbers::pi,
+                    (whole.pressure.imag() - p.real() - 2 * whole.shear.real() - q.imag()) / std::numbers::pi,
+                    face * (q.real() - whole.shear.imag() - p.imag()) / std::numbers::pi};
   }
   return sum;
 }
@@ -317,12 +289,10 @@ internal::FromFace TractionField::half_planes_displaced(const ContactBlocks::Ran
   internal::FromFace sum{};
   for (const double face : {1.0, -1.0}) {
     const double d = 1 - face * depth;
-    Cauchy f{};
-    for (const bool right : {false, true}) add_side(right, near, alpha, d, Wanted::logarithms, f);
-    const Complex p = t1 * d * f.pressure, q = t1 * d * f.shear;
-    sum.u +=
-        face * (f.pressure_log.real() + p.imag() + t2 * f.shear_log.imag() - q.real()) / std::numbers::pi;
-    sum.v += (t2 * f.pressure_log.imag() + p.real() - f.shear_log.real() + q.imag()) / std::numbers::pi;
+    const auto [whole, slope, log] = cauchy(near, alpha, d, Wanted::logarithms);
+    const Complex p = t1 * d * whole.pressure, q = t1 * d * whole.shear;
+    sum.u += face * (log.pressure.real() + p.imag() + t2 * log.shear.imag() - q.real()) / std::numbers::pi;
+    sum.v += (t2 * log.pressure.imag() + p.real() - log.shear.real() + q.imag()) / std::numbers::pi;
   }
   return sum;
 }

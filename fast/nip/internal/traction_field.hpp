@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <utility>
@@ -48,14 +49,13 @@ class TractionField {
   /// left <= e <= left + width on one side; t runs from -1 to 1 along the sheet.
   struct SampledPanel {
     double left, right, width;
-    double t[order], pressure[order], shear[order];      ///< nodes, tractions times weights for t
-    double pressure_series[order], shear_series[order];  ///< coefficients of Legendre polynomials
+    double t[order];             ///< nodes
+    FaceTraction loads[order];   ///< tractions times weights for t
+    FaceTraction series[order];  ///< coefficients of Legendre polynomials
   };
   /// Moments of all tractions from the contact's end to the right end of a panel, with powers of the distance from the
   /// contact's end over that of the panel's right end.
-  struct Moments {
-    double pressure[moment_count], shear[moment_count];
-  };
+  using Moments = std::array<FaceTraction, moment_count>;
   struct Side {
     std::vector<SampledPanel> panels;
     std::vector<Moments> moments;
@@ -65,7 +65,7 @@ class TractionField {
   /// int p/(Z - y) dy, int p/(Z - y)^2 dy, int p ln(Z - y) dy and the same of the shear; logarithms or slopes where they are
   /// asked for.
   struct Cauchy {
-    Complex pressure, pressure_slope, pressure_log, shear, shear_slope, shear_log;
+    PressureAndShear<Complex> whole, slope, log;
   };
   enum class Wanted { slopes, logarithms };
   [[nodiscard]] std::vector<Side> make_sides(const FaceTractions& traction) const;  ///< left, right
@@ -78,7 +78,9 @@ class TractionField {
   [[nodiscard]] static Side mirrored(const Side& right);
   [[nodiscard]] std::vector<LoadOnFace> loads_of(bool right, std::size_t block) const;
   void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance, Wanted wanted,
-                Cauchy& sum) const;
+                Cauchy& total) const;
+  [[nodiscard]] Cauchy cauchy(const ContactBlocks::Range& near, double alpha, double distance,
+                              Wanted wanted) const;
   /// The range of one side's panels, counted from its end, in the blocks.
   [[nodiscard]] std::pair<std::size_t, std::size_t> panels_of(bool right,
                                                               const ContactBlocks::Range& blocks) const;

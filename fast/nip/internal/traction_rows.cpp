@@ -117,11 +117,11 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
 
 /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
 void Tractions::append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                             bool for_layers, double tolerance, Nodes& nodes) const {
+                             std::vector<double> ends, double tolerance, Nodes& nodes) const {
   const double reach = Tractions::reach(tolerance), outside = place.outside();
   const double singular = singular_at(place, mirrored);
   const double gap = std::max(panel.left - singular, singular - panel.right);
-  std::vector<double> ends{panel.left, panel.right};
+  ends.insert(ends.end(), {panel.left, panel.right});
   for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
     if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
   }
@@ -129,18 +129,12 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
     for (const double end : {singular - cut, singular + cut})
       if (panel.left < end && end < panel.right) ends.push_back(end);
   }
-  if (for_layers) cut_for_layers(panel, ends);
   std::ranges::sort(ends);
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
     append_piece(ends[i - 1], ends[i], singular, mirrored, degrees(panel), tolerance, nodes);
   }
-}
-
-void Tractions::cut_for_layers(const Panel& panel, std::vector<double>& ends) const {
-  if (!panel.at_end) return;
-  for (const double cut : cuts(layer_rates(), 0, panel.right)) ends.push_back(cut);
 }
 
 PanelBasis::Rows Tractions::basis_at(const Panel& panel, const Nodes& nodes) const {
@@ -150,31 +144,19 @@ PanelBasis::Rows Tractions::basis_at(const Panel& panel, const Nodes& nodes) con
   return basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
 }
 
-void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing, Parts parts,
+void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
                          Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const auto count = static_cast<Eigen::Index>(nodes.e.size());
-  const Eigen::ArrayXd weight = array(nodes.weight);
-  const PanelBasis::Rows basis = parts.terms ? basis_at(panels_[p], nodes) : PanelBasis::Rows();
-  const auto leading = trailing
-                           ? Eigen::seq(static_cast<Eigen::Index>(nodes.on_this_half), count - 1)
-                           : Eigen::seq(Eigen::Index(0), static_cast<Eigen::Index>(nodes.on_this_half) - 1);
-  const Eigen::MatrixXd layers = parts.layers ? layers_at(array(nodes.e)(leading)) : Eigen::MatrixXd();
-  Eigen::MatrixXd on_p, on_q;
-  std::vector<double> alpha = nodes.alpha;
-  if (trailing) std::ranges::transform(alpha, alpha.begin(), std::negate{});
-  kernel.at(alpha, on_p, on_q);
-  Eigen::ArrayXd signed_weight = weight;
+  const PanelBasis::Rows basis = basis_at(panels_[p], nodes);
+  const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose();
+  Eigen::RowVectorXd signed_weight = weight;
   const auto on_this_half = static_cast<Eigen::Index>(nodes.on_this_half);
-  if (trailing)
-    signed_weight.head(on_this_half) *= -1;
-  else
-    signed_weight.tail(count - on_this_half) *= -1;
-  for (int i = 0; i < kernel.functionals; ++i) {
-    const Eigen::RowVectorXd wp = weight.transpose() * on_p.row(i).array(),
-                             wq = signed_weight.transpose() * on_q.row(i).array();
-    if (parts.terms) add_sums(p, basis, wp, wq, rows.row(i));
-    if (parts.layers) rows.row(i).tail(layers.cols()) += 0.5 * (wp + wq)(leading)*layers;
-  }
+  (trailing ? signed_weight.head(on_this_half) : signed_weight.tail(weight.size() - on_this_half)) *= -1;
+  const Eigen::ArrayXd alpha = (trailing ? -1 : 1) * array(nodes.alpha);
+  Eigen::MatrixXd on_p, on_q;
+  kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
+  for (int i = 0; i < kernel.functionals; ++i)
+    add_sums(p, basis, weight.cwiseProduct(on_p.row(i)), signed_weight.cwiseProduct(on_q.row(i)),
+             rows.row(i));
 }
 
 bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
@@ -301,36 +283,33 @@ bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kerne
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
                           Eigen::Ref<Eigen::MatrixXd> rows) const {
   Nodes nodes;
-  bool has_layers = layers_.empty();
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
-    Parts parts{true, false};
     nodes.clear();
     for (const bool mirrored : {false, true}) {
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
       if (acts_on(panel, singular_at(place, mirrored), kernel, tolerance) &&
           !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) &&
-          !add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows)) {
-        const bool for_layers = !has_layers && panel.at_end && mirrored == place.trailing;
-        append_panel(panel, place, mirrored, kernel, for_layers, tolerance, nodes);
-        parts.layers |= for_layers;
-      }
+          !add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows))
+        append_panel(panel, place, mirrored, kernel, {}, tolerance, nodes);
     }
-    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, parts, rows);
-    has_layers |= parts.layers;
+    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
   }
-  if (!has_layers) add_layers(place, kernel, tolerance, rows);
+  if (!layers_.empty()) rows.rightCols(layer_columns()) += layer_rows(place, kernel, tolerance);
 }
 
-void Tractions::add_layers(const Place& place, const Kernel& kernel, double tolerance,
-                           Eigen::Ref<Eigen::MatrixXd> rows) const {
+/// Half of a layer is in Re g and half in Im g.
+Eigen::MatrixXd Tractions::layer_rows(const Place& place, const Kernel& kernel, double tolerance) const {
   const Panel& panel = panels_.front();
-  if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance)) return;
+  if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance))
+    return Eigen::MatrixXd::Zero(kernel.functionals, layer_columns());
   Nodes nodes;
-  append_panel(panel, place, place.trailing, kernel, true, tolerance, nodes);
-  nodes.on_this_half = place.trailing ? 0 : nodes.e.size();
-  add_rows(0, nodes, kernel, place.trailing, {false, true}, rows);
+  append_panel(panel, place, place.trailing, kernel, cuts(layer_rates(), 0, panel.right), tolerance, nodes);
+  const Eigen::ArrayXd alpha = (place.trailing ? -1 : 1) * array(nodes.alpha);
+  Eigen::MatrixXd on_p, on_q;
+  kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
+  return 0.5 * (on_p + on_q) * array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e));
 }
 
 Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
@@ -345,52 +324,36 @@ Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, c
   return result;
 }
 
-/// The panel that has layers is at most a quarter of the contact, so that the nodes for the nearest place
-/// do for all.
 Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                  double tolerance) const {
-  const Place nearest{*std::ranges::max_element(places), true, panels_.size()};
-  Nodes nodes;
-  append_panel(panels_.front(), nearest, true, kernel, true, tolerance, nodes);
-  const auto count = static_cast<Eigen::Index>(nodes.e.size()),
-             all = static_cast<Eigen::Index>(places.size());
-  const Eigen::MatrixXd layers =
-      0.5 * (array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e)));
-  Eigen::ArrayXXd alpha(count, all);
-  for (Eigen::Index i = 0; i < all; ++i)
-    alpha.col(i) = array(nodes.e) - (2 * half_length_ - places[static_cast<std::size_t>(i)]);
-  Eigen::MatrixXd on_p, on_q, result(all * kernel.functionals, layers.cols());
-  kernel.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
-  for (int f = 0; f < kernel.functionals; ++f) {
-    const Eigen::RowVectorXd both = on_p.row(f) + on_q.row(f);
-    const Eigen::MatrixXd of_functional = both.reshaped(count, all).transpose() * layers;
-    result(Eigen::seqN(f, all, kernel.functionals), Eigen::all) = of_functional;
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(places.size()) * kernel.functionals, layer_columns());
+  for (Eigen::Index row = 0; const double e : places) {
+    result.middleRows(row, kernel.functionals) = layer_rows({e, true, panels_.size()}, kernel, tolerance);
+    row += kernel.functionals;
   }
   return result;
 }
 
 Tractions::MatchingRows Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {
-  const std::vector<double> points = matching_points();
   const int functionals = kernel.whole.functionals;
-  const Eigen::MatrixXd none =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()) * functionals, columns_);
-  MatchingRows result{none, none};
+  MatchingRows result{matching_points(), {}, {}};
+  result.rows.setZero(static_cast<Eigen::Index>(result.points.size()) * functionals, columns_);
+  result.sizes = result.rows;
   Eigen::Index row = 0;
   for (std::size_t p = 0, at = 0; p < panels_.size(); ++p) {
     const bool is_done = add_own_panel(p, kernel, tolerance, row, result);
     for (int i = 0; i < points_of(panels_[p]).points; ++i, row += functionals)
-      add_place({points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,
+      add_place({result.points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,
                 result.rows.middleRows(row, functionals));
   }
   return result;
 }
 
-/// Half of a layer is in Re g and half in Im g.
 void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   constexpr double tolerance = 1e-16;
   const Panel& panel = panels_.front();
-  std::vector<double> ends{panel.left, panel.right};
-  cut_for_layers(panel, ends);
+  std::vector<double> ends = cuts(layer_rates(), 0, panel.right);
+  ends.insert(ends.end(), {panel.left, panel.right});
   std::ranges::sort(ends);
   Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i)
@@ -398,8 +361,8 @@ void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   const Eigen::MatrixXd values = layers_at(array(nodes.e));
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
                            y = array(nodes.alpha).matrix().transpose();
-  result.row(0).tail(values.cols()) += weight * values;
-  result.row(1).tail(values.cols()) += weight.cwiseProduct(y) * values;
+  result.rightCols(values.cols()).row(0) += weight * values;
+  result.rightCols(values.cols()).row(1) += weight.cwiseProduct(y) * values;
 }
 
 }  // namespace nipref::fast

@@ -14,6 +14,7 @@ Tractions::Tractions(double half_length, std::vector<Panel> panels, bool is_comp
       is_complex_(is_complex),
       exponent_(exponent),
       layers_(layers.begin(), layers.end()) {
+  panels_.back().right = 2 * half_length - panels_.back().left;
   int column = 0;
   for (const Panel& panel : panels_) {
     first_.push_back(column);
@@ -41,7 +42,7 @@ Tractions::Degrees Tractions::degrees_of(std::size_t p, int component) const {
 }
 
 Eigen::MatrixXd Tractions::layers_at(const Eigen::ArrayXd& e) const {
-  Eigen::MatrixXd values(e.size(), static_cast<Eigen::Index>(2 * layers_.size()));
+  Eigen::MatrixXd values(e.size(), layer_columns());
   for (std::size_t j = 0; j < layers_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(2 * j);
     for (Eigen::Index i = 0; i < e.size(); ++i) {
@@ -69,6 +70,7 @@ void Tractions::add_sums(std::size_t p, const PanelBasis::Rows& integrals, const
 
 std::vector<double> Tractions::matching_points() const {
   std::vector<double> points;
+  points.reserve(static_cast<std::size_t>(columns_));
   for (const Panel& panel : panels_) {
     for (const double at : *points_of(panel).at()) points.push_back(panel.left + panel.width() * at);
   }
@@ -92,8 +94,7 @@ Eigen::MatrixXd Tractions::values(double e) const {
   add_sums(p, basis, one, none, result.row(0));
   add_sums(p, basis, none, one, result.row(1));
   if (panel.at_end)
-    result.rightCols(static_cast<Eigen::Index>(2 * layers_.size())).rowwise() +=
-        0.5 * layers_at(Eigen::ArrayXd::Constant(1, e)).row(0);
+    result.rightCols(layer_columns()).rowwise() += 0.5 * layers_at(Eigen::ArrayXd::Constant(1, e)).row(0);
   return result;
 }
 

@@ -13,7 +13,7 @@
 namespace nipref::fast {
 
 /// left <= e <= right on half a contact, e the distance from the contact's end; the panel about the middle reaches as far
-/// into the other half: right = 2A - left.
+/// into the other half: right = 2A - left, as Tractions sets it.
 struct Panel {
   double left, right;
   bool at_end;        ///< left == 0
@@ -80,8 +80,8 @@ class Tractions {
   [[nodiscard]] Eigen::MatrixXd rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                       double tolerance) const;
   /// The same at the matching points: those of the panels, as many as terms, and one more at the end.
-  [[nodiscard]] std::vector<double> matching_points() const;
   struct MatchingRows {
+    std::vector<double> points;
     Eigen::MatrixXd rows, sizes;  ///< sizes of the parts that cancel in the rows' numbers, 0 where none do
   };
   [[nodiscard]] MatchingRows matching_rows(const SplitKernel& kernel, double tolerance) const;
@@ -117,14 +117,15 @@ class Tractions {
     void clear();
     void grow(std::size_t count);
   };
-  /// The ends of the pieces into which the layers cut the panel at the end.
-  void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;
+  /// `ends`: of pieces, beside those that the kernel asks for.
   void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                    bool for_layers, double tolerance, Nodes& nodes) const;
+                    std::vector<double> ends, double tolerance, Nodes& nodes) const;
   /// `degree` of the polynomials that are integrated.
   void append_piece(double from, double to, double singular, bool mirrored, int degree, double tolerance,
                     Nodes& nodes) const;
+  [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
+  [[nodiscard]] Eigen::Index layer_columns() const { return static_cast<Eigen::Index>(2 * layers_.size()); }
   [[nodiscard]] Eigen::MatrixXd layers_at(const Eigen::ArrayXd& e) const;
   /// Up to which the panel's terms and those left out go.
   [[nodiscard]] static int degrees(const Panel& panel);
@@ -144,11 +145,7 @@ class Tractions {
     return {panel.about_middle, panel.terms + (panel.at_end ? 1 : 0)};
   }
   [[nodiscard]] PanelBasis::Rows basis_at(const Panel& panel, const Nodes& nodes) const;
-  /// Which columns get rows from nodes: those of the panel's terms, those of the layers from the leading half's nodes.
-  struct Parts {
-    bool terms, layers;
-  };
-  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing, Parts parts,
+  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
                 Eigen::Ref<Eigen::MatrixXd> rows) const;
   /// Adds sums over the rows of `integrals` with weights p and q.
   void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
@@ -165,9 +162,8 @@ class Tractions {
   /// singular kernels.
   bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance, Eigen::Index first,
                      MatchingRows& result) const;
-  /// Adds the layers, which are on the leading half.
-  void add_layers(const Place& place, const Kernel& kernel, double tolerance,
-                  Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// The columns of the layers, which are on the leading half.
+  [[nodiscard]] Eigen::MatrixXd layer_rows(const Place& place, const Kernel& kernel, double tolerance) const;
   void add_integrals_of_layers(Eigen::MatrixXd& result) const;
   void add_place(const Place& place, const Kernel& kernel, double tolerance,
                  Eigen::Ref<Eigen::MatrixXd> rows) const;

@@ -12,25 +12,28 @@ class SlopeKernels {
  public:
   SlopeKernels(double length, const Eigen::ArrayXd& targets, const Eigen::ArrayXd& sources);
 
-  /// Loads at the sources, rows, gathered at the Chebyshev points.
-  [[nodiscard]] Eigen::MatrixXd gathered(const auto& loads) const { return at_sources_.transpose() * loads; }
-  /// u' and v' at the targets under gathered pressures and shears, and their derivatives by the target's place.
-  [[nodiscard]] Eigen::MatrixXd normal(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) const {
-    return at_targets_ * (values_[0] * p - values_[1] * q);
+  /// u' and v' at the targets, rows, under pressures and shears at the sources, with a column for each case.
+  struct Rows {
+    Eigen::MatrixXd normal, along;
+  };
+  [[nodiscard]] Rows values(const auto& pressures, const auto& shears) const {
+    return under(values_, pressures, shears);
   }
-  [[nodiscard]] Eigen::MatrixXd along(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) const {
-    return at_targets_ * (values_[1] * p + values_[2] * q);
-  }
-  [[nodiscard]] Eigen::MatrixXd normal_slope(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) const {
-    return at_targets_ * (slopes_[0] * p - slopes_[1] * q);
-  }
-  [[nodiscard]] Eigen::MatrixXd along_slope(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) const {
-    return at_targets_ * (slopes_[1] * p + slopes_[2] * q);
+  /// Their derivatives by the target's place.
+  [[nodiscard]] Rows slopes(const auto& pressures, const auto& shears) const {
+    return under(slopes_, pressures, shears);
   }
 
  private:
+  using Kernels = std::array<Eigen::MatrixXd, 3>;  ///< U, V, S
+  [[nodiscard]] Rows under(const Kernels& kernels, const auto& pressures, const auto& shears) const {
+    const auto p = (at_sources_.transpose() * pressures).eval(),
+               q = (at_sources_.transpose() * shears).eval();
+    return {at_targets_ * (kernels[0] * p - kernels[1] * q), at_targets_ * (kernels[1] * p + kernels[2] * q)};
+  }
+
   Eigen::MatrixXd at_targets_, at_sources_;
-  std::array<Eigen::MatrixXd, 3> values_, slopes_;  ///< of U, V, S
+  Kernels values_, slopes_;
 };
 
 }  // namespace nipref::fast

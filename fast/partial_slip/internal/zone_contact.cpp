@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -121,10 +122,6 @@ double ZoneContact::strain(double e) const {
   return strain - equations_.task().beta * traction_at(point).pressure;
 }
 
-ZoneContact::Traction ZoneContact::traction_after(std::size_t zone) const {
-  return traction_at(mesh().start(static_cast<int>(zone) + 1));
-}
-
 int ZoneContact::sign(double e) const { return mesh().sign(mesh().point_at(e)); }
 
 double ZoneContact::start_of_zone(double e) const {
@@ -176,6 +173,34 @@ double ZoneContact::dissipation() const {
     if (sample.sign != 0) sum -= factor * sample.weight * sample.shear * sample.slip;
   }
   return sum;
+}
+
+std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const {
+  const auto size_at = [&](const ZoneMesh::Point& point) { return std::fabs(traction_at(point).*part); };
+  std::vector<Peak> found;
+  const auto search = [&](int panel, double from, double to) {
+    const auto negative_at = [&](double s) { return -size_at({panel, s}); };
+    const auto [s, negative] = boost::math::tools::brent_find_minima(negative_at, from, to, 30);
+    found.push_back({-negative, mesh().place({panel, s})});
+  };
+  // In s, as a peak may be very near to a boundary; beyond the first and the last sample of a panel, too.
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    const auto& [panel, s] = std::pair(samples_[i].point.panel, samples_[i].point.s);
+    const bool is_first = i == 0 || samples_[i - 1].point.panel != panel;
+    const bool is_last = i + 1 == samples_.size() || samples_[i + 1].point.panel != panel;
+    const double here = size_at(samples_[i].point);
+    const bool is_largest = (is_first || here >= size_at(samples_[i - 1].point)) &&
+                            (is_last || here >= size_at(samples_[i + 1].point));
+    if (is_largest || is_first || is_last)
+      search(panel, is_first ? -ZoneMesh::farthest : s - mesh().step(),
+             is_last ? ZoneMesh::farthest : s + mesh().step());
+  }
+  // Rounding of e would miss the boundary.
+  for (std::size_t z = 1; z < zones().size(); ++z) {
+    const ZoneMesh::Point boundary = mesh().start(static_cast<int>(z));
+    found.push_back({size_at(boundary), mesh().place(boundary)});
+  }
+  return found;
 }
 
 }  // namespace nipref::fast

@@ -37,9 +37,6 @@ class ZoneContact {
   /// 0 outside.
   [[nodiscard]] Traction traction(double e) const;
   [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
-  [[nodiscard]] double place(const ZoneMesh::Point& point) const { return mesh().place(point); }
-  /// At the boundary after a zone, which rounding of e would miss.
-  [[nodiscard]] Traction traction_after(std::size_t zone) const;
   /// Of the zone that e in the contact lies in, and where it begins.
   [[nodiscard]] int sign(double e) const;
   [[nodiscard]] double start_of_zone(double e) const;
@@ -66,7 +63,12 @@ class ZoneContact {
     double e, weight, pressure, shear, slip;
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-  [[nodiscard]] double sample_step() const { return mesh().step(); }  ///< of s
+
+  struct Peak {
+    double size, e;
+  };
+  /// The local maxima of a traction's size, and its size at the boundaries of zones, where it may have cusps.
+  [[nodiscard]] std::vector<Peak> peaks(double Traction::*part) const;
 
  private:
   explicit ZoneContact(ZoneEquations solved);

@@ -69,10 +69,9 @@ ZoneEquations::Misfits ZoneEquations::misfits() const {
                         q_here = mesh_.at_midpoints().shear * tractions;
   const auto [normal, tangential] = forces();
   const Eigen::MatrixXd kernels = cauchy();
-  const SlopeKernels rest = rests();
-  const Eigen::VectorXd p = rest.gathered(normal.matrix()), q = rest.gathered(tangential.matrix());
-  const Eigen::VectorXd across = kernels * normal.matrix() + rest.normal(p, q) + task_.beta * q_here,
-                        along = kernels * tangential.matrix() + rest.along(p, q) - task_.beta * p_here;
+  const auto [rest_across, rest_along] = rests().values(normal.matrix(), tangential.matrix());
+  const Eigen::VectorXd across = kernels * normal.matrix() + rest_across + task_.beta * q_here,
+                        along = kernels * tangential.matrix() + rest_along - task_.beta * p_here;
   return {across.array() - 2 * (leading_length() - places(mesh_.midpoints())), along.array() - creep()};
 }
 
@@ -92,12 +91,12 @@ ZoneEquations::Rows ZoneEquations::rows() const {
                                     shear = weights.asDiagonal() * mesh_.at_nodes().shear;
   const Eigen::MatrixXd kernels = cauchy();
   const SlopeKernels rest = rests();
-  const Eigen::MatrixXd p = rest.gathered(pressure), q = rest.gathered(shear);
+  const auto [rest_across, rest_along] = rest.values(pressure, shear);
   Rows rows{Eigen::MatrixXd(kernels.rows(), unknowns + zones),
             Eigen::MatrixXd(kernels.rows(), unknowns + zones)};
-  rows.normal.leftCols(unknowns) = kernels * pressure + rest.normal(p, q);
+  rows.normal.leftCols(unknowns) = kernels * pressure + rest_across;
   rows.normal.leftCols(unknowns) += task_.beta * mesh_.at_midpoints().shear;
-  rows.along.leftCols(unknowns) = kernels * shear + rest.along(p, q);
+  rows.along.leftCols(unknowns) = kernels * shear + rest_along;
   rows.along.leftCols(unknowns) -= task_.beta * mesh_.at_midpoints().pressure;
   for (Index z = 0; z < zones; ++z) add_length(z, kernels, rest, rows);
   return rows;
@@ -119,17 +118,14 @@ void ZoneEquations::add_length(Index zone, const Eigen::MatrixXd& kernels, const
     along += tangential(j) * slope;
     if (mesh_.zone(node) != zone) p_of_zone(j) = q_of_zone(j) = 0;
   }
-  const auto gathered = [&](const ArrayXd& forces) { return rest.gathered(forces.matrix()); };
-  const Eigen::MatrixXd p = gathered(normal), q = gathered(tangential), moved_p = gathered(normal * moves),
-                        moved_q = gathered(tangential * moves), p_by_weight = gathered(p_of_zone),
-                        q_by_weight = gathered(q_of_zone);
-  across += own * rest.normal_slope(p, q).array() - rest.normal_slope(moved_p, moved_q).array();
-  along += own * rest.along_slope(p, q).array() - rest.along_slope(moved_p, moved_q).array();
+  const auto [here, here_along] = rest.slopes(normal.matrix(), tangential.matrix());
+  const auto [moved, moved_along] = rest.slopes((normal * moves).matrix(), (tangential * moves).matrix());
+  const auto [by_weight, by_weight_along] = rest.values(p_of_zone.matrix(), q_of_zone.matrix());
+  across += own * here.array() - moved.array();
+  along += own * here_along.array() - moved_along.array();
   const Index column = mesh_.unknowns() + zone;
-  rows.normal.col(column) =
-      across.matrix() + kernels * p_of_zone.matrix() + rest.normal(p_by_weight, q_by_weight);
-  rows.along.col(column) =
-      along.matrix() + kernels * q_of_zone.matrix() + rest.along(p_by_weight, q_by_weight);
+  rows.normal.col(column) = across.matrix() + kernels * p_of_zone.matrix() + by_weight;
+  rows.along.col(column) = along.matrix() + kernels * q_of_zone.matrix() + by_weight_along;
 }
 
 bool ZoneEquations::is_square() const {

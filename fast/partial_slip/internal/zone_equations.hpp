@@ -47,9 +47,7 @@ class ZoneEquations {
 
  private:
   /// The derivatives of the misfits by the unknowns of the mesh and the logarithms of the zones' lengths.
-  struct Rows {
-    Eigen::MatrixXd normal, along;
-  };
+  using Rows = SlopeKernels::Rows;
   [[nodiscard]] Rows rows() const;
   void add_length(Eigen::Index zone, const Eigen::MatrixXd& kernels, const SlopeKernels& rest,
                   Rows& rows) const;

@@ -5,9 +5,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/nip/internal/frictionless_kernel.hpp>
 #include <nipref/fast/nip/internal/layer.hpp>
-#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 
 namespace nipref::fast {
@@ -18,17 +16,20 @@ using Complex = std::complex<double>;
 /// int_0^x e^(-rate t) t^power dt over x^(power + 1), power = 0, 1, 2, as functions of z = rate x.
 template <class Number>
 std::array<Number, 3> faded_powers(Number z) {
+  const Number end = std::exp(-z);
   std::array<Number, 3> sums{};
   if (std::abs(z) < 2) {
+    // By parts, upwards for the last, and back from it.
     constexpr double negligible = 0x1p-60;
-    Number term = 1;
-    for (double n = 1; std::norm(term) > negligible * negligible; ++n) {
-      for (int power = 0; power < 3; ++power) sums[static_cast<std::size_t>(power)] += term / (n + power);
-      term *= -z / n;
+    Number term = end / 3.0;
+    for (double n = 4; std::norm(term) > negligible * negligible; ++n) {
+      sums[2] += term;
+      term *= z / n;
     }
+    sums[1] = (end + z * sums[2]) / 2.0;
+    sums[0] = end + z * sums[1];
     return sums;
   }
-  const Number end = std::exp(-z);
   sums[0] = (1.0 - end) / z;
   sums[1] = (sums[0] - end) / z;
   sums[2] = (2.0 * sums[1] - end) / z;
@@ -213,35 +214,27 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_l
 
 Solution RollingEquations::solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                  CountedKernels& kernels) const {
-  std::vector<Panel> fitted = panels;
-  fitted.back().right = 2 * half_length - fitted.back().left;
-  const std::vector<Mode> modes = this->modes(fitted);
+  const std::vector<Mode> modes = this->modes(panels);
   std::vector<Complex> layers;
   for (const Mode& mode : modes)
     if (mode.layer >= 0) layers.push_back(mode.memory.rate);
-  const Tractions tractions(half_length, fitted, true, 0.5, layers);
-  const std::vector<double> points = tractions.matching_points();
+  Tractions tractions(half_length, panels, true, 0.5, layers);
   const Tractions::SplitKernel elastic = frictionless_kernel(kernels);
-  const auto [ahead, sizes] = tractions.matching_rows(elastic, tolerance);
+  const auto [points, ahead, sizes] = tractions.matching_rows(elastic, tolerance);
 
   const auto matching = 2 * static_cast<Eigen::Index>(points.size());
   const auto unknowns =
       static_cast<Eigen::Index>(2 + sheet_.normal.inverse.size() + (has_layers(modes) ? 1 : 0));
   const auto of_layers = static_cast<Eigen::Index>(2 * layers.size());
-  Equations equations{Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
-                      Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
-                      Eigen::VectorXd::Zero(matching + unknowns - 2),
-                      Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns()),
-                      Eigen::MatrixXd::Zero(matching + unknowns - 2, unknowns),
-                      Eigen::VectorXd::Zero(matching + unknowns - 2),
-                      Eigen::MatrixXd::Zero(of_layers, unknowns + 1)};
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(matching + unknowns - 2, tractions.columns());
+  Equations equations(none, none, unknowns, of_layers);
   // Layers act on the other half, too.
   const Eigen::MatrixXd behind =
       of_layers > 0 ? tractions.rows_of_layers_behind(points, elastic.whole, tolerance) : Eigen::MatrixXd();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i), row = 2 * at;
-    for (std::size_t p = 0; p < fitted.size(); ++p) {
-      const int terms = fitted[p].terms + Tractions::left_out;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+      const int terms = panels[p].terms + Tractions::left_out;
       for (const int component : {0, 1}) {
         const auto columns = Eigen::seqN(tractions.column(p, component), terms);
         equations.on_tractions(row + component, columns) = ahead(at, columns);
@@ -265,22 +258,14 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
     if (has_layers(modes)) add_middle_displacement(half_length, ahead_of_end, equations);
   }
   equations.memories = static_cast<int>(unknowns - 2);
-  return {tractions, equations};
+  return {std::move(tractions), equations};
 }
 
 std::vector<AccuracyTarget> RollingEquations::accuracy_targets(const Solution& solution) const {
-  const double half_length = solution.half_length(), middle = solution.traction(half_length).real();
-  std::vector<AccuracyTarget> targets{
-      {solution.of_unknown(middle_displacement(solution)), half_length * half_length},
-      {solution.of_unknown(offset), 0.1 * half_length},
-      {eccentricity(solution), 1e-4 * half_length}};
-  for (const Panel& panel : solution.tractions().panels()) {
-    const double at = panel.about_middle && !panel.at_end ? half_length : panel.left + 0.2 * panel.width();
-    const Eigen::MatrixXd both = solution.tractions().values(at);
-    targets.push_back({solution.of_tractions(both.row(0) + both.row(1)), middle});
-    targets.push_back({solution.of_tractions(both.row(0) - both.row(1)), middle});
-  }
-  return targets;
+  const double half_length = solution.half_length();
+  return {{solution.of_unknown(middle_displacement(solution)), half_length * half_length},
+          {solution.of_unknown(offset), 0.1 * half_length},
+          {eccentricity(solution), 1e-4 * half_length}};
 }
 
 double RollingEquations::softening_over(double half_length) const {
@@ -288,11 +273,6 @@ double RollingEquations::softening_over(double half_length) const {
   for (const Memory& term : sheet_.normal.terms)
     sum += (term.amplitude / (term.rate + 1 / half_length)).real();
   return sum;
-}
-
-double RollingEquations::half_length_guess(double load) const {
-  const double stiff = fast::half_length_guess(load);
-  return fast::half_length_guess(load * softening_over(stiff));
 }
 
 void RollingEquations::check(double half_length) const {
@@ -349,26 +329,17 @@ Functional RollingEquations::normal(const Solution& solution, const ContactPlace
 /// Beside the displacement far ahead.
 SurfaceAlong RollingEquations::along(const Solution& solution, const ContactPlace& place,
                                      CountedKernels& /*kernels*/) const {
-  const std::vector<Functional> both = acting(solution, kernels_.along(), place);
-  return {both[0], with_pressure_there(solution, place, both[1])};
-}
-
-Functional RollingEquations::strain(const Solution& solution, const ContactPlace& place) const {
-  return with_pressure_there(solution, place, acting(solution, kernels_.strain(), place).front());
-}
-
-Functional RollingEquations::with_pressure_there(const Solution& solution, const ContactPlace& place,
-                                                 Functional strain) const {
+  std::vector<Functional> both = acting(solution, kernels_.along(), place);
   const Functional pressure = traction(solution, TractionComponent::pressure, place);
-  strain.on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
-  strain.cancelled += std::fabs(sheet_.theta2_at_once * solution.value(pressure));
-  return strain;
+  both[1].on_tractions -= sheet_.theta2_at_once * pressure.on_tractions;
+  both[1].cancelled += std::fabs(sheet_.theta2_at_once * solution.value(pressure));
+  return {std::move(both[0]), std::move(both[1])};
 }
 
-Functional RollingEquations::creep(const Solution& solution, CountedKernels& /*kernels*/) const {
+Functional RollingEquations::creep(const Solution& solution, CountedKernels& kernels) const {
   return 0.5 / solution.half_length() *
-         (acting(solution, kernels_.tangential(), {false, 0}).front() -
-          acting(solution, kernels_.tangential(), {true, 0}).front());
+         (along(solution, {false, 0}, kernels).displacement -
+          along(solution, {true, 0}, kernels).displacement);
 }
 
 }  // namespace nipref::fast

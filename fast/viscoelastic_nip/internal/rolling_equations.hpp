@@ -44,7 +44,7 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                CountedKernels& kernels) const override;
   [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
-  [[nodiscard]] double half_length_guess(double load) const override;
+  [[nodiscard]] double softening_over(double half_length) const override;
   /// BadInput where the pressure next to the leading end is nearly as large as if nothing gave way at once.
   void check(double half_length) const override;
 
@@ -55,12 +55,9 @@ class RollingEquations : public NipEquations {
                                   CountedKernels& kernels) const override;
   [[nodiscard]] SurfaceAlong along(const Solution& solution, const ContactPlace& place,
                                    CountedKernels& kernels) const override;
-  [[nodiscard]] Functional strain(const Solution& solution, const ContactPlace& place) const override;
   [[nodiscard]] Functional creep(const Solution& solution, CountedKernels& kernels) const override;
 
  private:
-  /// The compliance with which a contact acts over its whole length, over what acts at once.
-  [[nodiscard]] double softening_over(double half_length) const;
   using Sized = internal::Sized<double>;
   /// u_m, or with layers its product with the stiffness that they have left. It comes before the exponentials, and u_m after
   /// them, so that the elimination finds the exponentials by their own equations.
@@ -99,9 +96,6 @@ class RollingEquations : public NipEquations {
   /// What is the same at all places, layers with integrals to infinity among it, and the rest.
   [[nodiscard]] Response lasting_response(const std::vector<Mode>& modes, double half_length) const;
   [[nodiscard]] Response fading_response(const std::vector<Mode>& modes, double half_length, double x) const;
-  /// A strain's nonlocal part and what the pressure at its own place adds to it.
-  [[nodiscard]] Functional with_pressure_there(const Solution& solution, const ContactPlace& place,
-                                               Functional strain) const;
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
   void add_layers(const std::vector<Mode>& modes, Equations& equations) const;

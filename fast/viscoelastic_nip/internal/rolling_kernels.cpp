@@ -136,14 +136,6 @@ Tractions::Kernel RollingKernels::along() const {
                         std::bind_front(&RollingKernels::strain_at, this));
 }
 
-Tractions::Kernel RollingKernels::tangential() const {
-  return for_both_parts(rates(), std::bind_front(&RollingKernels::tangential_at, this));
-}
-
-Tractions::Kernel RollingKernels::strain() const {
-  return for_both_parts(rates(), std::bind_front(&RollingKernels::strain_at, this));
-}
-
 Tractions::Kernel RollingKernels::ahead(bool whole) const {
   const Eigen::Index of_terms = 2 * static_cast<Eigen::Index>(fades_.size());
   const auto functionals = static_cast<int>(whole ? 2 * of_terms + 1 : of_terms);

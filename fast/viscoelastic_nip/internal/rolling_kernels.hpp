@@ -26,11 +26,9 @@ class RollingKernels {
 
   /// Each with the size of the parts that may cancel in it as the next functional: the normal displacement that N gives; the
   /// displacement along the sheet beside what it is far ahead, and its derivative less theta2 at once times the pressure at
-  /// the place; and each of these two alone.
+  /// the place.
   [[nodiscard]] Tractions::Kernel normal() const;
   [[nodiscard]] Tractions::Kernel along() const;
-  [[nodiscard]] Tractions::Kernel tangential() const;
-  [[nodiscard]] Tractions::Kernel strain() const;
   /// At alpha >= 0: int_0^inf e^(-rate x) I1(alpha + x) dx/pi for each term of N, real and imaginary part as two functionals,
   /// 0 for the second of a conjugate pair. The whole has the same with the derivative I1' after them, and I1/pi at the end.
   [[nodiscard]] Tractions::Kernel ahead(bool whole) const;
