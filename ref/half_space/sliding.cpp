@@ -189,26 +189,35 @@ struct SlidingContact::Implementation final : ScaledContact {
   }
 
  private:
+  /// There are singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to tan = i friction
+  /// S/K. They are found when they are first needed.
+  [[nodiscard]] const CrowdedDirections& directions(const SlidingLine& along) const {
+    if (!directions_) {
+      const auto [peak, width] = peak_of_compliance(surface);
+      const Float slenderness = sqrt(to_float(body.along) / to_float(body.across));
+      directions_.emplace(Exact(peak), std::min(Float(width), slenderness),
+                          std::max({Float(1), slenderness, Float(abs(along.shear_over_K))}));
+    }
+    return *directions_;
+  }
+
   using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
   /// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
   /// L(psi)/L(0), in the lines' unit of stress: a factor of span^(power + 2). The moments are for span 1; on a line of span L
   /// and curvature C the pressure is (C/h) L times theirs.
   [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
     const SlidingLine along = line_at(Exact(0.0));
-    // There are singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to tan = i friction S/K.
-    const auto [peak, width] = peak_of_compliance(surface);
-    const Float slenderness = sqrt(to_float(body.along) / to_float(body.across));
-    const CrowdedDirections directions(Exact(peak), std::min(Float(width), slenderness),
-                                       std::max({Float(1), slenderness, Float(abs(along.shear_over_K))}));
     // Without friction the moment is the same on all lines.
     const LineMoment moment_along = line_moment(along, power, working);
-    return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
+    return half_turn_integral(digits, directions(along), [&](const Exact& degrees) -> Float {
       const SlidingLine line = line_at(degrees);
       const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power, working);
       return curvature_of(body, degrees) * pow(ratio(along, line, degrees), power + 2) / line.h *
              weight(moment, degrees);
     });
   }
+
+  mutable std::optional<CrowdedDirections> directions_;
 };
 
 SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,

@@ -85,7 +85,7 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
   if (t.sign() == 0) {
     const bool starts_at_0 = numerator.size() + 1 < denominator.size();
     return starts_at_0 ? exact_zero(digits)
-                       : known_number(mpq_class(numerator.back() / denominator.back()), digits);
+                       : exactly(mpq_class(numerator.back() / denominator.back()), digits);
   }
   constexpr double longest = 7e8, most_growth = 2300;
   const double rate = slowest_rate(denominator);
@@ -202,7 +202,7 @@ Enclosure modulus_at(const ExactRatio& modulus, const Exact& p, const Exact& ome
   }
   const mpq_class value = part == ComplexPart::im ? mpq_class(n.imaginary * d.real - n.real * d.imaginary)
                                                   : mpq_class(n.real * d.real + n.imaginary * d.imaginary);
-  return known_number(value / square, digits);
+  return exactly(value / square, digits);
 }
 
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {

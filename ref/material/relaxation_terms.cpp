@@ -94,7 +94,7 @@ Enclosure relaxation_amplitude(const ExactRatio& theta, int number, ComplexPart 
   const Split split(theta);
   check_number(number, 0, split.terms());
   if (number > 0) return part_of(split, number, &OscillatingTerm::amplitude, part, digits);
-  return known_number(part == ComplexPart::im ? mpq_class(0) : split.at_once, digits);
+  return exactly(part == ComplexPart::im ? mpq_class(0) : split.at_once, digits);
 }
 
 Enclosure relaxation_rate(const ExactRatio& theta, int number, ComplexPart part, int digits) {

@@ -147,11 +147,8 @@ std::vector<std::pair<Float, Float>> shear_changes(const SolvedNip& nip) {
 }
 
 FieldSource field_source(const NipSolution& of) {
-  const auto tractions = [&of](const Float& left, const Float& right) -> FaceTraction {
-    const PressureAndShear here = of.tractions(right, left);
-    return {here.pressure, here.shear};
-  };
-  return {of.offset(), of.half_length(), tractions};
+  return {of.offset(), of.half_length(),
+          [&of](const Float& left, const Float& right) { return of.tractions(right, left); }};
 }
 
 }  // namespace

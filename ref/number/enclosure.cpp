@@ -57,16 +57,12 @@ void check_digits(int digits) {
   }
 }
 
-Enclosure exact_zero(int digits) { return exactly(0, digits); }
-
-Enclosure exactly(double value, int digits) {
+Enclosure exact_zero(int digits) {
   check_digits(digits);
-  Float real = zero_of_bits(bound_precision);
-  mpfr_set_d(raw(real), value, MPFR_RNDN);
-  return {std::move(real), zero_of_bits(bound_precision), digits};
+  return {zero_of_bits(bound_precision), zero_of_bits(bound_precision), digits};
 }
 
-Enclosure known_number(const mpq_class& value, int digits) {
+Enclosure exactly(const mpq_class& value, int digits) {
   if (value == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
     return Interval(value, static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));

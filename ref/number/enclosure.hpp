@@ -16,10 +16,9 @@ struct Enclosure : Estimate {
 /// BadInput naming "digits" unless 16 <= digits <= 1000.
 void check_digits(int digits);
 
-/// A truth that is exactly 0, this double, or this rational number; BadInput for digits out of range.
+/// A truth that is exactly 0, or this rational number; BadInput for digits out of range.
 Enclosure exact_zero(int digits);
-Enclosure exactly(double value, int digits);
-Enclosure known_number(const mpq_class& value, int digits);
+Enclosure exactly(const mpq_class& value, int digits);
 
 /// The interval from value - error to value + error, rounded outwards.
 Interval interval_of(const Estimate& number);

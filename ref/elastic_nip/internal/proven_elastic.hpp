@@ -15,7 +15,7 @@ std::optional<Proof> proven_elastic(const Exact& half_length, const Exact& beta,
                                     const NormalKernel& kernel, int most_terms);
 
 /// The same for a load. `guess` is an approximation of the half length to a tenth. Nothing, too, where is_allowed does not
-/// hold for the half length to 1e-11. Only one length carries it, as the load grows at least with the square of the length: ref/elastic_nip/README.md.
+/// hold for the half length to 1e-11. Only one length carries it: ref/elastic_nip/README.md.
 std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
                                              const std::function<bool(double half_length)>& is_allowed,
                                              const Exact& beta, int digits, const NormalKernel& kernel,

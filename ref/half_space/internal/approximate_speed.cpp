@@ -3,7 +3,6 @@
 
 #include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
@@ -16,8 +15,12 @@ using Square = DenseMatrix<double>;
 using Pencil = AcousticPencil<double>;
 
 Pencil pencil_of(const AcousticMatrices& x) {
-  const auto approximate = [](const IntervalMatrix& entries) -> Square {
-    return middle(entries).re.cast<double>();
+  const auto approximate = [](const IntervalMatrix& entries) {
+    Square result(3, 3);
+    for (std::size_t k = 0; k < 9; ++k)
+      result(static_cast<Square::Index>(k / 3), static_cast<Square::Index>(k % 3)) =
+          mpfi_get_d(entries(k / 3, k % 3).real.get());
+    return result;
   };
   return {approximate(x.q), approximate(x.r), approximate(x.t)};
 }

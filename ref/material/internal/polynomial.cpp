@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <nipref/ref/material/internal/polynomial.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -14,12 +15,6 @@ Polynomial common_factor(Polynomial a, Polynomial b) {
     std::swap(a, b);
   }
   return a;
-}
-
-Interval exactly(const Float& x, mpfr_prec_t bits) {
-  Interval result(std::max(bits, bits_of(x)));
-  mpfi_set_fr(result.get(), raw(x));
-  return result;
 }
 
 /// The coefficients to the working precision.
@@ -155,7 +150,8 @@ std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {
     roots.push_back({Interval(bits), Interval(bits)});
   }
   for (const ComplexFloat& root : approximate_zeros(FloatPolynomial(p), ldexp(Float(1), -bits)))
-    roots.push_back({exactly(root.re, bits), exactly(root.im, bits)});
+    roots.push_back({interval_of(root.re, std::max(bits, bits_of(root.re))),
+                     interval_of(root.im, std::max(bits, bits_of(root.im)))});
   return roots;
 }
 

@@ -30,9 +30,8 @@ struct BoundedColumn : ProvenExpansion {
 ///     (1/pi) int_{-1}^{1} I1(A (t - s)) q(s) ds = constant - sum f_m T_m(t),    q = p'/(2A),   all m >= 1,
 ///     c_m + (1/2) sum_k g_mk k c_k = f_m,    J(A(t - s)) = sum g_mk T_m(t) T_k(s).
 ///
-/// Odd and even m are two systems, whose kernels at the n points t > 0 are the odd and the even part of J. The residual of given
-/// coefficients is enclosed in rows m < 2n and bounded in all others; divided by a lower bound lambda of the quadratic form it
-/// bounds what they miss: ref/elastic_nip/README.md, Contacts without friction, whose (1) to (3) are those in the code.
+/// Odd and even m are two systems, whose kernels at the n points t > 0 are the odd and the even part of J. Proofs, and (1) to
+/// (3) in the code: ref/elastic_nip/README.md, Contacts without friction.
 class ChebyshevSystem {
  public:
   /// Of odd m, and with `both` of even m too. A to the working precision.

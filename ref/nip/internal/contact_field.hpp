@@ -15,9 +15,8 @@ struct FieldSource {
   InnerField::Tractions tractions;
 };
 
-/// The stresses inside the sheet from the tractions of two solutions of a contact, a coarse and a fine one. The
-/// values are those of the fine solution. The error is estimated, not proven: twice the largest difference of the two
-/// solutions' stresses at the point, plus a hundredth of the last digit of `scale`, plus `uncertainty`.
+/// The stresses inside the sheet from the tractions of two solutions of a contact. The values are those of the fine one; the
+/// error is estimated: twice the largest difference at the point, a hundredth of the last digit of `scale`, and `uncertainty`.
 class ContactField {
  public:
   /// `scale` is about the pressure in the middle, `uncertainty` the error that both solutions have in common.

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/ref/number/float.hpp>
+#include <nipref/ref/nip/internal/tractions.hpp>
 
 namespace nipref::ref {
 
@@ -15,9 +15,7 @@ struct SheetPoint {
 };
 
 /// The pressure, and the shear traction along the sheet.
-struct FaceTraction {
-  Float pressure, shear;
-};
+using FaceTraction = PressureAndShear;
 
 /// sigma_x across the sheet, sigma_y along it, tau_xy, tension positive.
 struct FloatStresses {

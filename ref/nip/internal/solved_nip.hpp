@@ -8,11 +8,8 @@
 namespace nipref::ref {
 
 /// A contact solved twice, with other panels, other numbers of terms and other nodes, and again with more of them until both
-/// agree to the digits asked for.
-///
-/// The result of a functional is that of the finer solution. Its error is estimated, not proven: twice the difference of the
-/// two, and of the scale of its kind the largest difference of load, length, displacement and tractions anywhere and a
-/// hundredth of the last digit.
+/// agree to the digits asked for. The result of a functional is that of the finer solution, with an error that is estimated:
+/// ref/nip/README.md, Two solutions.
 class SolvedNip {
  public:
   using Functional = std::function<Float(const NipSolution&)>;

@@ -35,13 +35,8 @@ struct FieldPoint {
 };
 
 /// The integral for alpha < 1: the parts of the symbols that are singular at the loads in closed form, the others by the
-/// trapezoidal rule with step h, whose error is the sum of
-///
-///     aliasing    4 M e^{t alpha}/(e^{2 pi t/h} - 1), t = field_line, M = field_line_integral
-///     truncation  field_sum_remainder X^4 e^{-(3 - depth) X}, X >= 8 the last node
-///
-/// times alpha where the integral is odd in alpha, times depth where it is odd in depth. Proof: ref/sheet/README.md, Inside the
-/// sheet.
+/// trapezoidal rule. Its aliasing is bounded on the line Im z = field_line by field_line_integral, its truncation by
+/// field_sum_remainder: ref/sheet/README.md, Inside the sheet.
 Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr double field_line_integral = 64;  ///< proven by tests/ref/sheet/field.cpp
 inline constexpr double field_line = 1.25;

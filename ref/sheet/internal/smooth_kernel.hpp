@@ -26,12 +26,9 @@ struct KernelValues {
   long normal = 0, coupling = 0, stretch = 0;
 };
 
-/// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1. It is interpolated at Chebyshev
-/// points on panels of length 1/4, each of which is made when it is first needed.
-///
-/// The n-th Chebyshev coefficient is at most 2 M/28^n, and the error of interpolation at n points at most 4 M/28^{n-1}/27. The
-/// same holds for I3, for alpha > 0, where the caller has to apply the sign, and for its integral from 0. Proof:
-/// ref/sheet/README.md, The smooth kernels.
+/// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1, interpolated at Chebyshev points on
+/// panels of length 1/4, each of which is made when it is first needed; or I3 for alpha > 0, where the caller has to apply the
+/// sign, or its integral from 0. Proven: ref/sheet/README.md, The smooth kernels.
 class SmoothKernel {
  public:
   /// The error is about 10^-digits; the working precision has to be a few digits more.

@@ -22,12 +22,8 @@ struct RollingMaterial {
 /// Errors as of material_compliances().
 RollingMaterial rolling_material(const data::ViscoelasticNip& nip);
 
-/// A steadily rolling sheet and the inverse of its compliance. With D = d/dx, x the way behind the leading end, the surface
-/// follows u = C f, C = 1 + sum_i a_i/(D + r_i), from what an elastic sheet would do, f = K p; and
-///
-///     f = u/C = (1 + sum_j b_j/(D + s_j)) u,   C(-s_j) = 0,   b_j = 1/C'(-s_j).
-///
-/// Both lists have both terms of a pair of conjugate ones.
+/// A steadily rolling sheet, its `memory` a_i, r_i and that of its inverse compliance, b_j, s_j, as in
+/// ref/viscoelastic_nip/README.md, Rolling contacts. Both lists have both terms of a pair of conjugate ones.
 struct RollingSheet : NipSheet {
   RollingMaterial material;
   std::vector<RollingMemory> memory, inverse;
