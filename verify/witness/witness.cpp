@@ -1,8 +1,6 @@
-#include <algorithm>
-#include <cmath>
-
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/witness/internal/calculix.hpp>
 #include <nipref/verify/witness/witness.hpp>
 

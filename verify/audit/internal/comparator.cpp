@@ -1,8 +1,6 @@
-#include <algorithm>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

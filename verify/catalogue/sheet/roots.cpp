@@ -1,12 +1,11 @@
-#include <cmath>
 #include <complex>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -5,7 +5,6 @@
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 // What no formula of a figure describes: curves with as many points as a contact has loads, ranges or zones, and contours.
 

@@ -2,7 +2,6 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -1,16 +1,9 @@
 #pragma once
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

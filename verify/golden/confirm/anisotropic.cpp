@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>

@@ -1,8 +1,5 @@
 #include <Eigen/Dense>
 #include <boost/multiprecision/eigen.hpp>
-#include <cmath>
-#include <cstddef>
-#include <numbers>
 
 #include <nipref/verify/golden/confirm/contacts.hpp>
 

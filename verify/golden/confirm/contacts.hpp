@@ -1,7 +1,4 @@
 #pragma once
-#include <functional>
-#include <vector>
-
 #include <nipref/verify/golden/confirm/interpolant.hpp>
 #include <nipref/verify/golden/confirm/kernels.hpp>
 

@@ -1,5 +1,3 @@
-#include <vector>
-
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {

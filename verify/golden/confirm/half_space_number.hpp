@@ -1,6 +1,4 @@
 #pragma once
-#include <vector>
-
 #include <nipref/verify/golden/confirm/number.hpp>
 
 namespace nipref::verify::confirm {

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <map>
 
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/interpolant.hpp>

@@ -1,6 +1,4 @@
 #pragma once
-#include <optional>
-
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {

@@ -1,8 +1,4 @@
 #pragma once
-#include <cstddef>
-#include <functional>
-#include <vector>
-
 #include <nipref/verify/golden/confirm/number.hpp>
 
 namespace nipref::verify::confirm {

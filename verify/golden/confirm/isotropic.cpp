@@ -1,9 +1,4 @@
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <cmath>
-#include <functional>
-#include <utility>
-#include <vector>
 
 #include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/support/mapped.hpp>

@@ -1,8 +1,3 @@
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <vector>
-
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {

@@ -1,7 +1,4 @@
 #pragma once
-#include <functional>
-#include <vector>
-
 #include <nipref/verify/golden/confirm/number.hpp>
 
 /// The sheet's kernels by a second method. For |x| <= 3 it integrates along the real axis by a double exponential

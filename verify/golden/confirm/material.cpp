@@ -1,8 +1,5 @@
 #include <Eigen/Dense>
-#include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
-#include <map>
-#include <string>
 
 #include <nipref/verify/golden/confirm/rational.hpp>
 

@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>

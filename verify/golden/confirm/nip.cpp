@@ -1,6 +1,3 @@
-#include <limits>
-#include <vector>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/confirm/contacts.hpp>
 #include <nipref/verify/golden/confirm/history.hpp>

@@ -1,9 +1,6 @@
 #pragma once
-#include <algorithm>
 #include <boost/math/tools/polynomial.hpp>
-#include <cstddef>
 #include <span>
-#include <vector>
 
 #include <nipref/verify/golden/confirm/number.hpp>
 

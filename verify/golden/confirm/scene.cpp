@@ -1,6 +1,3 @@
-#include <optional>
-#include <string_view>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/golden/confirm/contacts.hpp>

@@ -1,4 +1,3 @@
-
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {

@@ -1,6 +1,4 @@
 #pragma once
-#include <array>
-
 #include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>
 
