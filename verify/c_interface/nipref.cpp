@@ -47,7 +47,7 @@ void check_choices(const verify::Quantity& quantity, std::span<const double> poi
     if (argument.kind != verify::ArgumentKind::choice) continue;
     const double last = static_cast<double>(argument.choices.size()) - 1;
     if (!(point[i] >= 0 && point[i] <= last && point[i] == std::floor(point[i])))
-      throw BadInput(argument.name, point[i], fmt::format("must be the number of a choice, 0 to {}", last));
+      verify::refuse(argument.name, point[i], "must be the number of a choice, 0 to {}", last);
   }
 }
 
@@ -74,7 +74,7 @@ std::vector<double> values_at(const verify::Quantity& quantity,
 
 void check_room(const char* name, const std::string& text, std::size_t size) {
   if (text.size() >= size)
-    throw BadInput(name, std::to_string(size), fmt::format("must be {} or more here", text.size() + 1));
+    verify::refuse(name, std::to_string(size), "must be {} or more here", text.size() + 1);
 }
 
 verify::Assignments assignments_of(const verify::Quantity& quantity, const char* const* arguments) {

@@ -47,10 +47,8 @@ const OptionText& option_called(const VerbText& verb, const Divided& word) {
     known.push_back("--" + option.name);
     if (word.name == known.back() || word.name == "-" + option.letter) return option;
   }
-  throw BadInput(word.name, word.value.value_or("(given)"),
-                 fmt::format("unknown option: {}{} takes {}",
-                             data::did_you_mean(word.name, {known.begin(), known.end()}), verb.name,
-                             fmt::join(known, ", ")));
+  refuse(word.name, word.value.value_or("(given)"), "unknown option: {}{} takes {}",
+         data::did_you_mean(word.name, {known.begin(), known.end()}), verb.name, fmt::join(known, ", "));
 }
 
 /// The value of an option, which may be the next word.
@@ -59,7 +57,7 @@ std::string value_of(const VerbText& verb, const OptionText& option, const Divid
   if (option.is_flag && word.value) throw BadInput(option.name, *word.value, "must be given without a value");
   if (option.is_flag || word.value) return word.value.value_or("");
   if (next.empty() || is_option(next.front()))
-    throw BadInput(option.name, "(missing)", fmt::format("{} needs it behind --{}", verb.name, option.name));
+    refuse(option.name, "(missing)", "{} needs it behind --{}", verb.name, option.name);
   return next.front();
 }
 
@@ -78,11 +76,8 @@ void add_word(CommandLine& line, const VerbText& verb, const std::string& word) 
   if (const OptionText* const option = find_option(verb, name); option != nullptr && !option->is_flag)
     return add_option(line, *option, *value);
   if (!verb.takes_assignments)
-    throw BadInput(
-        name, *value,
-        fmt::format("unknown argument: {}{} takes none of that name",
-                    data::did_you_mean(name, mapped<std::string_view>(verb.options, &OptionText::name)),
-                    verb.name));
+    refuse(name, *value, "unknown argument: {}{} takes none of that name",
+           data::did_you_mean(name, mapped<std::string_view>(verb.options, &OptionText::name)), verb.name);
   line.assignments.emplace_back(name, *value);
 }
 

@@ -47,10 +47,8 @@ void refuse_more_words(const CommandLine& line) {
   const Quantity& quantity = quantity_of(line);
   const std::string& word = line.words[1];
   const bool is_number = std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos;
-  throw BadInput(
-      "argument", word,
-      fmt::format("unexpected: eval takes one quantity and name=value pairs, as in 'eval {} {}={}'",
-                  quantity.name, quantity.arguments.front().name, is_number ? word : "..."));
+  refuse("argument", word, "unexpected: eval takes one quantity and name=value pairs, as in 'eval {} {}={}'",
+         quantity.name, quantity.arguments.front().name, is_number ? word : "...");
 }
 
 /// Null for the right one.
@@ -65,7 +63,7 @@ const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
     if (candidate.name == form) return &candidate;
     known.push_back(candidate.name);
   }
-  throw BadInput("form", form, fmt::format("must be {} of {}", fmt::join(known, " or "), quantity.name));
+  refuse("form", form, "must be {} of {}", fmt::join(known, " or "), quantity.name);
 }
 
 void refuse_options_without_effect(const CommandLine& line, const std::string& path, const SeedForm* form) {
@@ -79,9 +77,8 @@ int digits_for(const Quantity& quantity, const CommandLine& line) {
   const int digits = digits_option(line).value();
   if (!line.option("digits")) return std::min(digits, quantity.most_digits);
   if (digits > quantity.most_digits) {
-    throw BadInput(
-        "digits", std::to_string(digits),
-        fmt::format("must be a whole number from 16 to {} for {}", quantity.most_digits, quantity.name));
+    refuse("digits", std::to_string(digits), "must be a whole number from 16 to {} for {}",
+           quantity.most_digits, quantity.name);
   }
   return digits;
 }

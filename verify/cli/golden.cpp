@@ -29,9 +29,8 @@ class Destination {
     }
     std::error_code none;
     if (!output || output->empty())
-      throw BadInput(
-          "output", output ? "" : "(missing)",
-          fmt::format("must be a file or a folder, or --in-place given, which writes to {}", own_.string()));
+      refuse("output", output ? "" : "(missing)",
+             "must be a file or a folder, or --in-place given, which writes to {}", own_.string());
     path_ = fs::absolute(*output);
     is_file_ = files == 1 && path_.has_filename() && !fs::is_directory(path_, none);
     if (!is_file_ && fs::exists(path_, none) && !fs::is_directory(path_, none))
@@ -53,12 +52,10 @@ class Destination {
     const data::CsvFile there = data::read_csv(file);
     const std::string of = header_of(there).entry("quantity");
     if (of != name)
-      throw BadInput("golden file", file.string(),
-                     fmt::format("must be one of {}, or none yet: it has values of {}", name, of));
+      refuse("golden file", file.string(), "must be one of {}, or none yet: it has values of {}", name, of);
     if (there.records.size() - 1 > rows)
-      throw BadInput(
-          "golden file", file.string(),
-          fmt::format("must not lose rows: it has {} and would get {}", there.records.size() - 1, rows));
+      refuse("golden file", file.string(), "must not lose rows: it has {} and would get {}",
+             there.records.size() - 1, rows);
   }
 
   void replace(const std::string& name, const std::string& text) const {
@@ -167,9 +164,8 @@ fs::path file_of(const std::string& word) {
   if (is_contact_kind(word)) return contacts_path(word);
   if (const Quantity* const quantity = known_quantity(word)) {
     if (quantity->family.empty()) return golden_path(*quantity);
-    throw BadInput(
-        "quantity", word,
-        fmt::format("must be one of {}, which hold whole contacts", fmt::join(contact_kinds(), ", ")));
+    refuse("quantity", word, "must be one of {}, which hold whole contacts",
+           fmt::join(contact_kinds(), ", "));
   }
   std::error_code none;
   const bool is_file =

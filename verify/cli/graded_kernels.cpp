@@ -49,9 +49,8 @@ bool is_named(const KernelInfo& kernel, const std::string& word) {
 Chosen chosen(const KernelInfo& kernel) {
   const Quantity& quantity = find_quantity(kernel.quantity);
   if (kernel.arity != quantity.arguments.size())
-    throw BadInput("kernel", kernel.name,
-                   fmt::format("must have {} arguments, as {} has, instead of {}", quantity.arguments.size(),
-                               quantity.name, kernel.arity));
+    refuse("kernel", kernel.name, "must have {} arguments, as {} has, instead of {}",
+           quantity.arguments.size(), quantity.name, kernel.arity);
   return {kernel.name, &quantity};
 }
 
@@ -63,9 +62,7 @@ void refuse_unknown_kernels(const std::vector<KernelInfo>& kernels, std::span<co
   }
   for (const std::string& word : words) {
     if (std::ranges::none_of(kernels, [&](const KernelInfo& kernel) { return is_named(kernel, word); }))
-      throw BadInput(
-          "kernel", word,
-          fmt::format("{}must be one of {}", data::did_you_mean(word, names), fmt::join(names, ", ")));
+      refuse("kernel", word, "{}must be one of {}", data::did_you_mean(word, names), fmt::join(names, ", "));
   }
 }
 

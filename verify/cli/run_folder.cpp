@@ -92,7 +92,7 @@ Shard parse_shard(const std::string& text) {
   const char* const slash = std::from_chars(text.data(), end, index).ptr;
   const bool is_shard = slash != end && *slash == '/' && std::from_chars(slash + 1, end, of).ptr == end;
   if (!is_shard || index < 1 || index > of || of > most_shards)
-    throw BadInput("shard", text, fmt::format("must be i/N with 1 <= i <= N <= {}", most_shards));
+    refuse("shard", text, "must be i/N with 1 <= i <= N <= {}", most_shards);
   return {index - 1, of};
 }
 
@@ -123,9 +123,7 @@ bool StoredBlocks::add(std::size_t work, std::size_t block, const std::string& l
   const std::size_t hash = std::max<std::size_t>(1, std::hash<std::string>()(line));
   if (std::exchange(known, known == 0 ? hash : known) == 0) return true;
   if (known != hash)
-    throw BadInput(
-        "run", where,
-        fmt::format("must have what another line has for {} block {}", works_[work]->name(), block));
+    refuse("run", where, "must have what another line has for {} block {}", works_[work]->name(), block);
   return false;
 }
 
@@ -153,8 +151,7 @@ std::string fingerprint_of(const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     std::error_code none;
     if (!fs::exists(folder / fingerprint_name, none))
-      throw BadInput("run", folder.string(),
-                     fmt::format("must be a folder with a {}, as --out makes it", fingerprint_name));
+      refuse("run", folder.string(), "must be a folder with a {}, as --out makes it", fingerprint_name);
   }
   std::string first = text_of(folders.front() / fingerprint_name);
   for (const fs::path& folder : folders)
@@ -172,9 +169,9 @@ void refuse_other_fingerprint(const fs::path& folder, const std::string& found, 
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
     return line.substr(start, line.find_last_not_of(", ") + 1 - start);
   };
-  throw BadInput("run", folder.string(),
-                 fmt::format("must be of the same program, command and inputs: there is {} where {} must be",
-                             trimmed(their_line), trimmed(our_line)));
+  refuse("run", folder.string(),
+         "must be of the same program, command and inputs: there is {} where {} must be", trimmed(their_line),
+         trimmed(our_line));
 }
 
 void StoredBlocks::read(const fs::path& folder) {
@@ -196,8 +193,7 @@ void StoredBlocks::read(const fs::path& folder) {
         if (add(static_cast<std::size_t>(work - works_.begin()), block, json.without("times").line(), where))
           (*work)->add(block, json.at("found"));
       } catch (const JsonMisfit& misfit) {
-        throw BadInput("run", where,
-                       fmt::format("must be the line of a block of this run ({})", misfit.what()));
+        refuse("run", where, "must be the line of a block of this run ({})", misfit.what());
       }
     }
   }
@@ -216,8 +212,7 @@ ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Sha
   must(descriptor_ >= 0, path_);
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(descriptor_);
-    throw BadInput("out", folder.string(),
-                   fmt::format("must be left to the process that is writing {}", path_));
+    refuse("out", folder.string(), "must be left to the process that is writing {}", path_);
   }
   must(ftruncate(descriptor_, end_of_lines(descriptor_, path_)) == 0, path_);
   sync_folder(folder);

@@ -115,9 +115,7 @@ const VerbText& find_verb(const std::string& name) {
   const auto known = mapped<std::string_view>(verbs(), &VerbText::name);
   auto near = known;
   for (const Quantity& quantity : catalogue()) near.push_back(quantity.name);
-  throw BadInput(
-      "verb", name,
-      fmt::format("{}must be one of {}", data::did_you_mean(name, near, 3), fmt::join(known, ", ")));
+  refuse("verb", name, "{}must be one of {}", data::did_you_mean(name, near, 3), fmt::join(known, ", "));
 }
 
 }  // namespace nipref::verify

@@ -55,9 +55,8 @@ class SolvedKind {
     const Assignments keys = contacts.assignments(number, &AxisValue::exact);
     for (const auto& [key, value] : keys) {
       if (std::ranges::find(arguments_, key, &Argument::name) == arguments_.end())
-        throw data::BadInput(key, value,
-                             fmt::format("must be left out: only {} vary",
-                                         fmt::join(mapped(arguments_, &Argument::name), ", ")));
+        refuse(key, value, "must be left out: only {} vary",
+               fmt::join(mapped(arguments_, &Argument::name), ", "));
     }
     return mapped(arguments_, [&](const Argument& argument) {
       const std::string& text =

@@ -54,8 +54,7 @@ void check(const Plugin& plugin) {
   if (!(plugin.time_limit > 0 && plugin.time_limit <= 1e6))
     throw BadInput("time-limit", plugin.time_limit, "must be more than 0 and at most 1e6 seconds");
   if (plugin.function && (plugin.function->arity == 0 || plugin.function->arity > protocol::most_arguments))
-    throw BadInput("arity", fmt::format("{}", plugin.function->arity),
-                   fmt::format("must be 1 to {}", protocol::most_arguments));
+    refuse("arity", fmt::format("{}", plugin.function->arity), "must be 1 to {}", protocol::most_arguments);
 }
 
 std::string text_of(std::span<const char> text) { return {text.data(), strnlen(text.data(), text.size())}; }
@@ -144,9 +143,8 @@ class PluginKernel::Work {
 
   [[noreturn]] void refuse_name(const std::vector<KernelInfo>& kernels, const std::string& name) const {
     const auto names = mapped<std::string_view>(kernels, &KernelInfo::name);
-    throw BadInput("kernel", name,
-                   fmt::format("{}must be one of those that {} has: {}", data::did_you_mean(name, names),
-                               plugin_.file.string(), fmt::join(names, ", ")));
+    refuse("kernel", name, "{}must be one of those that {} has: {}", data::did_you_mean(name, names),
+           plugin_.file.string(), fmt::join(names, ", "));
   }
 
   void record(FaultKind kind, const std::optional<Point>& point, const std::string& words) {

@@ -73,9 +73,7 @@ class FormulaParser {
 
  private:
   [[noreturn]] void fail(std::string_view expected) const {
-    throw data::BadInput(
-        "formula", text_,
-        fmt::format("must have {} at character {}", expected, text_.size() - rest_.size() + 1));
+    refuse("formula", text_, "must have {} at character {}", expected, text_.size() - rest_.size() + 1);
   }
   char next() {
     rest_.remove_prefix(std::min(rest_.find_first_not_of(" \n"), rest_.size()));

@@ -32,3 +32,14 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/support/mapped.hpp>
+
+namespace nipref::verify {
+
+/// Throws BadInput; what is allowed is written as by fmt::format().
+template <class Value, class... Args>
+[[noreturn]] void refuse(std::string_view argument, const Value& value, fmt::format_string<Args...> allowed,
+                         Args&&... args) {
+  throw data::BadInput(argument, value, fmt::format(allowed, std::forward<Args>(args)...));
+}
+
+}  // namespace nipref::verify

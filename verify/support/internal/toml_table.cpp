@@ -30,8 +30,8 @@ TomlTable table_of(const toml::table& table, const std::string& what, const std:
     } else if (array != nullptr && (array->empty() || array->is_homogeneous<std::string>())) {
       all.words[name] = mapped(*array, [](const toml::node& one) { return *one.value<std::string>(); });
     } else {
-      throw data::BadInput(what, place(path, node.source().begin.line),
-                           fmt::format("must have a text, a number, texts or tables as {}", name));
+      refuse(what, place(path, node.source().begin.line), "must have a text, a number, texts or tables as {}",
+             name);
     }
   }
   return all;
@@ -107,8 +107,7 @@ TomlTable parse_toml(const std::string& text, const std::string& what, const std
     throw data::BadInput(what, place(path, obstacle->line), std::string(obstacle->allowed));
   return table_of(toml::parse(text), what, path);
 } catch (const toml::parse_error& error) {
-  throw data::BadInput(what, place(path, error.source().begin.line),
-                       fmt::format("must be TOML: {}", error.description()));
+  refuse(what, place(path, error.source().begin.line), "must be TOML: {}", error.description());
 }
 
 TomlTable read_toml(const std::filesystem::path& path, const std::string& what) {
