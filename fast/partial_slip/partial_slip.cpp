@@ -228,8 +228,9 @@ Estimate PartialSlipNip::peak_shear() const { return nip_->peak_size(&Traction::
 Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_position(&Traction::shear); }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
-  const double reach = ZoneMesh::smooth_reach(nip_->nats + nats_apart);
-  const double of_smooth = nip_->of_boundaries + std::exp(-2 * reach) + 0x1p-52 * std::exp(reach);
+  // Rounding of tractions shifts a boundary by what it is of those where the powers begin.
+  const double of_smooth =
+      nip_->of_boundaries + 0x1p-52 * std::exp(ZoneMesh::smooth_reach(nip_->nats + nats_apart));
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= nip_->second.zones().size(); ++k) {
     all.push_back(nip_->of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
