@@ -236,9 +236,8 @@ std::vector<double> excesses(const ZoneContact& contact, double friction) {
     if (sample.sign != 0) largest_slip = std::max(largest_slip, std::fabs(sample.slip));
   std::vector<double> all;
   for (const auto& sample : contact.samples()) {
-    const double excess = sample.sign == 0
-                              ? std::fabs(sample.shear) / (friction * std::fabs(sample.pressure)) - 1
-                              : sample.slip * sample.sign / largest_slip;
+    const double excess =
+        sample.sign == 0 ? sample.ratio / friction - 1 : sample.slip * sample.sign / largest_slip;
     all.push_back(std::max(0.0, excess));
   }
   return all;

@@ -13,8 +13,8 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
 /// The same from a contact that is nearly right.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
-/// How far each sample of a contact is from what it should be: the shear beyond friction where it sticks, over friction, and
-/// slip along the shear over the largest slip; 0 in the contact itself.
+/// How far each sample of a contact is from what it should be, where it sticks with what follows up to the next: the shear
+/// beyond friction where it sticks, over friction, and slip along the shear over the largest slip; 0 in the contact itself.
 std::vector<double> excesses(const ZoneContact& contact, double friction);
 /// Their mean over the contact.
 double wrongness(const ZoneContact& contact, double friction);

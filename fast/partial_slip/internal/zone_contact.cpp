@@ -24,8 +24,20 @@ ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), 
   for (const ZoneMesh::Midpoint& point : mesh().midpoints()) {
     const auto [p, q] = traction_at(point);
     samples_.push_back({point, mesh().zone(point), mesh().sign(point), mesh().place(point),
-                        mesh().weight(point), p, q, slip(static_cast<Index>(samples_.size()))});
+                        mesh().weight(point), p, q, slip(static_cast<Index>(samples_.size())),
+                        ratio_after(point)});
   }
+}
+
+double ZoneContact::ratio_after(const ZoneMesh::Point& point) const {
+  // In the middle of a panel samples are up to a sixth of it apart, farther than a zone of slip is long.
+  constexpr int between = 8;
+  double largest = 0;
+  for (int i = 0; i < (mesh().sign(point) == 0 ? between : 1); ++i) {
+    const auto [p, q] = traction_at({point.panel, point.s + i * mesh().step() / between});
+    largest = std::max(largest, std::fabs(q / p));
+  }
+  return largest;
 }
 
 std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const std::vector<Zone>& zones,

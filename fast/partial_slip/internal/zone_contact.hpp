@@ -61,6 +61,7 @@ class ZoneContact {
     ZoneMesh::Point point;
     int zone, sign;
     double e, weight, pressure, shear, slip;
+    double ratio;  ///< |q/p|, where it sticks the largest from here to the next sample
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
@@ -73,6 +74,8 @@ class ZoneContact {
  private:
   explicit ZoneContact(ZoneEquations solved);
   [[nodiscard]] const ZoneMesh& mesh() const { return equations_.mesh(); }
+  /// |q/p|, where it sticks the largest up to the next sample.
+  [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
   [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;
   /// The nodes of all panels but one.
   [[nodiscard]] Displacement displacement_by_nodes(double e, int but_of_panel) const;
