@@ -132,21 +132,23 @@ struct PartialSlipNip::Implementation : Solutions {
     const auto number =
         at(y, [part](const ZoneContact& contact, double e) { return contact.traction(e).*part; });
     const double value = std::invoke(number, second), before = std::invoke(number, first);
-    if (value == 0 && before == 0) return {0, 0};
-    // What rounding of the place does: next to ends and boundaries tractions are like roots.
-    const double e = place(y), shift = 0x1p-51 * length();
-    double rounding = 0;
+    // What the error and the rounding of places do: next to ends and boundaries tractions are like roots.
+    const double e = place(y), shift = (relative + 0x1p-51) * length();
+    double moved = 0;
     for (const double place : {e - shift, e + shift})
-      rounding = std::max(rounding, std::fabs(second.traction(place).*part - value));
-    return times(unit, {value, std::fabs(value - before) + error_near(e).*part + rounding});
+      moved = std::max(moved, std::fabs(second.traction(place).*part - value));
+    if (value == 0 && before == 0 && moved == 0) return {0, 0};
+    // What is relatively wrong in the whole is so in the mean.
+    const double mean = second.load() / length() * (part == &Traction::shear ? task.friction : 1) * relative;
+    return times(unit, {value, std::fabs(value - before) + error_near(e).*part + moved + mean});
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part) const {
     return peak_size(part, largest(first.peaks(part)), largest(second.peaks(part)));
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
-    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size;
+    const double whole = (relative + 0x1p-53 * static_cast<double>(second.unknowns())) * peak.size;
     return times(units.pressure,
-                 {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).*part + rounding});
+                 {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).*part + whole});
   }
   /// Its error reaches to any place whose traction is as large but for twice its error.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {

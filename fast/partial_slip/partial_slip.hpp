@@ -19,10 +19,10 @@ namespace nipref::fast {
 /// smaller, the first two unlike in the sign of what is left at boundaries where slip turns into stick. A number J is that of
 /// the last. Its error is |J_3 - J_1| and, as these may agree by chance, the largest difference of numbers of its kind from
 /// either: relative, of the contact's length, place, load, traction and creep, times the size of numbers like J; for
-/// tractions, the largest at the 16 samples next to Y; for boundaries where slip turns into stick, over the longer of their
-/// zones. To these come what is of the second order in the differences of boundaries, and the rounding of sums and of places.
-/// Zones too short to be found are left out: by how much conditions of stick and slip are not met, relative, adds in the mean
-/// to that of the whole and at Y to the shear's.
+/// tractions, the largest at the 16 samples next to Y, and what so large an error of Y makes; for boundaries where slip turns
+/// into stick, over the longer of their zones. To these come what is of the second order in the differences of boundaries, and
+/// the rounding of sums and of places. Zones too short to be found are left out: by how much conditions of stick and slip are
+/// not met, relative, adds in the mean to that of the whole and at Y to the shear's.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;
