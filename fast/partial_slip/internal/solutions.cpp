@@ -45,7 +45,7 @@ double relative_difference(const ZoneContact& coarser, const ZoneContact& contac
   add(&ZoneContact::load, load);
   add(&ZoneContact::tangential_load, friction * load);
   add(&ZoneContact::creep, std::max(length, std::fabs(contact.creep())));
-  return largest + second_order(coarser, contact);
+  return largest;
 }
 
 }  // namespace
@@ -68,26 +68,24 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   auto first = ZoneContact::solved(task, second, nats);
   auto other = ZoneContact::solved(task, second, ZoneMesh::with_a_node_less(nats));
   if (!first || !other) return std::nullopt;
-  const double mu = task.friction,
-               relative = wrongness(second, mu) + std::max(relative_difference(*first, second, mu),
-                                                           relative_difference(*other, second, mu));
-  // What no difference shows is as large in the mean pressure.
-  const double of_pressure =
-      std::max(second_order(*first, second), second_order(*other, second)) * second.load() / second.length();
-  const std::vector<double> excess = excesses(second, mu);
-  std::vector<ZoneContact::Traction> at_samples;
-  for (const ZoneContact::Sample& sample : second.samples()) {
-    ZoneContact::Traction largest{0, 0};
-    for (const ZoneContact* const coarser : {&*first, &*other}) {
+  const double mu = task.friction;
+  double of_whole = 0, of_second_order = 0, of_boundaries = 0;
+  std::vector<ZoneContact::Traction> at_samples(second.samples().size(), {0, 0});
+  for (const ZoneContact* const coarser : {&*first, &*other}) {
+    of_whole = std::max(of_whole, relative_difference(*coarser, second, mu));
+    of_second_order = std::max(of_second_order, second_order(*coarser, second));
+    of_boundaries = std::max(of_boundaries, boundary_difference(*coarser, second));
+    for (std::size_t i = 0; i < at_samples.size(); ++i) {
+      const ZoneContact::Sample& sample = second.samples()[i];
       const ZoneContact::Traction before = coarser->traction(coarser->corresponding_place(second, sample.e));
-      largest = {std::max(largest.pressure, std::fabs(sample.pressure - before.pressure)),
-                 std::max(largest.shear, std::fabs(sample.shear - before.shear))};
+      at_samples[i] = {std::max(at_samples[i].pressure, std::fabs(sample.pressure - before.pressure)),
+                       std::max(at_samples[i].shear, std::fabs(sample.shear - before.shear))};
     }
-    const double wrong = std::fabs(excess[at_samples.size()] * mu * sample.pressure);
-    at_samples.push_back({largest.pressure + of_pressure, largest.shear + wrong + mu * of_pressure});
   }
-  const double of_boundaries =
-      std::max(boundary_difference(*first, second), boundary_difference(*other, second));
+  const std::vector<double> excess = excesses(second, mu);
+  for (std::size_t i = 0; i < at_samples.size(); ++i)
+    at_samples[i].shear += std::fabs(excess[i] * mu * second.samples()[i].pressure);
+  const double relative = wrongness(second, mu) + of_whole + of_second_order;
   return Solutions{*std::move(first), std::move(second), relative, of_boundaries, std::move(at_samples)};
 }
 
