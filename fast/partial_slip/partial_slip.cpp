@@ -110,23 +110,32 @@ struct PartialSlipNip::Implementation : Solutions {
       return std::invoke(function, contact, contact.leading_length() - y / units.length);
     };
   }
-  /// The error of tractions at e: the largest difference at the samples next to it, as one may be 0 by chance.
-  [[nodiscard]] Traction error_near(double e) const {
+  struct LocalError {
+    Traction difference{0, 0};
+    double wrong_shear = 0;
+    [[nodiscard]] Traction traction() const { return {difference.pressure, difference.shear + wrong_shear}; }
+  };
+  /// At e: the largest at the samples next to it, as one may be 0 by chance.
+  [[nodiscard]] LocalError error_near(double e) const {
     constexpr long beside = 8;
-    if (!(e >= 0 && e <= length())) return {0, 0};
+    if (!(e >= 0 && e <= length())) return {};
     const auto& samples = second.samples();
     const auto next = std::ranges::lower_bound(samples, e, {}, &ZoneContact::Sample::e) - samples.begin();
-    Traction largest{0, 0};
+    LocalError largest;
     for (long i = std::max(0L, next - beside); i < std::min(std::ssize(samples), next + beside); ++i) {
-      const Traction& difference = at_samples[static_cast<std::size_t>(i)];
-      largest = {std::max(largest.pressure, difference.pressure), std::max(largest.shear, difference.shear)};
+      const auto number = static_cast<std::size_t>(i);
+      const Traction& difference = of_tractions[number];
+      largest = {{std::max(largest.difference.pressure, difference.pressure),
+                  std::max(largest.difference.shear, difference.shear)},
+                 std::max(largest.wrong_shear, wrong_shears[number])};
     }
     return largest;
   }
-  /// Of what depends on the tractions about e: an error per unit of both.
+  /// Of what depends on the tractions about e, an error per unit of both: where it sticks, on those that should slip.
   [[nodiscard]] double error_by_tractions(double e) const {
-    const Traction error = error_near(e);
-    return e > 0 && e < length() && second.sign(e) != 0 ? error.pressure + error.shear : 0;
+    const LocalError error = error_near(e);
+    const bool slips = e > 0 && e < length() && second.sign(e) != 0;
+    return error.wrong_shear + (slips ? error.difference.pressure + error.difference.shear : 0);
   }
   [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit) const {
     const auto number =
@@ -140,15 +149,15 @@ struct PartialSlipNip::Implementation : Solutions {
     if (value == 0 && before == 0 && moved == 0) return {0, 0};
     // What is relatively wrong in the whole is so in the mean.
     const double mean = second.load() / length() * (part == &Traction::shear ? task.friction : 1) * relative;
-    return times(unit, {value, std::fabs(value - before) + error_near(e).*part + moved + mean});
+    return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved + mean});
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part) const {
     return peak_size(part, largest(first.peaks(part)), largest(second.peaks(part)));
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
     const double whole = (relative + 0x1p-53 * static_cast<double>(second.unknowns())) * peak.size;
-    return times(units.pressure,
-                 {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).*part + whole});
+    return times(units.pressure, {peak.size, std::fabs(peak.size - before.size) +
+                                                 error_near(peak.e).traction().*part + whole});
   }
   /// Its error reaches to any place whose traction is as large but for twice its error.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
@@ -236,6 +245,10 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= nip_->second.zones().size(); ++k) {
     all.push_back(nip_->of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
+    const auto lacks_zones = [&](std::size_t zone) { return bool(nip_->lacks_zones[zone]); };
+    // As long as the shorter zone is what is left out beside.
+    if (k > 0 && k < nip_->second.zones().size() && (lacks_zones(k - 1) || lacks_zones(k)))
+      all.back().error += nip_->units.length * shorter_beside(nip_->second, k);
     if (is_smooth(nip_->second, k))
       all.back().error += nip_->units.length * of_smooth * longer_beside(nip_->second, k);
   }

@@ -22,7 +22,8 @@ namespace nipref::fast {
 /// tractions, the largest at the 16 samples next to Y, and what so large an error of Y makes; for boundaries where slip turns
 /// into stick, over the longer of their zones. To these come what is of the second order in the differences of boundaries, and
 /// the rounding of sums and of places. Zones too short to be found are left out: by how much conditions of stick and slip are
-/// not met, relative, adds in the mean to that of the whole and at Y to the shear's.
+/// not met, relative, adds in the mean to that of the whole. There shears may be friction's both ways, strains change as they
+/// do, and boundaries beside are off by the shorter zone.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;
@@ -72,7 +73,7 @@ class PartialSlipNip {
 /// The contact of length L, 1e-8 <= L/B <= 10 and L <= R; accuracy: relative, 1e-13 <= accuracy <= 0.1, of the length, the
 /// load and the creep: boundaries of zones are less sure. BadInput otherwise, for a friction coefficient that is not positive
 /// and finite, for a traction that friction cannot pass on, and where no zones of stick and slip are found that meet all
-/// conditions.
+/// conditions. With a traction several loads may have contacts of one length; this is one of them.
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length,
                                        double accuracy);
 

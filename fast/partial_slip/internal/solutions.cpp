@@ -26,9 +26,8 @@ double boundary_difference(const ZoneContact& coarser, const ZoneContact& contac
 double second_order(const ZoneContact& coarser, const ZoneContact& contact) {
   double largest = 0;
   for (std::size_t k = 1; k < contact.zones().size(); ++k) {
-    const double x = boundary(contact, k) - boundary(coarser, k),
-                 shorter = std::min(contact.zones()[k - 1].length, contact.zones()[k].length);
-    largest = std::max(largest, x * x / (shorter * contact.length()));
+    const double x = boundary(contact, k) - boundary(coarser, k);
+    largest = std::max(largest, x * x / (shorter_beside(contact, k) * contact.length()));
   }
   return largest;
 }
@@ -64,29 +63,43 @@ double longer_beside(const ZoneContact& contact, std::size_t k) {
   return std::max(contact.zones()[k - 1].length, contact.zones()[k].length);
 }
 
+double shorter_beside(const ZoneContact& contact, std::size_t k) {
+  return std::min(contact.zones()[k - 1].length, contact.zones()[k].length);
+}
+
 std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats) {
   auto first = ZoneContact::solved(task, second, nats);
   auto other = ZoneContact::solved(task, second, ZoneMesh::with_a_node_less(nats));
   if (!first || !other) return std::nullopt;
   const double mu = task.friction;
   double of_whole = 0, of_second_order = 0, of_boundaries = 0;
-  std::vector<ZoneContact::Traction> at_samples(second.samples().size(), {0, 0});
+  std::vector<ZoneContact::Traction> of_tractions(second.samples().size(), {0, 0});
   for (const ZoneContact* const coarser : {&*first, &*other}) {
     of_whole = std::max(of_whole, relative_difference(*coarser, second, mu));
     of_second_order = std::max(of_second_order, second_order(*coarser, second));
     of_boundaries = std::max(of_boundaries, boundary_difference(*coarser, second));
-    for (std::size_t i = 0; i < at_samples.size(); ++i) {
+    for (std::size_t i = 0; i < of_tractions.size(); ++i) {
       const ZoneContact::Sample& sample = second.samples()[i];
       const ZoneContact::Traction before = coarser->traction(coarser->corresponding_place(second, sample.e));
-      at_samples[i] = {std::max(at_samples[i].pressure, std::fabs(sample.pressure - before.pressure)),
-                       std::max(at_samples[i].shear, std::fabs(sample.shear - before.shear))};
+      of_tractions[i] = {std::max(of_tractions[i].pressure, std::fabs(sample.pressure - before.pressure)),
+                         std::max(of_tractions[i].shear, std::fabs(sample.shear - before.shear))};
     }
   }
+  // Where more is wrong than the accuracy leaves, a zone is left out: the shear is between friction both ways.
+  const double tolerance = std::exp(-nats / 2);
   const std::vector<double> excess = excesses(second, mu);
-  for (std::size_t i = 0; i < at_samples.size(); ++i)
-    at_samples[i].shear += std::fabs(excess[i] * mu * second.samples()[i].pressure);
+  std::vector<double> wrong_shears;
+  std::vector<bool> lacks_zones(second.zones().size());
+  for (std::size_t i = 0; i < excess.size(); ++i) {
+    const ZoneContact::Sample& sample = second.samples()[i];
+    const bool is_left_out = excess[i] > tolerance;
+    if (is_left_out) lacks_zones[static_cast<std::size_t>(sample.zone)] = true;
+    wrong_shears.push_back(mu * std::fabs(sample.pressure) * (excess[i] + (is_left_out ? 2 : 0)));
+  }
   const double relative = wrongness(second, mu) + of_whole + of_second_order;
-  return Solutions{*std::move(first), std::move(second), relative, of_boundaries, std::move(at_samples)};
+  return Solutions{*std::move(first),     std::move(second),       relative,
+                   of_boundaries,         std::move(of_tractions), std::move(wrong_shears),
+                   std::move(lacks_zones)};
 }
 
 }  // namespace nipref::fast

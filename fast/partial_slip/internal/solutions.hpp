@@ -6,14 +6,15 @@
 
 namespace nipref::fast {
 
-/// The contact of two discretisations, of which the second is the result; what it differs by from coarser ones as a whole,
-/// relative, with what is wrong in it; the largest difference of a boundary where slip turns into stick, over the longer zone
-/// beside; and those of the tractions at corresponding places, at each of its samples.
+/// The contact of two discretisations, of which the second is the result, and what it differs by from coarser ones.
 struct Solutions {
   ZoneContact first, second;
-  double relative;
-  double of_boundaries;
-  std::vector<ZoneContact::Traction> at_samples;
+  double relative;       ///< as a whole, with what is wrong in it
+  double of_boundaries;  ///< where slip turns into stick, over the longer zone beside
+  /// At each sample: the differences of the tractions, and by how much the shear may be wrong where zones are left out.
+  std::vector<ZoneContact::Traction> of_tractions;
+  std::vector<double> wrong_shears;
+  std::vector<bool> lacks_zones;  ///< of each zone, whether others are left out in it
 };
 
 /// With the second solution known, which has the zones: the first, and how they differ. The error of a boundary where slip
@@ -25,6 +26,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
 double boundary(const ZoneContact& contact, std::size_t k);
 /// Where slip turns into stick. See ZoneMesh::smooth_reach.
 bool is_smooth(const ZoneContact& contact, std::size_t k);
+/// Of the zones before and behind it.
 double longer_beside(const ZoneContact& contact, std::size_t k);
+double shorter_beside(const ZoneContact& contact, std::size_t k);
 
 }  // namespace nipref::fast
