@@ -239,18 +239,20 @@ Estimate PartialSlipNip::peak_shear() const { return nip_->peak_size(&Traction::
 Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_position(&Traction::shear); }
 
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
+  const ZoneContact& contact = nip_->second;
+  const std::vector<bool>& lacks_zones = nip_->lacks_zones;
   // Rounding of tractions shifts a boundary by what it is of those where the powers begin.
   const double of_smooth =
       nip_->of_boundaries + 0x1p-52 * std::exp(ZoneMesh::smooth_reach(nip_->nats + nats_apart));
+  const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;
-  for (std::size_t k = 0; k <= nip_->second.zones().size(); ++k) {
-    all.push_back(nip_->of_length([&](const ZoneContact& contact) { return boundary(contact, k); }));
-    const auto lacks_zones = [&](std::size_t zone) { return bool(nip_->lacks_zones[zone]); };
-    // As long as the shorter zone is what is left out beside.
-    if (k > 0 && k < nip_->second.zones().size() && (lacks_zones(k - 1) || lacks_zones(k)))
-      all.back().error += nip_->units.length * shorter_beside(nip_->second, k);
-    if (is_smooth(nip_->second, k))
-      all.back().error += nip_->units.length * of_smooth * longer_beside(nip_->second, k);
+  for (std::size_t k = 0; k <= end; ++k) {
+    all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); }));
+    double& error = all.back().error;
+    if (is_smooth(contact, k)) error += nip_->units.length * of_smooth * longer_beside(contact, k);
+    // Zones that are left out beside are as long as the shorter one.
+    if (k > 0 && k < end && (lacks_zones[k - 1] || lacks_zones[k]))
+      error += nip_->units.length * shorter_beside(contact, k);
   }
   return all;
 }
