@@ -67,7 +67,9 @@ struct ConvergedNip::Implementation {
   }
   /// Its value alone.
   [[nodiscard]] double value(TractionComponent component, double position) const {
-    const ContactPlace here = place(position);
+    return value(component, place(position));
+  }
+  [[nodiscard]] double value(TractionComponent component, const ContactPlace& here) const {
     if (!(here.e > 0)) return 0;
     const std::complex<double> g = solved.traction(here.e);
     const double odd = here.trailing ? -g.imag() : g.imag();
@@ -195,8 +197,13 @@ struct ConvergedNip::Implementation {
       const double e = std::max(place(position).e, 1e-9 * half_length());
       return std::min(e / 4, tractions.panels()[tractions.panel_of(e)].width() / 8);
     };
+    const auto sign = [&](const ContactPlace& here) { return here.trailing ? 1 : -1; };
+    // All nodes count from one end, beyond the middle too: from the other end the pressure of a given load, which two
+    // contacts of other lengths give, has another error.
     const auto slope = [&](double position) {
-      return std::copysign(1, at(position)) * local_slope(at, position, reach(position));
+      const ContactPlace here = place(position);
+      const auto along_half = [&](double e) { return value(component, {here.trailing, e}); };
+      return sign(here) * std::copysign(1, at(position)) * local_slope(along_half, here.e, reach(position));
     };
     const auto slope_estimate = [&](double position) {
       const ContactPlace here = place(position);
@@ -204,8 +211,7 @@ struct ConvergedNip::Implementation {
         const auto row = [&](double e) -> Eigen::RowVectorXd {
           return equations->traction(solution, component, {here.trailing, e}).on_tractions;
         };
-        Functional rise =
-            solution.of_tractions((here.trailing ? 1 : -1) * local_slope(row, here.e, reach(position)));
+        Functional rise = solution.of_tractions(sign(here) * local_slope(row, here.e, reach(position)));
         rise.cancelled = local_slope.condition() * size(position) / reach(position);
         return rise;
       });
