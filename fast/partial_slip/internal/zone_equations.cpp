@@ -39,24 +39,26 @@ bool ZoneEquations::sticks_everywhere() const {
   return zones_.size() == 1 && zones_.front().sign == 0 && task_.traction == 0.0;
 }
 
-ZoneEquations::Forces ZoneEquations::forces() const {
-  const auto tractions = unknowns_.head(mesh_.unknowns());
-  Forces forces{mesh_.at_nodes().pressure * tractions, mesh_.at_nodes().shear * tractions};
-  for (std::size_t j = 0; j < mesh_.nodes().size(); ++j) {
-    const double weight = mesh_.weight(mesh_.nodes()[j]);
-    forces.normal(static_cast<Index>(j)) *= weight;
-    forces.tangential(static_cast<Index>(j)) *= weight;
-  }
-  return forces;
+Eigen::VectorXd ZoneEquations::weights() const {
+  return Eigen::VectorXd::NullaryExpr(static_cast<Index>(mesh_.nodes().size()), [&](Index j) {
+    return mesh_.weight(mesh_.nodes()[static_cast<std::size_t>(j)]);
+  });
 }
 
-Eigen::ArrayXXd ZoneEquations::cauchy() const {
-  Eigen::ArrayXXd kernels(mesh_.midpoints().size(), mesh_.nodes().size());
+ZoneEquations::Forces ZoneEquations::forces() const {
+  const auto tractions = unknowns_.head(mesh_.unknowns());
+  const Eigen::VectorXd weights = this->weights();
+  return {weights.cwiseProduct(mesh_.at_nodes().pressure * tractions),
+          weights.cwiseProduct(mesh_.at_nodes().shear * tractions)};
+}
+
+Eigen::MatrixXd ZoneEquations::cauchy() const {
+  Eigen::MatrixXd kernels(mesh_.midpoints().size(), mesh_.nodes().size());
   for (Index j = 0; j < kernels.cols(); ++j)
     for (Index i = 0; i < kernels.rows(); ++i)
-      kernels(i, j) = mesh_.distance(mesh_.midpoints()[static_cast<std::size_t>(i)],
-                                     mesh_.nodes()[static_cast<std::size_t>(j)]);
-  return -1 / (pi * kernels);
+      kernels(i, j) = -1 / (pi * mesh_.distance(mesh_.midpoints()[static_cast<std::size_t>(i)],
+                                                mesh_.nodes()[static_cast<std::size_t>(j)]));
+  return kernels;
 }
 
 SlopeKernels ZoneEquations::rests() const {
@@ -75,18 +77,15 @@ ZoneEquations::Misfits ZoneEquations::misfits() const {
   return {across.array() - 2 * (leading_length() - places(mesh_.midpoints())), along.array() - creep()};
 }
 
-ArrayXd ZoneEquations::extents(Index zone, const auto& points) const {
-  return ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
-    return mesh_.extent(static_cast<int>(zone), points[static_cast<std::size_t>(i)]);
+Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
+  return of_points(points, [&](const ZoneMesh::Point& point, Index zone) {
+    return mesh_.extent(static_cast<int>(zone), point);
   });
 }
 
 ZoneEquations::Rows ZoneEquations::rows() const {
-  const auto& nodes = mesh_.nodes();
   const Index unknowns = mesh_.unknowns(), zones = static_cast<Index>(zones_.size());
-  const Eigen::VectorXd weights =
-      Eigen::VectorXd::NullaryExpr(static_cast<Index>(nodes.size()),
-                                   [&](Index j) { return mesh_.weight(nodes[static_cast<std::size_t>(j)]); });
+  const Eigen::VectorXd weights = this->weights();
   const Eigen::SparseMatrix<double> pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
                                     shear = weights.asDiagonal() * mesh_.at_nodes().shear;
   const Eigen::MatrixXd kernels = cauchy();
@@ -98,34 +97,62 @@ ZoneEquations::Rows ZoneEquations::rows() const {
   rows.normal.leftCols(unknowns) += task_.beta * mesh_.at_midpoints().shear;
   rows.along.leftCols(unknowns) = kernels * shear + rest_along;
   rows.along.leftCols(unknowns) -= task_.beta * mesh_.at_midpoints().pressure;
-  for (Index z = 0; z < zones; ++z) add_length(z, kernels, rest, rows);
+  auto [by_normal, by_along] = by_lengths(kernels, rest);
+  rows.normal.rightCols(zones) = std::move(by_normal);
+  rows.along.rightCols(zones) = std::move(by_along);
   return rows;
 }
 
-void ZoneEquations::add_length(Index zone, const Eigen::MatrixXd& kernels, const SlopeKernels& rest,
-                               Rows& rows) const {
-  // The length moves midpoints and nodes, and changes the weights of its nodes.
-  const auto [normal, tangential] = forces();
-  const ArrayXd own = extents(zone, mesh_.midpoints()), moves = extents(zone, mesh_.nodes());
-  ArrayXd p_of_zone = normal, q_of_zone = tangential, across = 2 * own, along = ArrayXd::Zero(own.size());
-  for (Index j = 0; j < moves.size(); ++j) {
-    const ZoneMesh::Point& node = mesh_.nodes()[static_cast<std::size_t>(j)];
-    const ArrayXd stretches = ArrayXd::NullaryExpr(own.size(), [&](Index i) {
-      return mesh_.stretch(static_cast<int>(zone), mesh_.midpoints()[static_cast<std::size_t>(i)], node);
-    });
-    const auto slope = pi * kernels.col(j).array().square() * stretches;
-    across += normal(j) * slope;
-    along += tangential(j) * slope;
-    if (mesh_.zone(node) != zone) p_of_zone(j) = q_of_zone(j) = 0;
+ZoneEquations::Rows ZoneEquations::by_lengths(const Eigen::MatrixXd& kernels,
+                                              const SlopeKernels& rest) const {
+  // A length moves midpoints and nodes, and changes the weights of its nodes.
+  const auto forces = this->forces();
+  const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
+  const Eigen::MatrixXd own = extents(mesh_.midpoints()), moves = extents(mesh_.nodes());
+  const Eigen::MatrixXd in_zone = of_points(mesh_.nodes(), [&](const ZoneMesh::Point& node, Index zone) {
+    return mesh_.zone(node) == zone ? 1.0 : 0.0;
+  });
+  const Eigen::MatrixXd p_of_zones = normal.asDiagonal() * in_zone,
+                        q_of_zones = tangential.asDiagonal() * in_zone;
+  const Rows here = rest.slopes(normal, tangential);
+  const Rows moved = rest.slopes(normal.asDiagonal() * moves, tangential.asDiagonal() * moves);
+  const Rows by_weight = rest.values(p_of_zones, q_of_zones);
+  return {2 * own + here.normal.asDiagonal() * own - moved.normal + by_weight.normal + kernels * p_of_zones +
+              by_distances(kernels, normal),
+          here.along.asDiagonal() * own - moved.along + by_weight.along + kernels * q_of_zones +
+              by_distances(kernels, tangential)};
+}
+
+/// The derivative of -1/(pi d) is 1/(pi d^2) times that of d. Of points in one zone that is d itself; of others it is the part
+/// of each zone that lies between them.
+Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& kernels,
+                                            const Eigen::VectorXd& forces) const {
+  const auto zones = static_cast<Index>(zones_.size());
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(kernels.rows(), zones);
+  for (Index b = 0; b < zones; ++b) {
+    const auto [node, nodes] = range_of(b, mesh_.nodes());
+    const auto [first, own] = range_of(b, mesh_.midpoints());
+    const auto force = forces.segment(node, nodes);
+    derivatives.col(b).segment(first, own) -= kernels.block(first, node, own, nodes) * force;
+    for (const bool ahead : {false, true}) {
+      const Index row = ahead ? 0 : first + own, rows = ahead ? first : kernels.rows() - row;
+      const Eigen::MatrixXd squares = pi * kernels.block(row, node, rows, nodes).cwiseAbs2();
+      const double sign = ahead ? -1 : 1;
+      const Eigen::VectorXd within = Eigen::VectorXd::NullaryExpr(nodes, [&](Index j) {
+        return mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
+      });
+      derivatives.col(b).segment(row, rows) += sign * (squares * force.cwiseProduct(within));
+      const Eigen::VectorXd sums = sign * (squares * force);
+      for (Index i = 0; i < rows; ++i) {
+        const ZoneMesh::Point& here = mesh_.midpoints()[static_cast<std::size_t>(row + i)];
+        const Index a = mesh_.zone(here);
+        derivatives(row + i, a) += sums(i) * mesh_.from_end(here, ahead);
+        for (Index z = std::min(a, b) + 1; z < std::max(a, b); ++z)
+          derivatives(row + i, z) += sums(i) * zones_[static_cast<std::size_t>(z)].length;
+      }
+    }
   }
-  const auto [here, here_along] = rest.slopes(normal.matrix(), tangential.matrix());
-  const auto [moved, moved_along] = rest.slopes((normal * moves).matrix(), (tangential * moves).matrix());
-  const auto [by_weight, by_weight_along] = rest.values(p_of_zone.matrix(), q_of_zone.matrix());
-  across += own * here.array() - moved.array();
-  along += own * here_along.array() - moved_along.array();
-  const Index column = mesh_.unknowns() + zone;
-  rows.normal.col(column) = across.matrix() + kernels * p_of_zone.matrix() + by_weight;
-  rows.along.col(column) = along.matrix() + kernels * q_of_zone.matrix() + by_weight_along;
+  return derivatives;
 }
 
 bool ZoneEquations::is_square() const {
@@ -155,21 +182,21 @@ Eigen::MatrixXd ZoneEquations::jacobian() const {
   Index row = 0;
   const auto add = [&](const Eigen::MatrixXd& rows, bool ZoneMesh::Midpoint::*matches, Index further,
                        double slope) {
-    for (Index i = 0; i < rows.rows(); ++i) {
-      if (!(mesh_.midpoints()[static_cast<std::size_t>(i)].*matches)) continue;
-      jacobian.row(row).head(unknowns) = rows.row(i).head(unknowns);
-      jacobian.row(row).tail(zones) = rows.row(i).tail(zones);
-      jacobian(row++, further) = slope;
-    }
+    std::vector<Index> matched;
+    for (Index i = 0; i < rows.rows(); ++i)
+      if (mesh_.midpoints()[static_cast<std::size_t>(i)].*matches) matched.push_back(i);
+    const auto count = static_cast<Index>(matched.size());
+    jacobian.block(row, 0, count, unknowns) = rows(matched, Eigen::seqN(0, unknowns));
+    jacobian.block(row, lengths, count, zones) = rows(matched, Eigen::lastN(zones));
+    jacobian.col(further).segment(row, count).setConstant(slope);
+    row += count;
   };
   add(of.normal, &ZoneMesh::Midpoint::matches_normal, unknowns, -2);
   add(of.along, &ZoneMesh::Midpoint::matches_along, unknowns + 1, -1);
   const auto add_integral = [&](const Eigen::SparseMatrix<double>& tractions, const ArrayXd& forces) {
-    for (Index j = 0; j < forces.size(); ++j) {
-      const ZoneMesh::Point& node = mesh_.nodes()[static_cast<std::size_t>(j)];
-      jacobian.row(row).head(unknowns) += mesh_.weight(node) * tractions.row(j);
-      jacobian(row, lengths + mesh_.zone(node)) += forces(j);
-    }
+    jacobian.row(row).head(unknowns) = weights().transpose() * tractions;
+    for (Index j = 0; j < forces.size(); ++j)
+      jacobian(row, lengths + mesh_.zone(mesh_.nodes()[static_cast<std::size_t>(j)])) += forces(j);
     ++row;
   };
   const auto [normal, tangential] = forces();

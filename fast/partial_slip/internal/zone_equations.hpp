@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
@@ -49,17 +50,35 @@ class ZoneEquations {
   /// The derivatives of the misfits by the unknowns of the mesh and the logarithms of the zones' lengths.
   using Rows = SlopeKernels::Rows;
   [[nodiscard]] Rows rows() const;
-  void add_length(Eigen::Index zone, const Eigen::MatrixXd& kernels, const SlopeKernels& rest,
-                  Rows& rows) const;
+  /// Those by the lengths, and of them those of the Cauchy kernels' sums over given forces at the nodes.
+  [[nodiscard]] Rows by_lengths(const Eigen::MatrixXd& kernels, const SlopeKernels& rest) const;
+  [[nodiscard]] Eigen::MatrixXd by_distances(const Eigen::MatrixXd& kernels,
+                                             const Eigen::VectorXd& forces) const;
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::VectorXd residual() const;
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   [[nodiscard]] bool is_square() const;
   /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
-  [[nodiscard]] Eigen::ArrayXXd cauchy() const;
+  [[nodiscard]] Eigen::MatrixXd cauchy() const;
   [[nodiscard]] SlopeKernels rests() const;
-  /// How far a zone goes to the points' e: the derivatives of e by the logarithm of its length.
-  [[nodiscard]] Eigen::ArrayXd extents(Eigen::Index zone, const auto& points) const;
+  [[nodiscard]] Eigen::VectorXd weights() const;  ///< of the nodes
+  /// A number for each point, row, and each zone, column.
+  [[nodiscard]] Eigen::MatrixXd of_points(const auto& points, const auto& number) const {
+    return Eigen::MatrixXd::NullaryExpr(
+        static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(zones_.size()),
+        [&](Eigen::Index i, Eigen::Index zone) { return number(points[static_cast<std::size_t>(i)], zone); });
+  }
+  /// How far each zone goes to the points' e: the derivatives of e by the logarithm of its length.
+  [[nodiscard]] Eigen::MatrixXd extents(const auto& points) const;
+  /// The first of the points, and how many, that lie in a zone.
+  struct Range {
+    Eigen::Index first, count;
+  };
+  [[nodiscard]] Range range_of(Eigen::Index zone, const auto& points) const {
+    const auto number = [this](const auto& point) { return static_cast<Eigen::Index>(mesh_.zone(point)); };
+    const auto range = std::ranges::equal_range(points, zone, {}, number);
+    return {range.begin() - points.begin(), std::ssize(range)};
+  }
   bool iterate();
   void step(const Eigen::VectorXd& change, double part);
   /// Then there is no traction, by symmetry, which is an equation less.

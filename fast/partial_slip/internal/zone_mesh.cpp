@@ -176,22 +176,18 @@ double ZoneMesh::distance(const Point& a, const Point& b) const {
   return -(length * a.right + gaps_[at(a.panel)][at(b.panel)] + panels_[at(b.panel)].length * b.left);
 }
 
-double ZoneMesh::extent(int zone, const Point& point) const {
+double ZoneMesh::from_end(const Point& point, bool right) const {
   const Panel& own = panels_[at(point.panel)];
-  if (own.zone == zone) return own.length * (own.part + point.left);
-  double sum = 0;
-  if (zone < own.zone)
-    for (const Panel& panel : panels_) sum += panel.zone == zone ? panel.length : 0;
-  return sum;
+  return own.length * (right ? own.parts - own.part - 1 + point.right : own.part + point.left);
 }
 
-double ZoneMesh::stretch(int zone, const Point& a, const Point& b) const {
-  const Panel &panel_a = panels_[at(a.panel)], &panel_b = panels_[at(b.panel)];
-  if (panel_a.zone == panel_b.zone) return panel_a.zone == zone ? distance(a, b) : 0;
-  if (panel_a.zone > panel_b.zone) return -stretch(zone, b, a);
-  if (zone < panel_a.zone || zone > panel_b.zone) return 0;
-  if (zone == panel_a.zone) return -panel_a.length * (panel_a.parts - panel_a.part - 1 + a.right);
-  return -extent(zone, b);
+double ZoneMesh::extent(int zone, const Point& point) const {
+  const int own = this->zone(point);
+  if (own == zone) return from_end(point, false);
+  double sum = 0;
+  if (zone < own)
+    for (const Panel& panel : panels_) sum += panel.zone == zone ? panel.length : 0;
+  return sum;
 }
 
 double ZoneMesh::place(const Point& point) const {

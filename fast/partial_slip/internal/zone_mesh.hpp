@@ -94,8 +94,8 @@ class ZoneMesh {
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
   /// The length of the part of a zone that lies before the point.
   [[nodiscard]] double extent(int zone, const Point& point) const;
-  /// By how much e_a - e_b grows with the logarithm of a zone's length, without cancellation.
-  [[nodiscard]] double stretch(int zone, const Point& a, const Point& b) const;
+  /// The distance of the point from the right or the left end of its zone, without cancellation.
+  [[nodiscard]] double from_end(const Point& point, bool right) const;
   [[nodiscard]] double place(const Point& point) const;
   [[nodiscard]] Point start(int zone) const;  ///< its left end
   /// 0 < e < the contact's length; from the nearer end of the panel that it lies in.
