@@ -47,7 +47,7 @@ struct ReportPart {
 std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draws, Progress& progress) {
   std::vector<ReportPart> parts{
       {"errata", {"errata"}, [&] { report.errata = settle_all(formula_errata()); }},
-      {"limits", {"limits"}, [&] { report.limits = limits(); }},
+      {"limits", {"limits"}, [&] { report.limits = approach_all(limits()); }},
       {"claims", {"claims"}, [&] { report.claims = check_all(claims()); }},
       {"printed tables",
        {"tables", "sources"},
@@ -164,9 +164,9 @@ Json report_json(const Report& report) {
 }
 
 int report_verb(const CommandLine& line, std::ostream& out) {
-  AuditRun audits(line, true);
   const auto older = older_report(line);
   const auto folder = output_folder(line);
+  AuditRun audits(line, true);
   Progress progress(line.has("quiet"));
   Report report;
   report.command = fmt::format("nipref {}", fmt::join(words_of(line), " "));

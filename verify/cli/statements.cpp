@@ -19,8 +19,9 @@ int claims_verb(const CommandLine& line, std::ostream& out) {
 }
 
 int limits_verb(const CommandLine& line, std::ostream& out) {
-  std::vector<LimitRow> rows = limits();
-  select_by_id(rows, line.words, "limit", &LimitRow::name);
+  std::vector<Statement> selected = limits();
+  select_by_id(selected, line.words, "limit", &Statement::id);
+  const std::vector<LimitRow> rows = approach_all(selected);
   const auto missed = std::ranges::count_if(rows, [](const LimitRow& row) { return !row.approached(); });
   return write_answer(line, out, "limits", missed == 0,
                       {{"rows", limits_json(rows)}, {"_of", rows.size()}, {"_missed", missed}}, "limits.txt");

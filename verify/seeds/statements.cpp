@@ -51,6 +51,11 @@ const TomlTable& claims_file() {
   return file;
 }
 
+const TomlTable& limits_file() {
+  static const TomlTable file = file_of("limits.toml");
+  return file;
+}
+
 const TomlTable& errata_file() {
   static const TomlTable file = file_of("errata.toml");
   return file;
@@ -140,24 +145,26 @@ bool LimitRow::approached() const {
          std::fabs(measured->value() - order) <= agreement;
 }
 
-std::vector<LimitRow> limits() {
-  constexpr int sizes = 3;
-  const TomlTable file = file_of("limits.toml");
-  std::vector<LimitRow> rows;
-  for (const TomlTable& entry : file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
-                                          {"order", "first", "setting", "given"})) {
-    rows.push_back({entry.text("name"), entry.text("statement"), entry.text("source"), entry.text("size"),
-                    entry.number("order")});
-    StatementFormulas formulas(file, entry);
-    for (int k = 0; k < sizes; ++k) {
-      const double size = std::ldexp(entry.number("first"), -k);
-      formulas.define("s", Propagated::exact(size));
-      rows.back().samples.push_back(
-          {size, formulas.value(entry.text("found")), formulas.value(entry.text("limit"))});
-    }
-  }
-  return rows;
+std::vector<Statement> limits() {
+  return statements_in(limits_file().list("limit", {"id", "statement", "source", "size", "found", "limit"},
+                                          {"order", "first", "setting", "given"}));
 }
+
+LimitRow approach(const Statement& limit) {
+  constexpr int sizes = 3;
+  const TomlTable& entry = *limit.entry;
+  LimitRow row{limit.id, entry.text("statement"), entry.text("source"), entry.text("size"),
+               entry.number("order")};
+  StatementFormulas formulas(limits_file(), entry);
+  for (int k = 0; k < sizes; ++k) {
+    const double size = std::ldexp(entry.number("first"), -k);
+    formulas.define("s", Propagated::exact(size));
+    row.samples.push_back({size, formulas.value(entry.text("found")), formulas.value(entry.text("limit"))});
+  }
+  return row;
+}
+
+std::vector<LimitRow> approach_all(const std::vector<Statement>& limits) { return mapped(limits, approach); }
 
 Json limits_json(const std::vector<LimitRow>& limits) {
   return json_list(limits, [](const LimitRow& limit) {

@@ -80,9 +80,12 @@ struct LimitRow {
   [[nodiscard]] bool approached() const;
 };
 
-/// Computes all limits: of the elastic nip thick and thin with and without friction, of the one with Coulomb's friction
-/// thick, with little and with much friction, and of the rolling one with short memory, with long memory and thin.
-[[nodiscard]] std::vector<LimitRow> limits();
+/// Of the elastic nip thick and thin with and without friction, of the one with Coulomb's friction thick, with little and
+/// with much friction, and of the rolling one with short memory, with long memory and thin.
+[[nodiscard]] std::vector<Statement> limits();
+/// Computes the contacts on the way to one of limits().
+[[nodiscard]] LimitRow approach(const Statement& limit);
+[[nodiscard]] std::vector<LimitRow> approach_all(const std::vector<Statement>& limits);
 Json limits_json(const std::vector<LimitRow>& limits);
 
 /// A formula that a seed prints wrong, as printed and as it must be, at one place, against a truth that is computed by

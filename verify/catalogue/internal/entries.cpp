@@ -77,11 +77,11 @@ void add_arguments(Quantity& quantity, const std::string& text) {
       add_arguments(quantity, definitions_table()["groups"][word.substr(1)].value<std::string>().value());
       continue;
     }
-    const Argument argument = argument_of(word);
+    Argument argument = argument_of(word);
     if (argument.models.size() == 1) {
-      quantity.solid = argument;
+      quantity.solid = std::move(argument);
     } else {
-      quantity.arguments.push_back(argument);
+      quantity.arguments.push_back(std::move(argument));
     }
   }
 }
@@ -138,7 +138,7 @@ std::vector<Quantity> quantities_of(const toml::table& section) {
   for (const auto& [name, own] : *section["quantities"].as_table())
     found.emplace_back(name.source().begin, quantity_of(name.str(), Row(section, own)));
   std::ranges::sort(found, {}, [](const auto& one) { return one.first.line; });
-  return mapped(found, [](const auto& one) { return one.second; });
+  return mapped(found, [](auto& one) { return std::move(one.second); });
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ const std::vector<Quantity>& described_quantities() {
   return all;
 }
 
-Quantity described(std::string_view name) {
+const Quantity& described(std::string_view name) {
   const auto found = std::ranges::find(described_quantities(), name, &Quantity::name);
   if (found == described_quantities().end())
     throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));

@@ -23,8 +23,8 @@ std::vector<Quantity> half_space_contact_entries();     ///< dies and spheres, b
 std::vector<Quantity> seed_sphere_entries();            ///< the seed's sphere, brock2013 (34), also exactly
 std::vector<Quantity> anisotropic_entries();  ///< K, S, critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, dimensionless, thesis chapter V
-std::vector<Quantity> displacement_entries();      ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
-std::vector<Quantity> field_entries();             ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
+std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
+std::vector<Quantity> field_entries();         ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
 std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelastic one, thesis chapter VII
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
@@ -42,8 +42,8 @@ std::vector<double> hard_values(ArgumentKind kind);
 /// The table's rows in their order, without evaluators.
 const std::vector<Quantity>& described_quantities();
 
-/// The row of that name. std::logic_error if the table has none.
-Quantity described(std::string_view name);
+/// The row of that name, which stays where it is. std::logic_error if the table has none.
+const Quantity& described(std::string_view name);
 
 template <std::size_t n>
 using ArgumentNames = const char* const (&)[n];
@@ -69,9 +69,9 @@ auto of_point(const Quantity& entry, ArgumentNames<n> names, Function function) 
 /// The same from a function that asks the point for its numbers by name.
 template <class Function>
 auto of_point(const Quantity& entry, Function function) {
-  return [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments), function](
-             auto numbers, auto... more) {
-    const Named named(std::span<const Argument>(*arguments), numbers);
+  return [arguments = std::span<const Argument>(described(entry.name).arguments), function](auto numbers,
+                                                                                            auto... more) {
+    const Named named(arguments, numbers);
     if constexpr (std::is_invocable_v<Function, decltype(named), decltype(more)...>) {
       return function(named, more...);
     } else {
@@ -129,10 +129,10 @@ Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
 /// The entry with the points of its audits: `draw` changes a point of the defaults at random.
 template <class Draw>
 Quantity sampled(Quantity entry, Draw draw) {
-  entry.draw = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
+  entry.draw = [arguments = std::span<const Argument>(described(entry.name).arguments),
                 defaults = point_of(entry, {}), draw](Random& random) {
     Point point = defaults;
-    draw(random, NamedNumbers(*arguments, point));
+    draw(random, NamedNumbers(arguments, point));
     return point;
   };
   return entry;
@@ -140,8 +140,8 @@ Quantity sampled(Quantity entry, Draw draw) {
 /// The same; `keep_off` moves a point into the domain.
 template <class Draw, class KeepOff>
 Quantity sampled(Quantity entry, Draw draw, KeepOff keep_off) {
-  entry.keep_off = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
-                    keep_off](Point& point) { keep_off(NamedNumbers(*arguments, point)); };
+  entry.keep_off = [arguments = std::span<const Argument>(described(entry.name).arguments),
+                    keep_off](Point& point) { keep_off(NamedNumbers(arguments, point)); };
   return sampled(std::move(entry), draw);
 }
 
