@@ -41,7 +41,7 @@ ViscoelasticNip swinging_nip(double thickness, double way, double swing) {
   return {6, thickness, data::ViscoelasticMaterial(function(9e-6), function(3e-6)), 1};
 }
 
-Places places_of(double length) { return {-0.7 * length, -0.2 * length, 0.3 * length}; }
+Places places_of(double length) { return {-0.7 * length, 0.3 * length}; }
 
 void check_covered(const Numbers<ref::Estimate>& truth, const Numbers<fast::Estimate>& computed) {
   for (const auto& [name, estimate] : computed) {
@@ -100,14 +100,13 @@ TEST_CASE("ref contact: random ones are proven, digits and panels meet, double i
                                ? data::standard_linear_solid({1, between(0.5, 2), 2, 3, memory, 2 * memory})
                            : i % 3 == 1 ? data::single_relaxation_time_solid(1, 0.375, memory)
                                         : data::misprinted_thesis_solid(1, 0.375, memory);
-    const Places places{-0.4 * length, 0, 0.2 * length, 0.4999 * length};
-    for (const auto& [kind, digits] :
-         {std::pair(gripped(nip), 30), {rolling(ViscoelasticNip{100, 1, softening, 1}), 24}}) {
+    const Places places{-0.4 * length, 0.4999 * length};
+    for (const Kind& kind : {gripped(nip), rolling(ViscoelasticNip{100, 1, softening, 1})}) {
       CAPTURE(i, kind.name, length);
       const bool is_rolling = kind.name == "rolling";
       if (!is_rolling && i == 1) continue;
       const auto few = numbers_of(kind.of_length(length, 16), places),
-                 many = numbers_of(kind.of_length(length, digits), places);
+                 many = numbers_of(kind.of_length(length, 20), places);
       check_meet(few, many);
       check_covered(many, numbers_of(kind.fast_of_length(length, 1e-10), places));
       if (is_rolling) {
@@ -191,9 +190,9 @@ TEST_CASE("ref contact: without friction and memory it is one, by the proof, by 
   for (const auto& [nip, length] : {Row{nip_of(0.3), 0x1p-10}, Row{quarter_inch_nip, 0.15},
                                     Row{nip_of(0.3), 1.5}, Row{nip_of(0.3), 26.0}}) {
     CAPTURE(length);
-    Places places{length / 8, -length / 4, length / 2};
-    if (length < 2) places.insert(places.end(), {0.75 * length, -1.3 * length});
-    const auto proven = ref::converged_for_length(nip, Friction::none, length, 30);
+    Places places{length / 8, length / 2};
+    if (length < 2) places.push_back(-1.3 * length);
+    const auto proven = ref::converged_for_length(nip, Friction::none, length, 20);
     const auto panels = ref::converged_for_length(nip, Friction::none, length, 18, 0);
     const auto truth = numbers_of(proven, places), by_panels = numbers_of(panels, places);
     check_meet(by_panels, truth);
@@ -203,12 +202,12 @@ TEST_CASE("ref contact: without friction and memory it is one, by the proof, by 
     CHECK(difference(panels.surface_strain(length / 8), proven.surface_strain(length / 8)) <=
           error(panels.surface_strain(length / 8)));
     CHECK_REFUSED(panels.peak_shear_position(), "must be full");
-    if (length > 2) continue;  // would take long
+    if (length > 1) continue;  // would take long
     const ViscoelasticNip rolled{nip.roller_radius, nip.sheet_thickness, data::elastic_solid(nip.material),
                                  1};
-    const auto by_rolling = numbers_of(ref::converged_for_length(rolled, length, 20), places);
+    const auto by_rolling = numbers_of(ref::converged_for_length(rolled, length, 16), places);
     check_meet(by_rolling, truth);
-    CHECK(std::fabs(by_rolling.at("rolling_resistance").to_double()) <= 1e-20);
+    CHECK(std::fabs(by_rolling.at("rolling_resistance").to_double()) <= 1e-16);
   }
 }
 
@@ -240,7 +239,7 @@ TEST_CASE("ref contact: the length of a load is that whose load it is") {
   const ElasticNip nip{1000, 2, {3, 0.2}};
   for (const auto& [kind, length, digits] :
        {Row{frictionless(nip), 0.002, 30}, Row{frictionless(nip), 0.5, 30}, Row{frictionless(nip), 6, 30},
-        Row{gripped(nip_of(0.3)), 0x1p-10, 20}, Row{gripped(nip_of(0.3)), 1.5, 20},
+        Row{gripped(nip_of(0.3)), 0x1p-10, 20}, Row{gripped(nip_of(0.3)), 0.5, 16},
         Row{rolling(rolled_nip(0.25, 0.1, 2)), 0.1, 16}}) {
     CAPTURE(kind.name, length);
     const auto there = kind.of_length(length, digits);
@@ -301,7 +300,7 @@ TEST_CASE("ref contact: the strain is as sure next to the ends as elsewhere, and
     const auto computed = kind.fast_of_length(length, 1e-12);
     const double leading = truth.leading_length().to_double(), trailing = truth.trailing_length().to_double(),
                  size = length / radius;
-    for (const double beyond : {0x1p-46, 1e-14, 1e-10, 1e-8, 1e-5, 1e-3, 0.05, 1.0, 2.0}) {
+    for (const double beyond : {0x1p-46, 1e-10, 1e-5, 0.05, 2.0}) {
       for (const double y : {leading + beyond * length, -trailing - beyond * length}) {
         CAPTURE(length, y);
         const ref::Estimate strain = truth.surface_strain(y);

@@ -76,8 +76,11 @@ TEST_CASE("a contact without an independent truth gets no verdict, what is not k
 }
 
 TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the thesis's method") {
-  const auto rows = verify::bench_group(
-      verify::bench_group_table[0], [](const std::string&) {}, 1);
+  // Those with Coulomb's friction take the reference long.
+  std::vector<verify::BenchRow> rows;
+  for (const verify::BenchPart& part : verify::elastic_bench(1))
+    if (is_thorough() || !contains(part.name, "Coulomb"))
+      std::ranges::move(part.rows(), std::back_inserter(rows));
   for (const char* sheet : {"B=1 W=100", "B=0.25 W=100", "B=0.0625 W=100", "B=0.005 W=100"}) {
     CAPTURE(sheet);
     const auto error = [&](const std::string& method) {

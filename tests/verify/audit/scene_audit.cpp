@@ -106,6 +106,14 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
     return solution;
   };
   CHECK(audited(elastic, solvers).uncovered == 1);
+  // What the reference refuses, as a place that it does not reach, is no failure.
+  solvers.ref = [](const data::Scene&, int) -> verify::SceneSolution<ref::Estimate> {
+    throw data::BadInput("y", "1", "must be nearer");
+  };
+  const auto alone = audited(elastic, solvers);
+  CHECK(alone.failed == "");
+  CHECK(alone.numbers > 0);
+  CHECK(alone.uncovered == 0);
   solvers.fast = [](const data::Scene&) -> Solution {
     throw data::BadInput("key", "value", "must be better");
   };
@@ -131,20 +139,6 @@ TEST_CASE("an ellipse that is nearly a circle does not know its orientation at a
   // Scene and mirror image were 90 degrees apart, with 36 of error each.
   const auto found = verify::audit_scene("ash", 9, {});
   CHECK(verify::solve(data::parse_scene(found.toml, "ash"))[data::ResultId::orientation].error > 45);
-  CHECK(found.numbers > 0);
-  CHECK(found.uncovered == 0);
-}
-
-TEST_CASE("a place that the reference does not reach is no failure of the audit") {
-  verify::SceneSolvers solvers;
-  std::string refused;
-  solvers.ref = [&](const data::Scene& scene, int digits) {
-    refused = refusal_of([&] { (void)verify::solve_by_ref(scene, digits); });
-    return verify::solve_by_ref(scene, digits);
-  };
-  const auto found = verify::audit_scene("ash", 5278, solvers);
-  CHECK(refused != "");
-  CHECK(found.failed == "");
   CHECK(found.numbers > 0);
   CHECK(found.uncovered == 0);
 }

@@ -30,7 +30,7 @@ verify::GoldenFile last_of(verify::GoldenFile file, std::ptrdiff_t rows) {
 
 }  // namespace
 
-TEST_CASE("golden values are what they were: every file to the last character, every 5th or 40th value") {
+TEST_CASE("golden values are what they were: every file to the last character, every 20th or 80th value") {
   CHECK(verify::check_folder(data::golden_directory()).empty());
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
@@ -40,9 +40,8 @@ TEST_CASE("golden values are what they were: every file to the last character, e
           verify::sha256(bytes));
     verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
     // One is enough where a value takes seconds.
-    const std::size_t step = quantity.audit_points >= 20'000 ? 5
-                             : quantity.audit_points >= 20   ? 40
-                                                             : file.rows.size();
+    const std::size_t step =
+        quantity.audit_points >= 20 ? (quantity.audit_points >= 20'000 ? 20 : 80) : file.rows.size();
     const verify::CheckOptions options{false, step};
     const verify::CheckedGolden checked = verify::check_rows(quantity, file, options);
     CHECK(checked.recomputed >= 1);

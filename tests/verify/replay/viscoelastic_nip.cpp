@@ -142,9 +142,9 @@ TEST_CASE("Tables XI to XXVI, replayed once: 94 in 100 legible cells are met, an
 }
 
 TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the odd rows confirm it") {
-  // Two of the tables tell it by day, all five that have such rows in .ci/thorough.
-  std::vector<const char*> ids{"thesis-XXIV", "thesis-XXVI"};
-  if (is_thorough()) ids.insert(ids.end(), {"thesis-XXI", "thesis-XXII", "thesis-XXV"});
+  // One of the tables tells it by day, all five that have such rows in .ci/thorough.
+  std::vector<const char*> ids{"thesis-XXIV"};
+  if (is_thorough()) ids.insert(ids.end(), {"thesis-XXI", "thesis-XXII", "thesis-XXV", "thesis-XXVI"});
   const auto misses = [&](double smallest_term) {
     std::array<std::size_t, 2> of_parity{};
     for (const char* id : ids) {

@@ -124,27 +124,24 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
 
 TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
   using enum data::ResultId;
-  for (const char* const friction : {"none", "full"}) {
-    for (const char* const thickness : {"0.04", "5"}) {
-      CAPTURE(friction, thickness);
-      data::Scene scene =
-          loaded_example("inside-displacements", {{"friction.model", friction},
-                                                  {"sheet.thickness", thickness},
-                                                  {"accuracy", "1e-6"},
-                                                  {"field.positions", "[0.067, -0.2, 0.0435]"},
-                                                  {"field.depths", "[0, -0.99999, 1, -1]"}});
-      scene.wanted = {displacement_across, displacement_along, normal_displacement, tangential_displacement};
-      problem_of(scene).profile = data::Positions{{0.067, -0.2, 0.0435}};
-      const auto [fast, by_ref] = by_both_paths(scene);
-      for (const auto& [inside, surface] : {std::pair{displacement_across, normal_displacement},
-                                            std::pair{displacement_along, tangential_displacement}}) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          for (const std::size_t face : {6u, 9u}) {
-            CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
-            // The reference integrates the field to the face, and by other kernels the surface.
-            const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];
-            CHECK(std::fabs((here - there).to_double()) <= std::stod((here - there).error_text()));
-          }
+  for (const auto& [friction, thickness] : {std::pair("none", "0.04"), {"full", "5"}}) {
+    CAPTURE(friction, thickness);
+    data::Scene scene = loaded_example("inside-displacements", {{"friction.model", friction},
+                                                                {"sheet.thickness", thickness},
+                                                                {"accuracy", "1e-6"},
+                                                                {"field.positions", "[0.067, -0.2]"},
+                                                                {"field.depths", "[0, -0.99999, 1, -1]"}});
+    scene.wanted = {displacement_across, displacement_along, normal_displacement, tangential_displacement};
+    problem_of(scene).profile = data::Positions{{0.067, -0.2}};
+    const auto [fast, by_ref] = by_both_paths(scene);
+    for (const auto& [inside, surface] : {std::pair{displacement_across, normal_displacement},
+                                          std::pair{displacement_along, tangential_displacement}}) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        for (const std::size_t face : {4u, 6u}) {
+          CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
+          // The reference integrates the field to the face, and by other kernels the surface.
+          const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];
+          CHECK(std::fabs((here - there).to_double()) <= std::stod((here - there).error_text()));
         }
       }
     }

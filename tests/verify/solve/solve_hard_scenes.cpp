@@ -41,8 +41,7 @@ TEST_CASE("hard scenes are within their errors of solutions to 1e-13 at all accu
     data::Scene scene = data::load_scene(file);
     // What was wrong was so at the scene's own accuracy.
     std::vector<double> accuracies{scene.accuracy, 1e-8};
-    for (int digits = 2; is_thorough() && digits < 12; ++digits)
-      accuracies.push_back(std::pow(10, -digits));
+    for (int digits = 2; is_thorough() && digits < 12; ++digits) accuracies.push_back(std::pow(10, -digits));
     std::ranges::sort(accuracies, std::greater());
     scene.accuracy = 1e-13;
     const auto truth = verify::solve(scene);
