@@ -306,31 +306,34 @@ Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
   });
 }
 
-std::array<Estimate, 3> EllipticContact::displacement(const SurfaceAnswer& half_space, const Exact& degrees,
-                                                      const Exact& x, const Exact& depth) const {
+EllipticContact::Displacement EllipticContact::displacement(const SurfaceAnswer& half_space,
+                                                            const Exact& depth) const {
   if (depth.sign() < 0) throw data::BadInput("depth", depth.text(), "must not be negative");
-  const auto& [load, curvature, digits, working, exponent, levels] = *implementation_;
-  const WorkingDigits scope(working);
-  const WorkingSurface lines(half_space, working, exponent);
+  const WorkingDigits scope(implementation_->working);
+  const WorkingSurface surface(half_space, implementation_->working, implementation_->exponent);
   const PeakOfCompliance peak = peak_of_compliance(half_space);
-  const Float psi = to_float(degrees) * pi() / 180;
-  const auto pressed = [&](const Level& level) -> EllipticPressure {
-    const Float scale = implementation_->scale(level), root = exp(Float(level.ellipse.eta() / 2));
-    return {scale * root, scale / root, level.ellipse.alpha(), scale * 2 * curvature / level.moment};
+  const auto lines =
+      std::make_shared<const SmoothLines>(surface, peak, depth.sign() > 0, implementation_->digits + 7);
+  const Float largest = surface.at(Exact(peak.degrees)).compliance;
+  return [contact = implementation_, lines, largest, depth](const Exact& degrees, const Exact& x) {
+    const WorkingDigits working(contact->working);
+    const auto pressed = [&](const Level& level) -> EllipticPressure {
+      const Float scale = contact->scale(level), root = exp(Float(level.ellipse.eta() / 2));
+      return {scale * root, scale / root, level.ellipse.alpha(),
+              scale * 2 * contact->curvature / level.moment};
+    };
+    const EllipticPressure fine = pressed(contact->levels.fine), coarse = pressed(contact->levels.coarse);
+    const Float psi = to_float(degrees) * pi() / 180;
+    const Displaced found =
+        displacement_under({fine, coarse}, *lines, {psi, to_float(x), to_float(depth)}, contact->digits);
+    // The rounding, what is left out as it is narrower than a rounding of the angle, and a tenth as much by the polynomials:
+    // of the size of all lines together.
+    const Float rounding = tolerance(contact->digits + 6) * fine.peak * fine.a * largest;
+    const auto estimate = [&](std::size_t i) -> Estimate {
+      return {found.value[i], found.error[i] + rounding, contact->digits};
+    };
+    return std::array{estimate(0), estimate(1), estimate(2)};
   };
-  const auto by_rule = [&](const Level& level, int digits_of_rule) {
-    return displacement_under(pressed(level), lines, peak, {psi, to_float(x), to_float(depth)},
-                              digits_of_rule);
-  };
-  const auto fine = by_rule(levels.fine, working + digits), coarse = by_rule(levels.coarse, working);
-  // The rounding, and what is left out as it is narrower than a rounding of the angle: of the size of all lines together.
-  const EllipticPressure most = pressed(levels.fine);
-  const Float rounding =
-      tolerance(digits + 6) * most.peak * most.a * lines.at(Exact(peak.degrees)).compliance;
-  const auto estimate = [&](std::size_t i) -> Estimate {
-    return {fine[i], abs(fine[i] - coarse[i]) + rounding, digits};
-  };
-  return {estimate(0), estimate(1), estimate(2)};
 }
 
 }  // namespace nipref::ref

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 
 #include <nipref/ref/half_space/indenter.hpp>
@@ -44,11 +45,12 @@ class EllipticContact {
   [[nodiscard]] Estimate peak_pressure() const;
   /// The pressure at x on a line, 0 outside the contact.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
-  /// The displacement at x on a line, at this depth below the surface, of a half-space, which may be one of two bodies, against
-  /// what is far away: along the motion, across it and into the half-space, unit of length. Below the surface the half-space's
-  /// answers must have a decay. BadInput "depth" if it is negative.
-  [[nodiscard]] std::array<Estimate, 3> displacement(const SurfaceAnswer& half_space, const Exact& degrees,
-                                                     const Exact& x, const Exact& depth = Exact(0.0)) const;
+  /// The displacement at x on a line: along the motion, across it and into the half-space, unit of length.
+  using Displacement = std::function<std::array<Estimate, 3>(const Exact& degrees, const Exact& x)>;
+  /// That of a half-space, which may be one of two bodies, at this depth below the surface, against what is far away. The
+  /// half-space's lines are computed once for all places; below the surface its answers must have a decay. BadInput
+  /// "depth" if it is negative, "surface" where the answers are not smooth from line to line.
+  [[nodiscard]] Displacement displacement(const SurfaceAnswer& half_space, const Exact& depth) const;
 
  private:
   struct Implementation;

@@ -59,9 +59,10 @@ class LoadedEllipse {
   [[nodiscard]] fast::Estimate pressure(Direction psi, double x) const {
     return contact_.pressure(load_, psi, x);
   }
-  [[nodiscard]] std::array<fast::Estimate, 3> displacement(const fast::PressureWaves& half_space,
-                                                           Direction psi, double x, double depth) const {
-    return contact_.displacement(load_, half_space, psi, x, depth);
+  [[nodiscard]] auto displacement(const fast::PressureWaves& half_space, double depth) const {
+    return [one = *this, half_space, depth](Direction psi, double x) {
+      return one.contact_.displacement(one.load_, half_space, psi, x, depth);
+    };
   }
   [[nodiscard]] fast::Estimate axis_ratio() const { return contact_.axis_ratio(); }
   [[nodiscard]] fast::Estimate approach() const { return load_.approach; }
@@ -141,6 +142,8 @@ struct BodyOnHalfSpace {
   int digits;  ///< the reference's
   Contact (*make)(const Surface&, const Problem&, int digits);
   std::optional<Contact> made = {};
+  /// At x on a line, at the scene's depth: along the motion, across it and into the half-space.
+  std::function<std::array<Number, 3>(const typename Path::Line&, const Position&)> displaced = {};
 
   const Contact& contact() {
     if (!made) made = make(surface, problem, digits);
@@ -166,11 +169,11 @@ struct BodyOnHalfSpace {
       return contact().shear(Path::line(*problem.line), Position(x));
     return by_friction(pressure(x));
   }
-  /// At x on the scene's line, at its depth: along the motion, across it and into the half-space.
+  /// At x on the scene's line.
   std::array<Number, 3> displacement(double x) {
     const Position depth(problem.depth);
-    return contact().displacement(surface.of_half_space(depth), Path::line(*problem.line), Position(x),
-                                  depth);
+    if (!displaced) displaced = contact().displacement(surface.of_half_space(depth), depth);
+    return displaced(Path::line(*problem.line), Position(x));
   }
   /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
   Number end(const typename Path::Line& psi) {

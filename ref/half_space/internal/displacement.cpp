@@ -3,32 +3,12 @@
 #include <vector>
 
 #include <nipref/ref/half_space/internal/displacement.hpp>
-#include <nipref/ref/number/internal/complex_float.hpp>
 
 namespace nipref::ref {
 namespace {
 
-/// t + (1 - t^2) artanh t for 0 <= t <= 1, with arcoth t beyond.
-Float logarithmic_part(const Float& t) {
-  if (t == Float(1)) return t;
-  if (t < Float(1)) return t + (1 - t * t) * atanh(t);
-  if (t < Float(2)) return t + (1 - t * t) * atanh(Float(1 / t));
-  Float sum = 0, term = 1, power = 1 / t;
-  for (long k = 1; term > std::numeric_limits<Float>::epsilon() * sum; k += 2, power /= t * t) {
-    term = 2 * power / (k * (k + 2));
-    sum += term;
-  }
-  return sum;
-}
-
-/// Re Y (1 - t^2) + Im Y H[1 - t^2]: along the line, across it and into the half-space.
-std::array<Float, 3> moved_at_surface(const WorkingAnswer& y, const Float& t) {
-  const Float size = abs(t), part = 2 / pi() * logarithmic_part(size);
-  const Float pressed = std::max(Float(0), Float(1 - t * t)), pulled = t < Float(0) ? part : Float(-part);
-  return {y.shear_compliance * pressed + y.coupling * pulled,
-          y.shear_compliance_across * pressed + y.coupling_across * pulled, y.compliance * pressed};
-}
-
+/// Along the motion, across it and into the half-space, or along a line, across it and into the half-space.
+using Moved = std::array<Float, 3>;
 using ComplexVector = std::array<ComplexFloat, 3>;
 using ComplexRows = std::array<ComplexVector, 3>;
 
@@ -69,11 +49,12 @@ ComplexVector eigenvalues(const ComplexRows& g) {
   return result;
 }
 
-/// int_-1^1 (1 - s^2)/(s - z) ds for Im z > 0.
+/// int_-1^1 (1 - s^2)/(s - z) ds for Im z > 0, and its limit where z is real.
 ComplexFloat parabola_over(const ComplexFloat& z) {
-  const ComplexFloat one(Float(1));
-  if (abs(z) < Float(1000)) return (one - z * z) * log((z - one) / (z + one)) - z * Float(2);
-  // In powers of 1/z, as the terms above cancel.
+  const ComplexFloat one(Float(1)), rest = one - z * z;
+  if (abs(rest) == Float(0)) return z * Float(-2);
+  if (abs(z) < Float(100)) return rest * log((z - one) / (z + one)) - z * Float(2);
+  // In powers of 1/z, as the terms above cancel by 4 digits from here on.
   ComplexFloat sum, power = one / z;
   const ComplexFloat factor = power * power;
   for (long k = 1; k == 1 || abs(power) > std::numeric_limits<Float>::epsilon() * abs(sum);
@@ -82,100 +63,155 @@ ComplexFloat parabola_over(const ComplexFloat& z) {
   return sum;
 }
 
-/// Im(P(t + i G depth)/pi Y e3), P = parabola_over, which in the surface is the above: by Lagrange's interpolation of P
-/// between the eigenvalues of G. They differ by 10^-digits at least, as G is changed by about its error; it is divided by
-/// two such differences, so that what cancels has four times the digits.
-std::array<Float, 3> moved_inside(const WorkingAnswer& y, const Float& t, const Float& depth) {
+/// Y e3 = the sum of these parts, each of which falls like e^(-exponent kappa depth).
+struct FallingPart {
+  ComplexFloat exponent;
+  ComplexVector pushed;
+};
+
+/// By Lagrange's interpolation between the eigenvalues of G. They differ by 10^-digits at least, as G is changed by about
+/// its error; it is divided by two such differences, so that what cancels has four times the digits.
+std::vector<FallingPart> parts_of(const SmoothLines::Line& line) {
+  const ComplexVector at_surface{line[0], line[1], line[2]};
+  if (line.size() == at_surface.size()) return {{{}, at_surface}};
   const int digits = static_cast<int>(Float::thread_default_precision());
   const WorkingDigits scope(4 * digits);
   ComplexRows g;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) g[i][k] = {y.decay->re[i][k], y.decay->im[i][k]};
-  for (int i = 0; i < 3; ++i) {
-    ComplexFloat& entry = g[static_cast<std::size_t>(i)][static_cast<std::size_t>(i)];
-    entry = entry * (1 + (i * i + 1) * tolerance(digits));
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) g[i][k] = line[3 * (i + 1) + k];
+    g[i][i] = g[i][i] * (1 + static_cast<long>(i * i + 1) * tolerance(digits));
   }
-  const ComplexVector at_surface{ComplexFloat(y.shear_compliance, y.coupling),
-                                 ComplexFloat(y.shear_compliance_across, y.coupling_across),
-                                 ComplexFloat(y.compliance)};
   const ComplexVector values = eigenvalues(g);
-  std::array<Float, 3> result{Float(0), Float(0), Float(0)};
+  std::vector<FallingPart> parts;
   for (std::size_t i = 0; i < 3; ++i) {
     const ComplexFloat &own = values[i], &second = values[(i + 1) % 3], &third = values[(i + 2) % 3];
-    const ComplexVector part = product(g, product(g, at_surface, second), third);
-    const ComplexFloat factor =
-        parabola_over({t - depth * own.im, depth * own.re}) / ((own - second) * (own - third)) / pi();
-    for (std::size_t k = 0; k < 3; ++k) result[k] += (factor * part[k]).im;
+    ComplexVector pushed = product(g, product(g, at_surface, second), third);
+    for (ComplexFloat& each : pushed) each = each / ((own - second) * (own - third));
+    parts.push_back({own, pushed});
+  }
+  // From here on only what cancels between the parts is lost.
+  const auto size = [](const ComplexVector& x) { return std::max({abs(x[0]), abs(x[1]), abs(x[2])}); };
+  Float largest = size(at_surface);
+  for (const FallingPart& part : parts) largest = std::max(largest, size(part.pushed));
+  const Float cancelled = log10(Float(largest / size(at_surface)));
+  const WorkingDigits enough(digits + 1 + static_cast<int>(cancelled));
+  for (FallingPart& part : parts) {
+    for (ComplexFloat* each : {&part.exponent, &part.pushed[0], &part.pushed[1], &part.pushed[2]})
+      *each = {at_working_precision(each->re), at_working_precision(each->im)};
+  }
+  return parts;
+}
+
+/// Im(P(t + i G depth)/pi Y e3), P = parabola_over.
+Moved moved_by(const std::vector<FallingPart>& parts, const Float& t, const Float& depth) {
+  const WorkingDigits scope(digits_of(bits_of(parts[0].pushed[0].re)));
+  Moved result;
+  for (const auto& [exponent, pushed] : parts) {
+    const ComplexFloat factor = parabola_over({t - depth * exponent.im, depth * exponent.re}) / pi();
+    for (std::size_t k = 0; k < 3; ++k) result[k] += (factor * pushed[k]).im;
   }
   return result;
 }
 
-/// Lines of half a turn about the peak of the compliance, as angle = centre + width sinh(v), |angle - centre| <= pi/2: the
-/// compliance's singularities about its peak are at v = +-i pi/2.
-struct CentredLines {
-  Float centre, width;
-
-  explicit CentredLines(const PeakOfCompliance& peak)
-      : centre(peak.degrees * pi() / 180), width(peak.width) {}
-  [[nodiscard]] Float angle(const Float& v) const { return centre + width * sinh(v); }
-  /// Of the line at this angle or turned by half turns.
-  [[nodiscard]] Float v(const Float& angle) const {
-    const Float off = angle - centre;
-    return asinh(Float((off - pi() * round(Float(off / pi()))) / width));
-  }
+/// An integral over a stretch of the lines and its change by the last halving of the rule's step.
+struct Stretch {
+  Float left, right;
+  Moved integral{}, change{};
+  bool is_settled = false;
 };
 
-/// The ends of the parts of these lines: across the place, along the minor axis, at the peak of the compliance, where lines
-/// touch the ellipse, and where they come nearest to that if the place is within it.
-std::vector<Float> ends_of_parts(const CentredLines& lines, const EllipticPressure& on, const Float& psi,
-                                 const Float& x) {
+Float largest_of(const Moved& x) { return std::max({Float(abs(x[0])), Float(abs(x[1])), Float(abs(x[2]))}); }
+
+void add(Moved& sum, const Moved& term, const Float& factor) {
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += factor * term[k];
+}
+
+/// They end across the place, along the minor axis, at the peak of the compliance, where lines touch the ellipse, and where
+/// they come nearest to that if the place is within it.
+std::vector<Stretch> stretches_of(const SmoothLines& lines, const EllipticPressure& on,
+                                  const PlaceInside& place) {
+  const auto& [psi, x, depth] = place;
   const Float right = pi() / 2;
-  std::vector<Float> angles{psi + right, on.major + right, lines.centre};
   // In the plane in which the ellipse is the unit circle.
   const Float first = x * cos(Float(psi - on.major)) / on.a, second = x * sin(Float(psi - on.major)) / on.b;
   const Float angle = atan2(second, first), distance = hypot(first, second);
   const Float off = distance > Float(1) ? acos(Float(1 / distance)) : Float(0);
-  for (const Float& each : {Float(angle - off), Float(angle + off)})
-    angles.push_back(on.major + atan2(Float(sin(each) / on.b), Float(cos(each) / on.a)));
-  const Float last = asinh(Float(right / lines.width));
-  std::vector<Float> ends{-last, last};
-  for (const Float& each : angles) ends.push_back(lines.v(each));
+  const auto touching = [&](const Float& at) {
+    return lines.v(on.major + atan2(Float(sin(at) / on.b), Float(cos(at) / on.a)));
+  };
+  std::vector<Float> ends{
+      -lines.last(),         lines.last(),         0, lines.v(psi + right), lines.v(on.major + right),
+      touching(angle - off), touching(angle + off)};
   std::ranges::sort(ends);
-  return ends;
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    if (ends[i + 1] - ends[i] > std::numeric_limits<Float>::epsilon())
+      stretches.push_back({ends[i], ends[i + 1]});
+  return stretches;
+}
+
+/// What a line adds under a pressure, per dv.
+Moved moved_by_line(const SmoothLines& lines, const Float& v, const std::vector<FallingPart>& parts,
+                    const EllipticPressure& on, const PlaceInside& place) {
+  const auto& [psi, x, depth] = place;
+  const Float angle = lines.angle(v), c = cos(angle), s = sin(angle);
+  const Float width =
+      hypot(Float(on.a * cos(Float(angle - on.major))), Float(on.b * sin(Float(angle - on.major))));
+  const Float share = lines.slope(v) * on.peak * on.a * on.b / (4 * width);
+  const auto [along, across, into] = moved_by(parts, x * cos(Float(angle - psi)) / width, depth / width);
+  return {share * (c * along - s * across), share * (s * along + c * across), share * into};
 }
 
 }  // namespace
 
-std::array<Float, 3> displacement_under(const EllipticPressure& on, const WorkingSurface& half_space,
-                                        const PeakOfCompliance& peak, const PlaceInside& place, int digits) {
-  const auto& [psi, x, depth] = place;
-  std::array<Float, 3> sums{Float(0), Float(0), Float(0)};
-  const CentredLines lines(peak);
-  const auto add_line = [&](const Float& v, const Float& dv) {
-    const Float angle = lines.angle(v), weight = dv * lines.width * cosh(v);
-    const WorkingAnswer y = half_space.at(to_exact(Float(angle * 180 / pi())));
-    const Float width =
-        hypot(Float(on.a * cos(Float(angle - on.major))), Float(on.b * sin(Float(angle - on.major))));
-    const Float t = x * cos(Float(angle - psi)) / width, share = weight / width;
-    const auto [along, across, into] =
-        depth == Float(0) ? moved_at_surface(y, t) : moved_inside(y, t, depth / width);
-    const Float c = cos(angle), s = sin(angle);
-    sums[0] += share * (c * along - s * across);
-    sums[1] += share * (s * along + c * across);
-    sums[2] += share * into;
+Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, const SmoothLines& lines,
+                             const PlaceInside& place, int digits) {
+  Displaced result{};
+  const auto add_line = [&](Moved& sum, const Float& v, const Float& dv, bool is_first_level) {
+    const std::vector<FallingPart> parts = parts_of(lines.at(v));
+    const Moved term = moved_by_line(lines, v, parts, pressures[0], place);
+    add(sum, term, dv);
+    if (!is_first_level) return;
+    add(result.error, term, dv);
+    add(result.error, moved_by_line(lines, v, parts, pressures[1], place), -dv);
   };
-  const std::vector<Float> ends = ends_of_parts(lines, on, psi, x);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const Float length = ends[i + 1] - ends[i];
-    if (!(length > tolerance(digits))) continue;
-    for (const UnitNode& node : *unit_nodes(digits)) {
+  // The steps are 32, 16, ... 1 of those between these nodes. The nodes left out are so near the ends of 7 stretches that all of
+  // them together are less than a rounding, 10^-(digits + 6).
+  const auto nodes = unit_nodes(8 * working_digits(digits));
+  constexpr std::size_t widest = 32;
+  const auto halve_step = [&](Stretch& on, std::size_t step) {
+    const bool is_first = step == widest;
+    const Float length = on.right - on.left;
+    Moved added;
+    for (std::size_t i = is_first ? 0 : step; i < nodes->size(); i += is_first ? step : 2 * step) {
+      const UnitNode& node = (*nodes)[i];
+      if (node.weight < tolerance(digits + 8)) continue;
       const bool is_left = node.left < node.right;
-      add_line(is_left ? Float(ends[i] + length * node.left) : Float(ends[i + 1] - length * node.right),
-               length * node.weight);
+      add_line(added, is_left ? Float(on.left + length * node.left) : Float(on.right - length * node.right),
+               length * node.weight * step, is_first);
     }
+    for (std::size_t k = 0; k < added.size(); ++k) {
+      const Float finer = on.integral[k] / 2 + added[k];
+      on.change[k] = abs(finer - on.integral[k]);
+      on.integral[k] = finer;
+    }
+  };
+  std::vector<Stretch> stretches = stretches_of(lines, pressures[0], place);
+  for (std::size_t step = widest; step > 0; step /= 2) {
+    Float all;
+    for (Stretch& each : stretches) {
+      if (!each.is_settled) halve_step(each, step);
+      all += largest_of(each.integral);
+    }
+    for (Stretch& each : stretches)
+      each.is_settled = step < widest && largest_of(each.change) <= tolerance(digits + 2) * all;
   }
-  for (Float& sum : sums) sum *= on.peak * on.a * on.b / 4;
-  return sums;
+  for (Float& apart : result.error) apart = abs(apart);
+  for (const Stretch& each : stretches) {
+    add(result.value, each.integral, 1);
+    add(result.error, each.change, 1);
+  }
+  return result;
 }
 
 }  // namespace nipref::ref

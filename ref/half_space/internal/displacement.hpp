@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include <nipref/ref/half_space/internal/contact.hpp>
+#include <nipref/ref/half_space/internal/smooth_lines.hpp>
 
 namespace nipref::ref {
 
@@ -15,10 +15,15 @@ struct PlaceInside {
   Float psi, x, depth;
 };
 
-/// The displacement under this pressure: along the motion, across it and into the half-space. By the double exponential
-/// rule of unit_integral(digits) between the lines where the integrand has its peaks or no derivative.
-/// Derivation: ref/half_space/README.md, Displacements.
-std::array<Float, 3> displacement_under(const EllipticPressure& pressure, const WorkingSurface& half_space,
-                                        const PeakOfCompliance& peak, const PlaceInside& place, int digits);
+/// Along the motion, across it and into the half-space.
+struct Displaced {
+  std::array<Float, 3> value, error;
+};
+
+/// The displacement under the first of two nearly equal pressures. By the double exponential rule between the lines where
+/// the integrand has its peaks or no derivative; the error is the sum of the differences between the last two levels of
+/// the rule and that between both pressures. Derivation: ref/half_space/README.md, Displacements.
+Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, const SmoothLines& lines,
+                             const PlaceInside& place, int digits);
 
 }  // namespace nipref::ref

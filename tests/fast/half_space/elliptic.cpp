@@ -196,12 +196,13 @@ TEST_CASE("elliptic: both paths displace a surface without any symmetry alike") 
   const EllipticLoad load = fast_contact.for_force(1);
   const ref::EllipticContact contact(exactly, {ref::Exact(3.0), ref::Exact(1.0)}, data::GivenNormalForce{1},
                                      18);
+  const auto displacement = contact.displacement(exactly, ref::Exact(0.0));
   for (const auto& [degrees, share] : {std::pair(0., 0.5), std::pair(70., 0.999), std::pair(-40., 1.01),
                                        std::pair(10., -300.), std::pair(0., 0.)}) {
     CAPTURE(degrees);
     const double x = share * load.semi_major.value;
     const auto found = fast_contact.displacement(load, in_double, Direction::of_degrees(degrees), x);
-    const auto truth = contact.displacement(exactly, ref::Exact(degrees), ref::Exact(x));
+    const auto truth = displacement(ref::Exact(degrees), ref::Exact(x));
     for (std::size_t i = 0; i < found.size(); ++i) {
       CAPTURE(i);
       CHECK(mpfr_get_d(ref::raw(truth[i].error), MPFR_RNDU) < 1e-16 * std::fabs(found[2].value));

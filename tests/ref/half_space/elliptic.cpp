@@ -59,4 +59,30 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
     return line;
   };
   refused(no_number, Exact(1.0), "surface = nan");
+  // A surface whose lines are no smooth function of their direction.
+  const ref::SurfaceAnswer broken = [&](const Exact& degrees, int digits) {
+    ref::LineAnswer line = surface(degrees, digits);
+    if (degrees.value() > 33) line.compliance /= 2;
+    return line;
+  };
+  const ref::EllipticContact contact(surface, {Exact(1.0), Exact(1.0)}, data::GivenSpan{1}, 18);
+  CHECK_REFUSED(contact.displacement(broken, Exact(0.0)), "surface = (as given)");
+  CHECK_REFUSED(contact.displacement(surface, Exact(-1.0)), "depth = -1");
+}
+
+TEST_CASE("displacements of many places take the reference no more lines than that of one") {
+  int lines = 0;
+  const ref::SurfaceAnswer surface = isotropic_surface(0.25, 0.5);
+  const ref::SurfaceAnswer counted = [&](const Exact& degrees, int digits) {
+    ++lines;
+    return surface(degrees, digits);
+  };
+  const ref::EllipticContact contact(surface, {Exact(1.0), Exact(3.0)}, data::GivenSpan{1}, 16);
+  const auto displacement = contact.displacement(counted, Exact(0.0));
+  const int before = lines;
+  CHECK(before < 400);
+  const ref::Estimate first = displacement(Exact(0.0), Exact(0.0))[2],
+                      farther = displacement(Exact(70.0), Exact(2.0))[2];
+  CHECK(farther.to_double() < first.to_double());
+  CHECK(lines == before);
 }
