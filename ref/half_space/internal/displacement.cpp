@@ -39,12 +39,12 @@ ComplexVector eigenvalues(const ComplexRows& g) {
                          Float(2);
   const ComplexFloat root = square_root(q * q + p * p * p);
   const ComplexFloat cube = abs(q + root) > abs(q - root) ? q + root : q - root;
-  const ComplexFloat first = exp(log(cube) / Float(3));
+  const ComplexFloat third_of_turn(Float(-0.5), sqrt(Float(3)) / 2);
+  ComplexFloat one = exp(log(cube) / Float(3));
   ComplexVector result;
-  for (int i = 0; i < 3; ++i) {
-    const Float turn = 2 * pi() * i / 3;
-    const ComplexFloat one = first * ComplexFloat(cos(turn), sin(turn));
-    result[static_cast<std::size_t>(i)] = third + one - p / one;
+  for (ComplexFloat& value : result) {
+    value = third + one - p / one;
+    one = one * third_of_turn;
   }
   return result;
 }
