@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,8 +13,8 @@ namespace {
 using Zones = std::vector<Zone>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// How large new zones are in what they are cut from, to begin with.
-constexpr double usual_part = 0.2;
+/// How large new zones are in what they are cut from, to begin with: anywhere, and of slip at the trailing end.
+constexpr double usual_part = 0.2, least_part = 0.01;
 
 /// A zone is taken out; its neighbours, or the only one, take its length.
 void remove(Zones& zones, std::size_t number) {
@@ -52,9 +53,8 @@ void separate_slips(Zones& zones, double part) {
 
 /// At the trailing end it slips: sticking there asks for one number more than there is. But where it sticks everywhere, the
 /// traction is 0.
-void slip_at_end(const PartialSlipTask& task, Zones& zones, int sign) {
+void slip_at_end(const PartialSlipTask& task, Zones& zones, int sign, double part = least_part) {
   if (zones.back().sign != 0 || (zones.size() == 1 && task.traction == 0.0)) return;
-  constexpr double part = 0.01;
   zones.push_back({part * zones.back().length, sign});
   zones[zones.size() - 2].length *= 1 - part;
 }
@@ -207,26 +207,34 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
   constexpr double rough = 20;
   std::optional<ZoneContact> best;
   double least = infinity;
-  double length = 0;
-  for (const int elements : {60, 120, 240, 0}) {
-    // At last from a contact that sticks all along, but for its trailing end.
-    Zones zones{{length, 0}};
-    if (elements > 0)
-      zones = first_zones(task, element_contact(task, elements));
-    else
-      slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1);
-    length = length_of(zones);
+  const auto is_found_from = [&](const Zones& zones) {
     auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
-    if (!contact) continue;
+    if (!contact) return false;
     if (const double wrong = wrongness(*contact, task.friction); wrong < least) {
       least = wrong;
       best = std::move(contact);
     }
-    if (least < std::exp(-rough / 2)) break;
-  }
-  // Then a zone is missing.
+    return least < std::exp(-rough / 2);
+  };
+  const ElementContact elements = element_contact(task, 60);
+  const auto by_elements = [&] {
+    return is_found_from(first_zones(task, elements)) ||
+           is_found_from(first_zones(task, element_contact(task, 120))) ||
+           is_found_from(first_zones(task, element_contact(task, 240)));
+  };
+  // From contacts that stick all along, but for their trailing ends.
+  const auto by_sticking = [&] {
+    return std::ranges::any_of(std::array{least_part, usual_part}, [&](double part) {
+      Zones zones{{elements.length(), 0}};
+      slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1, part);
+      return is_found_from(zones);
+    });
+  };
+  // With much friction elements may slip by turns, whatever their number, and tell little.
+  const bool is_found = elements.settled ? by_elements() || by_sticking() : by_sticking() || by_elements();
+  // A contact that is this wrong lacks more than short zones.
   constexpr double too_wrong = 1e-3;
-  if (!best || least > too_wrong) return std::nullopt;
+  if (!is_found && least > too_wrong) return std::nullopt;
   // Shorter ones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;
   for (double finer = rough + stride; finer < nats && least > std::exp(-nats / 2); finer += stride) {

@@ -213,6 +213,14 @@ TEST_CASE("a peak that is nearer to a boundary than all samples is seen") {
   CHECK(rough.error < 1e-6 * rough.value);
 }
 
+TEST_CASE("where elements slip by turns the zones are found from a contact that sticks, with few unknowns") {
+  constexpr double mu = 1.76, load = 0.1;
+  const auto nip =
+      fast::partial_slip_for_load(unit_nip(-0.64, mu, GivenTraction{-0.022 * mu * load}), load, 1e-4);
+  CHECK(nip.zone_signs() == std::vector<int>{1, 0, -1, 0, 1});
+  CHECK(nip.work().unknowns < 600);
+}
+
 TEST_CASE("what friction cannot pass on, and other nonsense, is refused") {
   const auto solve = [](double friction, const data::Drive& drive, double load) {
     return
