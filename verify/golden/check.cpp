@@ -73,9 +73,12 @@ CheckedGolden checked_rows(const GoldenHeader& file, std::size_t rows, std::size
   checked.quantity = file.entry("quantity");
   checked.rows = (rows + options.every - 1) / options.every;
   checked.recomputed = options.all ? checked.rows : std::min(checked.rows, by_ref);
+  // One alone is in the middle: values at a file's end take the reference longest.
+  const auto is_recomputed = [&](std::size_t i) {
+    return is_taken((i + checked.rows / 2) % checked.rows, checked.rows, checked.recomputed);
+  };
   auto failures = parallel_mapped(
-      checked.rows,
-      [&](std::size_t i) { return check(i * options.every, is_taken(i, checked.rows, checked.recomputed)); },
+      checked.rows, [&](std::size_t i) { return check(i * options.every, is_recomputed(i)); },
       options.progress);
   for (auto& found : failures) std::ranges::move(found, std::back_inserter(checked.failures));
   return checked;

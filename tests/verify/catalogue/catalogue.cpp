@@ -75,7 +75,7 @@ TEST_CASE("both paths agree within the promise at random points, and what is pro
   for (const Quantity& quantity : verify::catalogue()) {
     verify::Random random("test " + quantity.drawn_for());
     // Fewer where the reference is slow.
-    const std::size_t most = (quantity.is_costly ? 12U : 45U) / (is_thorough() ? 1U : 6U);
+    const std::size_t most = (quantity.is_costly ? 12U : 45U) / (is_thorough() ? 1U : 12U);
     const std::size_t points = std::min(most, quantity.audit_points / 3);
     for (const Point& point : verify::random_points(quantity, {}, points, random)) {
       CAPTURE(quantity.name, point.front());

@@ -112,25 +112,27 @@ TEST_CASE("Tables XI to XXVI, replayed once: 94 in 100 legible cells are met, an
         const auto input = verify::viscoelastic_row_input(replay.table, row, rolling, method);
         method.trailing_elements = input.trailing_elements;
         const auto [low, high] = input.leading_length;
-        const auto meets = [&](const char* column, const data::Interval& length) {
+        const auto of_length = [&](const data::Interval& length) {
+          return verify::replay_viscoelastic_row(rolling, method, length);
+        };
+        const auto meets = [&](const char* column, const auto& replayed_row) {
           const data::TableCell& cell = replay.table.cell(row, column);
           return !cell.is_doubtful() &&
-                 verify::assess(cell,
-                                verify::replay_viscoelastic_row(rolling, method, length).range(column)) !=
-                     Verdict::unexplained;
+                 verify::assess(cell, replayed_row.range(column)) != Verdict::unexplained;
         };
+        const auto here = of_length(input.leading_length);
         const auto meets_beyond = [&](const char* column, bool above) {
           const data::Interval length = above ? data::Interval{high, std::max(high, input.narrowest.upper)}
                                               : data::Interval{std::min(low, input.narrowest.lower), low};
-          return length.upper > length.lower && meets(column, length);
+          return length.upper > length.lower && meets(column, of_length(length));
         };
         for (const char* column : {"d0", "d1", "d2", "creep", "p_max", "muR"}) {
-          if (meets(column, input.leading_length)) continue;
+          if (meets(column, here)) continue;
           longer_by_other += meets_beyond(column, true) ? 1U : 0U;
           shorter_by_other += meets_beyond(column, false) ? 1U : 0U;
           if (column[0] != 'd') continue;
-          longer += meets(column, {high, high * (1 + 0x1p-20)}) ? 1U : 0U;
-          shorter += meets(column, {low * (1 - 0x1p-20), low}) ? 1U : 0U;
+          longer += meets(column, of_length({high, high * (1 + 0x1p-20)})) ? 1U : 0U;
+          shorter += meets(column, of_length({low * (1 - 0x1p-20), low})) ? 1U : 0U;
         }
       }
     }

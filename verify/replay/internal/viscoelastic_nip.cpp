@@ -1,3 +1,6 @@
+#include <map>
+#include <tuple>
+
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
@@ -38,9 +41,6 @@ class ViscoelasticRowReplay {
         input_(viscoelastic_row_input(table, row, nip_, method_)) {
     method_.trailing_elements = input_.trailing_elements;
     replayed_ = replay_viscoelastic_row(nip_, method_, input_.leading_length);
-    const double end = input_.leading_length.upper;
-    beyond_ = replay_viscoelastic_row(nip_, method_, {end, end * (1 + cut)});
-    other_ = replay_viscoelastic_row(nip_, method_, {end, std::max(end, input_.narrowest.upper)});
   }
 
   [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, input_.trailing_elements}; }
@@ -53,12 +53,32 @@ class ViscoelasticRowReplay {
     result.note = note(result, cell);
     if (result.verdict == Verdict::unexplained) explain(result, cell);
     if (result.verdict == Verdict::unexplained || result.verdict == Verdict::misprint)
-      judge_reading(table_, result, replay_viscoelastic_row(nip_, method_, input_.agreed).range(column));
-    if (result.verdict == Verdict::unexplained) judge_reading(table_, result, beyond_.range(column));
+      judge_reading(table_, result, from(input_.agreed).range(column));
+    if (result.verdict == Verdict::unexplained) judge_reading(table_, result, beyond().range(column));
     return result;
   }
 
  private:
+  /// The row with so many elements, from that length: solved once for all columns that ask for it.
+  [[nodiscard]] const ReplayedRow& with(const data::ViscoelasticLineLoads& method,
+                                        const data::Interval& length) const {
+    const auto [known, is_new] = rows_.try_emplace(
+        {method.leading_elements, method.trailing_elements.value(), length.lower, length.upper});
+    if (is_new) known->second = replay_viscoelastic_row(nip_, method, length);
+    return known->second;
+  }
+  [[nodiscard]] const ReplayedRow& from(const data::Interval& length) const { return with(method_, length); }
+  /// From a length that was cut to the printed one.
+  [[nodiscard]] const ReplayedRow& beyond() const {
+    const double end = input_.leading_length.upper;
+    return from({end, end * (1 + cut)});
+  }
+  /// From what the narrowest printed length has beyond it.
+  [[nodiscard]] const ReplayedRow& other() const {
+    const double end = input_.leading_length.upper;
+    return from({end, std::max(end, input_.narrowest.upper)});
+  }
+
   /// Marks the cell as an error of the seed if what its machine lost meets it.
   void explain(ReplayedCell& replayed, const data::TableCell& cell) const {
     const std::string underflown(underflown_creep);
@@ -70,12 +90,12 @@ class ViscoelasticRowReplay {
           "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
           "thesis's machine: {:.6g}e-3 then",
           1e3 * replayed_.at_centre.at(underflown));
-    } else if (meets(beyond_, replayed.column)) {
+    } else if (meets(beyond(), replayed.column)) {
       replayed.note = fmt::format(
           "the printed {} is cut: met with one up to 16^-5 above what rounds to it, as much as one product "
           "loses in the single precision of the thesis's machine; {}",
           input_.column, replayed.note);
-    } else if (meets(other_, replayed.column)) {
+    } else if (meets(other(), replayed.column)) {
       replayed.note = fmt::format(
           "the printed {} is cut: met with a longer one, which the row's {} has, by which it is known more "
           "narrowly; {}",
@@ -109,8 +129,7 @@ class ViscoelasticRowReplay {
       other.leading_elements = method_.leading_elements + change;
       for (int trailing = 1; trailing <= other.leading_elements; ++trailing) {
         other.trailing_elements = trailing;
-        const data::Interval range =
-            replay_viscoelastic_row(nip_, other, input_.leading_length).range(missed.column);
+        const data::Interval range = with(other, input_.leading_length).range(missed.column);
         if (assess(table_.cell(row_, missed.column), range) != Verdict::unexplained)
           met += fmt::format(" {}+{}", other.leading_elements, trailing);
       }
@@ -124,8 +143,8 @@ class ViscoelasticRowReplay {
   data::ViscoelasticNip nip_;
   data::ViscoelasticLineLoads method_;
   ViscoelasticRowInput input_;
-  ReplayedRow replayed_, beyond_;  ///< from the length, and from one that was cut to it
-  ReplayedRow other_;              ///< from what the narrowest printed length has beyond it
+  ReplayedRow replayed_;
+  mutable std::map<std::tuple<int, int, double, double>, ReplayedRow> rows_;
 };
 
 }  // namespace
