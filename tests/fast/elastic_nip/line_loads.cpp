@@ -14,8 +14,6 @@ namespace {
 
 using Counts = std::array<std::uint64_t, 7>;
 
-const data::ElasticNip nip = data::seed::nip(1.0);
-
 }  // namespace
 
 TEST_CASE("a load is carried by the shortest length that carries it, however wide its elements are") {
@@ -37,8 +35,8 @@ TEST_CASE("a load is carried by the shortest length that carries it, however wid
 TEST_CASE("inside the sheet, on the line through the centres, the shear of line loads is exactly 0") {
   const fast::InnerPoint points[] = {{0, 0.3}, {0, -0.7}, {0.01, 0.3}};
   for (const data::Grip& grip : {data::Grip{}, grip_with(1e-3)}) {
-    const LineLoadNip solution = fast::line_loads_for_length(nip, 7, 0.1, grip);
-    const auto stresses = fast::line_load_stresses(solution.loads, nip.half_thickness(), points);
+    const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 7, 0.1, grip);
+    const auto stresses = fast::line_load_stresses(solution.loads, thick_nip.half_thickness(), points);
     CHECK(stresses[0].shear.value == 0);
     CHECK(stresses[1].shear.value == 0);
     CHECK(stresses[2].shear.value != 0);
@@ -50,8 +48,8 @@ TEST_CASE("length for a load and load for a length are inverse, over twelve deca
     // The creep of a thick nip is proportional to its length.
     for (const data::Grip& grip : {data::Grip{}, grip_with(-1e-2 * length)}) {
       CAPTURE(length);
-      const LineLoadNip solution = fast::line_loads_for_length(nip, 4, length, grip);
-      const LineLoadNip again = fast::line_loads_for_load(nip, 4, solution.load(), grip);
+      const LineLoadNip solution = fast::line_loads_for_length(thick_nip, 4, length, grip);
+      const LineLoadNip again = fast::line_loads_for_load(thick_nip, 4, solution.load(), grip);
       CHECK(again.load() == approx(solution.load(), 1e-12));
       CHECK(again.contact_length() == approx(length, 1e-9));
     }
@@ -117,15 +115,15 @@ TEST_CASE("residues: as many terms as asked for, and the library's kernels where
 }
 
 TEST_CASE("coarser kernels change the result by no more than their tolerance times the condition") {
-  const double full = fast::line_loads_for_length(nip, 5, 0.1).indentation;
-  const double coarse = fast::line_loads_for_length(nip, {5, 0, fast::Accuracy(1e-9)}, 0.1).indentation;
+  const double full = fast::line_loads_for_length(thick_nip, 5, 0.1).indentation;
+  const double coarse = fast::line_loads_for_length(thick_nip, {5, 0, fast::Accuracy(1e-9)}, 0.1).indentation;
   CHECK(coarse != full);
   CHECK(coarse == approx(full, 1e-7));
 }
 
 TEST_CASE("bad input to line loads is refused by name") {
   const auto of_length = [](const fast::LineLoadMethod& method, double length, const data::Grip& grip = {}) {
-    return fast::line_loads_for_length(nip, method, length, grip);
+    return fast::line_loads_for_length(thick_nip, method, length, grip);
   };
   const auto of_nip = [](const data::ElasticNip& other) { return fast::line_loads_for_load(other, 2, 1.0); };
   CHECK_REFUSED(of_length(0, 0.1), "elements_per_side = 0: must be from 1 to 10000");
@@ -135,10 +133,10 @@ TEST_CASE("bad input to line loads is refused by name") {
   CHECK_REFUSED(of_length(2, 0), "contact_length = 0");
   CHECK_REFUSED(of_length(2, not_a_number), "contact_length = nan");
   CHECK_REFUSED(of_length(2, 0.1, grip_with(not_a_number)), "creep = nan: must be finite");
-  CHECK_REFUSED(fast::line_loads_for_load(nip, 2, -1.0), "load = -1");
-  CHECK_REFUSED(fast::line_loads_for_load(nip, 2, 1, grip_with(0), {.tolerance = 0}), "tolerance = 0");
-  CHECK_REFUSED(of_nip({0.0, 1.0, nip.material}), "roller_radius = 0");
-  CHECK_REFUSED(of_nip({6.0, not_a_number, nip.material}), "sheet_thickness = nan");
+  CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, -1.0), "load = -1");
+  CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), "tolerance = 0");
+  CHECK_REFUSED(of_nip({0.0, 1.0, thick_nip.material}), "roller_radius = 0");
+  CHECK_REFUSED(of_nip({6.0, not_a_number, thick_nip.material}), "sheet_thickness = nan");
   CHECK_REFUSED(of_nip({6.0, 1.0, {1.0, 0.6}}), "poisson = 0.6");
   CHECK_REFUSED(of_nip({6.0, 1.0, {-1.0, 0.3}}), "young = -1");
   // Elements so wide that their loads no longer reach the next matching point.

@@ -21,7 +21,7 @@ namespace {
 
 using Real = boost::multiprecision::mpfr_float_100;
 
-constexpr double ulp = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double degree = std::numbers::pi / 180;
 
 // Pa, where the seed has GPa
@@ -93,10 +93,10 @@ TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it"
   for (const double step : {1e-15, 1e-12, 1e-9, 1e-6}) {
     const LineResponse below = response(speed * (1 - step)), above = response(speed * (1 + step));
     CHECK(near((below.compliance + above.compliance) / 2, here.compliance, here.compliance,
-               2 * ulp + 10 * step * step));
+               2 * rounding + 10 * step * step));
     CHECK(near((below.coupling + above.coupling) / 2, here.coupling, here.compliance,
-               2 * ulp + 10 * step * step));
-    CHECK(near(below.compliance, above.compliance, here.compliance, 4 * ulp + 10 * step));
+               2 * rounding + 10 * step * step));
+    CHECK(near(below.compliance, above.compliance, here.compliance, 4 * rounding + 10 * step));
   }
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("critical speed: there the first line is critical, and none before") {
       const TransverselyIsotropicHalfSpace surface(solid, axis, motion, (1 - 1e-9) * speed);
       for (int line = 0; line < 20; ++line) {
         const Direction other = random_direction(generator);
-        CHECK(fast::rayleigh_speed(solid, axis, motion, other) >= speed * (1 - 4 * ulp));
+        CHECK(fast::rayleigh_speed(solid, axis, motion, other) >= speed * (1 - 4 * rounding));
         const LineResponse response = surface.along(other);
         CHECK(response.compliance > 0);
         CHECK(std::isfinite(response.compliance));
@@ -134,7 +134,7 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
     const double speed = fast::critical_speed(solid, SymmetryAxis::in_plane, motion).speed;
     const auto truth =
         ref::critical_speed(ref::exact_stiffness(solid, SymmetryAxis::in_plane), ref_direction(theta), 17);
-    CHECK(std::fabs(truth.speed.error_of(speed)) <= 4 * ulp * speed);
+    CHECK(std::fabs(truth.speed.error_of(speed)) <= 4 * rounding * speed);
     // Where a coarser search ends, it is higher.
     CHECK(fast::rayleigh_speed(solid, SymmetryAxis::in_plane, motion, Direction::of_degrees(shallow_psi)) >
           (1 + 1e-10) * speed);

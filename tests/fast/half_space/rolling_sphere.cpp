@@ -15,7 +15,7 @@ namespace {
 
 /// Of shear wave speed 1.
 const data::IsotropicSolid steel{2.5, 1. / 3, 2.5};
-constexpr double radius = 4;
+constexpr double sphere_radius = 4;
 
 /// A point of an interval with its distances to both ends, which keep their digits.
 struct IntervalPoint {
@@ -42,7 +42,7 @@ double hilbert(double lower, double upper, double x, const std::function<double(
 TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere on every line") {
   double worst = 0;
   for (const double speed : {0., 0.4, 0.8, 0.92}) {
-    const auto contact = rolling_sphere_for_span(steel, radius, speed, 0.5);
+    const auto contact = rolling_sphere_for_span(steel, sphere_radius, speed, 0.5);
     for (int i = 0; i < 25; ++i) {
       const Direction psi = Direction::of_angle(-1.5 + 0.13 * i);
       const RollingLine line = contact.along(psi);
@@ -62,18 +62,19 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
       });
       const double slope = -normal_compliance * normal_transform - coupling * line.shear_traction(x).value;
       const double stretch = -shear_compliance * shear_transform + coupling * line.normal_traction(x).value;
-      const double scale = half / radius * steel.shear;
-      worst = std::fmax(worst, std::fabs(slope + steel.shear * x / radius) / scale);
+      const double scale = half / sphere_radius * steel.shear;
+      worst = std::fmax(worst, std::fabs(slope + steel.shear * x / sphere_radius) / scale);
       worst = std::fmax(
-          worst,
-          std::fabs(stretch - steel.shear * (x * x / (2 * radius * radius) - line.creep.value)) / scale);
+          worst, std::fabs(stretch -
+                           steel.shear * (x * x / (2 * sphere_radius * sphere_radius) - line.creep.value)) /
+                     scale);
     }
   }
   CHECK(worst < 5e-14);
 }
 
 TEST_CASE("rolling: compressive up to the compressed radius, and its force has an error") {
-  const auto contact = rolling_sphere_for_span(steel, radius, 0.9, 1e-6);
+  const auto contact = rolling_sphere_for_span(steel, sphere_radius, 0.9, 1e-6);
   const RollingLine line = contact.along({1, 0});
   CHECK(line.normal_traction(line.compressed_radius().value * (1 - 1e-5)).value < 0);
   CHECK(line.normal_traction(line.compressed_radius().value * (1 + 1e-5)).value > 0);
@@ -81,12 +82,12 @@ TEST_CASE("rolling: compressive up to the compressed radius, and its force has a
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {
-  CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, not_a_number, 0.1), data::BadInput);
+  CHECK_THROWS_AS(rolling_sphere_for_span(steel, sphere_radius, not_a_number, 0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, 0, 0.5, 0.1), data::BadInput);
-  CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.5, -0.1), data::BadInput);
-  CHECK_THROWS_AS(rolling_sphere_for_force(steel, radius, 0.5, not_a_number), data::BadInput);
-  CHECK_THROWS_AS(rolling_sphere_for_force({1, 0.5, 1}, radius, 0.5, 1), data::BadInput);
-  const RollingLine line = rolling_sphere_for_span(steel, radius, 0.5, 0.1).along({1, 0});
+  CHECK_THROWS_AS(rolling_sphere_for_span(steel, sphere_radius, 0.5, -0.1), data::BadInput);
+  CHECK_THROWS_AS(rolling_sphere_for_force(steel, sphere_radius, 0.5, not_a_number), data::BadInput);
+  CHECK_THROWS_AS(rolling_sphere_for_force({1, 0.5, 1}, sphere_radius, 0.5, 1), data::BadInput);
+  const RollingLine line = rolling_sphere_for_span(steel, sphere_radius, 0.5, 0.1).along({1, 0});
   CHECK_THROWS_AS(static_cast<void>(line.shear_traction(not_a_number).value), data::BadInput);
   const double rayleigh = fast::isotropic_rayleigh_speed(0.3);
   CHECK_THROWS_AS(fast::separation_angle(0.3, rayleigh), data::BadInput);

@@ -8,10 +8,8 @@ using namespace nipref::fast;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Compliances that double with time, with one rate; Poisson's ratio is 1/3 throughout.
-nipref::data::ViscoelasticMaterial solid(double rate) {
+nipref::data::ViscoelasticMaterial softening_solid(double rate) {
   return {{1, {{rate, rate}}}, {0.5, {{rate / 2, rate}}}};
 }
 
@@ -37,30 +35,30 @@ TEST_CASE("steady memory with less accuracy") {
 TEST_CASE("rates beyond any scale of the sheet neither overflow nor lose digits") {
   for (const double alpha : {-1e4, -300.0, -1.0, -1e-9, 1e-9, 1.0, 300.0, 1e4}) {
     for (const double rate : {1e-12, 1.0, 1e12}) {
-      const MovingLoad load(solid(rate), 1, 1);
+      const MovingLoad load(softening_solid(rate), 1, 1);
       const double un = load.steady_normal_displacement(alpha);
       CHECK(std::isfinite(un));
       CHECK(std::isfinite(load.normal_displacement(2e4, 2e4 + alpha)));
       if (std::fabs(alpha) > 200 && rate >= 1) CHECK(std::fabs(un) < 1e-120);
       if (rate == 1e12 && std::fabs(alpha) <= 1) {
-        CHECK(un == doctest::Approx(3 * I1(alpha) / pi).epsilon(1 / std::fabs(alpha * 1e12)));
+        CHECK(un == doctest::Approx(3 * I1(alpha) / std::numbers::pi).epsilon(1 / std::fabs(alpha * 1e12)));
       }
     }
   }
 }
 
 TEST_CASE("a way too short to be seen beside the distance still counts") {
-  const MovingLoad load(solid(1e25), 1, 1);
+  const MovingLoad load(softening_solid(1e25), 1, 1);
   for (const double T : {-2.5, -0.75, -0.4, 0.4, 0.75, 2.5}) {
     CHECK(load.normal_displacement(1e-25, T) ==
-          doctest::Approx(1.5 * I1(T) * (2 - std::exp(-1.0)) / pi).epsilon(1e-14));
+          doctest::Approx(1.5 * I1(T) * (2 - std::exp(-1.0)) / std::numbers::pi).epsilon(1e-14));
   }
 }
 
 TEST_CASE("bad input to the moving load") {
-  CHECK_REFUSED(MovingLoad(solid(1), 1, HUGE_VAL), "half_thickness = inf");
-  CHECK_REFUSED(MovingLoad(solid(-1), 1, 1), "theta1 rate = -1");
-  const MovingLoad load(solid(1), 1, 1), far(solid(1), 90, 1e-12);
+  CHECK_REFUSED(MovingLoad(softening_solid(1), 1, HUGE_VAL), "half_thickness = inf");
+  CHECK_REFUSED(MovingLoad(softening_solid(-1), 1, 1), "theta1 rate = -1");
+  const MovingLoad load(softening_solid(1), 1, 1), far(softening_solid(1), 90, 1e-12);
   CHECK_REFUSED(load.normal_displacement(1, not_a_number), "T = nan");
   CHECK_REFUSED(load.tangential_displacement(1, 2, HUGE_VAL), "t0 = inf");
   CHECK_NOTHROW(static_cast<void>(load.tangential_displacement(2, 2, 2)));

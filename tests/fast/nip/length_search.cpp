@@ -7,7 +7,7 @@ using nipref::fast::LengthSearch;
 
 namespace {
 
-struct Solution {
+struct Tried {
   double length, carried;
   [[nodiscard]] double load() const { return carried; }
 };
@@ -18,7 +18,7 @@ struct Search : LengthSearch {
   Search(const LengthSearch& search, Load load_of) : LengthSearch(search) {
     found = nipref::fast::solution_at_end(*this, [&](double tried) {
               ++solves;
-              return Solution{tried, load_of(tried)};
+              return Tried{tried, load_of(tried)};
             }).length;
   }
 

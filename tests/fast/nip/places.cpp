@@ -8,9 +8,9 @@ using namespace nipref;
 namespace {
 
 std::vector<double> even_places(double a, double b, int count) {
-  std::vector<double> places;
-  for (int i = 0; i < count; ++i) places.push_back(std::lerp(a, b, static_cast<double>(i) / (count - 1)));
-  return places;
+  std::vector<double> all;
+  for (int i = 0; i < count; ++i) all.push_back(std::lerp(a, b, static_cast<double>(i) / (count - 1)));
+  return all;
 }
 
 /// f, known to `error` everywhere.
@@ -67,9 +67,8 @@ TEST_CASE("a maximum lies within its error, and a second one that may be the lar
     return [=](double x, double other) { return fast::Estimate{two(x) - two(other), error}; };
   };
   const auto places = even_places(-1, 4.5, 56);
-  const double pi = std::acos(-1.0);
   const auto sure = fast::place_of_maximum(two, two_slope, lead(1e-6), places);
-  CHECK(sure.value == doctest::Approx(pi).epsilon(1e-5));
+  CHECK(sure.value == doctest::Approx(std::numbers::pi).epsilon(1e-5));
   CHECK(sure.error < 1e-6);
-  CHECK(fast::place_of_maximum(two, two_slope, lead(1e-4), places).error > pi);
+  CHECK(fast::place_of_maximum(two, two_slope, lead(1e-4), places).error > std::numbers::pi);
 }

@@ -65,10 +65,10 @@ void check_same(const Interval& x, const Interval& y, double nats) {
   CHECK(has_zero(x - y));
 }
 
-constexpr mpfr_prec_t bits = 200;
+constexpr mpfr_prec_t fading_bits = 200;
 
 ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
-  return {Interval(exact(real), bits), Interval(exact(imaginary), bits)};
+  return {Interval(exact(real), fading_bits), Interval(exact(imaginary), fading_bits)};
 }
 
 /// A real rate that is not known to be real, for which the paths are taken at all places.

@@ -24,13 +24,13 @@ ExactMaterial oscillating_solid() {
       {mpq_class(1, 3), {}, {{{mpq_class(1), mpq_class(1)}, {mpq_class(2), mpq_class(4), mpq_class(1)}}}}};
 }
 
-const Exact one(1.0);
+const Exact unit(1.0);
 
 }  // namespace
 
 TEST_CASE("moving load: operators are the solids that their roots make") {
   // G = 3/8 (1 + p)/(2 + p), K = (1 + p)/(2 + p): the thesis's solid; and with a factor 3 + p on both sides of G.
-  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, one, one);
+  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, unit, unit);
   for (const ExactMaterial& other :
        {exact_material(exact_operators(exacts({"2", "1"}), exacts({"0.375", "0.375"}), exacts({"2", "1"}),
                                        exacts({"1", "1"}))),
@@ -53,11 +53,11 @@ TEST_CASE("moving load: operators are the solids that their roots make") {
 
 TEST_CASE("moving load: with operators what would take long is refused") {
   const ExactMaterial solid = oscillating_solid();
-  CHECK_NOTHROW(moving_load_steady_normal_displacement(exact("-150"), one, one, solid, 16));
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("251"), one, one, solid, 16), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-101"), one, one, solid, 16),
+  CHECK_NOTHROW(moving_load_steady_normal_displacement(exact("-150"), unit, unit, solid, 16));
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("251"), unit, unit, solid, 16), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-101"), unit, unit, solid, 16),
                   BadInput);
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, exact("1e-101"), one, solid, 16), BadInput);
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(unit, exact("1e-101"), unit, solid, 16), BadInput);
 }
 
 TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
@@ -113,13 +113,15 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
         // Far from the load a value may have far more digits than were asked for, and fewer when more were.
         CHECK(meet(few, many));
       };
-      check([&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });
+      check(
+          [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), unit, unit, solid, n); });
       check([&](int n) {
-        return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), one, one, solid, n);
+        return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), unit, unit, solid, n);
       });
-      check([&](int n) { return moving_load_normal_displacement(exact("4"), passing, one, one, solid, n); });
+      check(
+          [&](int n) { return moving_load_normal_displacement(exact("4"), passing, unit, unit, solid, n); });
       check([&](int n) {
-        return moving_load_tangential_displacement(exact("4"), passing, exact("-3"), one, one, solid, n);
+        return moving_load_tangential_displacement(exact("4"), passing, exact("-3"), unit, unit, solid, n);
       });
     }
   }
@@ -127,9 +129,9 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
 
 // What lies before the start has faded by e^-1000: to work it out to as many digits takes a minute.
 TEST_CASE("moving load: a start that has faded is worked out to the digits that are left of it") {
-  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, one, one);
+  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, unit, unit);
   const auto value = [&](const char* T) {
-    return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), one, solid, 40);
+    return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), unit, solid, 40);
   };
   const Enclosure here = value("5e-324"), at_start = value("0");
   CHECK(meet(here, at_start));
@@ -137,16 +139,16 @@ TEST_CASE("moving load: a start that has faded is worked out to the digits that 
 }
 
 TEST_CASE("moving load: bad arguments are refused") {
-  const ExactMaterial solid = exact_solid(Solid::thesis, one, one);
-  CHECK_REFUSED(moving_load_normal_displacement(one, exact("2000"), one, one, solid, 20), "T = 2000");
-  CHECK_REFUSED(moving_load_normal_displacement(one, exact("2"), one, one, solid, 10), "digits = 10");
-  CHECK_REFUSED(moving_load_steady_tangential_displacement(exact("2000"), one, one, one, solid, 20),
+  const ExactMaterial solid = exact_solid(Solid::thesis, unit, unit);
+  CHECK_REFUSED(moving_load_normal_displacement(unit, exact("2000"), unit, unit, solid, 20), "T = 2000");
+  CHECK_REFUSED(moving_load_normal_displacement(unit, exact("2"), unit, unit, solid, 10), "digits = 10");
+  CHECK_REFUSED(moving_load_steady_tangential_displacement(exact("2000"), unit, unit, unit, solid, 20),
                 "alpha = 2000");
-  CHECK_REFUSED(exact_solid(Solid::thesis, exact("0"), one), "bulk = 0");
-  CHECK_REFUSED(exact_solid(Solid::thesis, one, exact("-1")), "tau = -1");
+  CHECK_REFUSED(exact_solid(Solid::thesis, exact("0"), unit), "bulk = 0");
+  CHECK_REFUSED(exact_solid(Solid::thesis, unit, exact("-1")), "tau = -1");
   ExactMaterial growing = solid;
   growing.theta1.terms[0].rate = -1;
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, one, one, growing, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(unit, unit, unit, growing, 20), BadInput);
 }
 
 TEST_CASE("moving load: what a displacement changes by is bounded, and not loosely") {
@@ -185,12 +187,12 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
       CHECK(size <= most);
       loose = std::max(loose, size / most);
     };
-    check(moving_load_normal_displacement(time, T, one, one, before, 20, terms),
-          moving_load_normal_displacement(new_time, new_T, one, one, after, 20, terms),
-          moving_load_normal_change(time, T, one, one, before, error, terms), loosest[0][which]);
-    check(moving_load_tangential_displacement(time, T, t0, one, one, before, 20, terms),
-          moving_load_tangential_displacement(new_time, new_T, new_t0, one, one, after, 20, terms),
-          moving_load_tangential_change(time, T, t0, one, one, before, error, terms), loosest[1][which]);
+    check(moving_load_normal_displacement(time, T, unit, unit, before, 20, terms),
+          moving_load_normal_displacement(new_time, new_T, unit, unit, after, 20, terms),
+          moving_load_normal_change(time, T, unit, unit, before, error, terms), loosest[0][which]);
+    check(moving_load_tangential_displacement(time, T, t0, unit, unit, before, 20, terms),
+          moving_load_tangential_displacement(new_time, new_T, new_t0, unit, unit, after, 20, terms),
+          moving_load_tangential_change(time, T, t0, unit, unit, before, error, terms), loosest[1][which]);
   }
   for (const auto& of_kind : loosest)
     for (const double share : of_kind) CHECK(share > 1e-2);

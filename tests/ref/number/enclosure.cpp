@@ -21,7 +21,7 @@ Float160 value(const Enclosure& e) { return Float160(e.value_text()); }
 Float160 bound(const Enclosure& e) { return Float160(e.error_text()); }
 
 using Kernel = Enclosure (*)(const Exact&, int);
-const std::vector<Kernel> kernels{I1, I2, I3, I4, I5, I7};
+const std::vector<Kernel> sheet_kernels{I1, I2, I3, I4, I5, I7};
 const std::vector<std::string> arguments{
     "1e-300", "0x0.0000000000001p-1022", "1e-12", "-0.1", "0.73", "1.3015", "2.25", "7", "-31", "250"};
 
@@ -39,7 +39,7 @@ TEST_CASE("bounds hold and are as small as asked, for every kernel and argument"
   for (const std::string& text : arguments) {
     CAPTURE(text);
     const Exact x = exact(text);
-    for (const Kernel kernel : kernels) {
+    for (const Kernel kernel : sheet_kernels) {
       const Enclosure fine = kernel(x, 60);
       for (const int digits : {16, 25, 50}) check_promise(kernel(x, digits), fine);
     }

@@ -12,11 +12,9 @@ using data::SheetLoad;
 
 namespace {
 
-constexpr mpfr_prec_t bits = 64;
-
 /// Upper bound on a cell of |z|^3 (|2z/(S cosh z)| + |2z/(S sinh z)|) e^{3x}: the symbols are 8 z e^{-3z}/(Q (1 +- e2)).
 double weight(double left, double right) {
-  const SymbolSizes at({cell(left, right), Interval(field_line, bits)});
+  const SymbolSizes at({cell(left, right), Interval(field_line, SymbolSizes::bits)});
   return highest(8 * square(square(abs(at.z))) / abs(at.q) *
                  (1 / abs(at.one + at.e2) + 1 / abs(at.one - at.e2)));
 }
@@ -74,17 +72,19 @@ TEST_CASE("what the field's sum and series leave out is bounded by 25 and 1300")
   // The second parts times e^{3x}/x from x = 8 on, q = e^{-2x}: at most 8/((1 - q^2)(1 - q)).
   const Interval q = cell(0, std::exp(-16.0) * (1 + 1e-12)), second = 8 / ((1 - square(q)) * (1 - q));
   CHECK(highest(second) <= 9.3);
-  CHECK(highest(4 * Interval(9.3, bits) / (2 - Interval(4L, bits) / 8)) <= field_sum_remainder);
+  CHECK(highest(4 * Interval(9.3, SymbolSizes::bits) / (2 - Interval(4L, SymbolSizes::bits) / 8)) <=
+        field_sum_remainder);
   // e^x over |cosh z| at a root; |c_n| over |z_n|, y_n and y_n^2; and the sum beyond N, where alpha = 1 is the worst.
-  CHECK(highest(sqrt(1 / Interval(0.98, bits) + 1) + 1) <= 3.02);
-  CHECK(highest(Interval(3.02, bits) * Interval(1.61, bits) / 2) <= 2.5);
-  CHECK(highest(Interval(2.5, bits) * sqrt(Interval(2L, bits))) <= 5);
+  CHECK(highest(sqrt(1 / Interval(0.98, SymbolSizes::bits) + 1) + 1) <= 3.02);
+  CHECK(highest(Interval(3.02, SymbolSizes::bits) * Interval(1.61, SymbolSizes::bits) / 2) <= 2.5);
+  CHECK(highest(Interval(2.5, SymbolSizes::bits) * sqrt(Interval(2L, SymbolSizes::bits))) <= 5);
   for (long N = 1; N <= 100; ++N) {
     CAPTURE(N);
-    Interval sum(bits);
+    Interval sum(SymbolSizes::bits);
     for (long n = N + 1; n <= N + 40; ++n)
-      sum = sum + square(Interval(2 * n - 1, bits) / 2) * exp(-((n - N - 1) * Interval::pi(bits)));
-    CHECK(highest(80 * (square(Interval::pi(bits)) * sum)) <
+      sum = sum + square(Interval(2 * n - 1, SymbolSizes::bits) / 2) *
+                      exp(-((n - N - 1) * Interval::pi(SymbolSizes::bits)));
+    CHECK(highest(80 * (square(Interval::pi(SymbolSizes::bits)) * sum)) <
           static_cast<double>(field_series_remainder * (N + 1) * (N + 1)));
   }
 }

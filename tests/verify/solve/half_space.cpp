@@ -11,12 +11,12 @@ using namespace nipref;
 
 namespace {
 
-const std::string isotropic =
+const std::string isotropic_text =
     "[half_space]\nmodel = \"isotropic\"\nshear = 3.0\npoisson = 0.25\ndensity = 2.0\n";
 const std::string graphite_epoxy =
     "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\n"
     "c13 = 6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
-const std::string die = "[die]\nradius_along = 1.0\nradius_across = 1.0\n";
+const std::string die_text = "[die]\nradius_along = 1.0\nradius_across = 1.0\n";
 const std::string load = "[load]\nnormal_force = 1e-3\n";
 const std::string exact = "[method]\nkind = \"exact\"\n", rule = "[method]\nkind = \"stationary-force\"\n";
 
@@ -30,7 +30,7 @@ std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = 
 
 TEST_CASE("a sphere at rest is Hertz's") {
   const auto contact = solved(wanting(R"("span_along", "approach", "peak_pressure", "axis_ratio")") +
-                              isotropic + die + sliding("0.0") + load + exact);
+                              isotropic_text + die_text + sliding("0.0") + load + exact);
   const double radius = contact["span_along"].value / 2;
   const double modulus = 2 * 3.0 / (1 - 0.25);
   CHECK(4.0 / 3 * modulus * std::pow(radius, 3) == approx(1e-3, 1e-12));
@@ -44,7 +44,7 @@ TEST_CASE("a die turns with its motion, the material does not") {
     return wanting(R"("span_along", "orientation", "peak_pressure")") + half_space + slender +
            sliding("0.5", "direction = " + angle + "\n") + load + exact;
   };
-  const auto straight = solved(turned(isotropic, "0.0")), askew = solved(turned(isotropic, "60.0"));
+  const auto straight = solved(turned(isotropic_text, "0.0")), askew = solved(turned(isotropic_text, "60.0"));
   CHECK(straight["span_along"].value == approx(askew["span_along"].value, 1e-12));
   CHECK(std::fabs(straight["orientation"].value) < 1e-9);
   CHECK(askew["orientation"].value == doctest::Approx(60).epsilon(1e-12));
@@ -68,14 +68,14 @@ TEST_CASE("the ends of a line make its span, between them the pressure peaks whe
   const std::string friction = sliding("0.6", "friction = 0.4\n");
   const auto ends =
       solved(wanting(R"("span", "leading_end", "trailing_end", "peak_pressure", "centre_along")") +
-             isotropic + die + friction + load + rule + "[profile]\npositions = [30.0, 0.0]\n");
+             isotropic_text + die_text + friction + load + rule + "[profile]\npositions = [30.0, 0.0]\n");
   const double first = ends.profile("trailing_end")[0].value, last = ends.profile("leading_end")[0].value;
   CHECK(last - first == approx(ends.profile("span")[0].value, 1e-15));
   CHECK(last < -first);
   CHECK(ends["centre_along"].value < 0);
   // x+ + x- = -(1 + 2 Omega) L
   const auto at = [&](double x) {
-    return solved(wanting(R"("pressure", "shear")") + isotropic + die + friction + load + rule +
+    return solved(wanting(R"("pressure", "shear")") + isotropic_text + die_text + friction + load + rule +
                   fmt::format("[profile]\ndirection = 30.0\npositions = [{:.17g}]\n", x));
   };
   const auto peak = at(first + last);
@@ -90,11 +90,12 @@ TEST_CASE("the ends of a line make its span, between them the pressure peaks whe
 
 TEST_CASE("the surface has the die's shape in the contact, with the sphere's also if that yields") {
   const auto at = [&](const std::string& body, const std::string& end, const std::string& motion) {
-    return solved(wanting(R"("approach", "normal_displacement", "transverse_displacement")") + isotropic +
-                  body + motion + load + exact + "[profile]\ndirection = 90.0\npositions = " + end);
+    return solved(wanting(R"("approach", "normal_displacement", "transverse_displacement")") +
+                  isotropic_text + body + motion + load + exact +
+                  "[profile]\ndirection = 90.0\npositions = " + end);
   };
   const std::string places = "[-0.03, 0.0, 0.02]\n";
-  const auto under_die = at(die, places, sliding("0.9"));
+  const auto under_die = at(die_text, places, sliding("0.9"));
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = under_die.positions[i];
     CHECK(under_die.profile("normal_displacement")[i].value ==

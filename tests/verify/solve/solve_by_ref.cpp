@@ -31,9 +31,9 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
     return nlohmann::ordered_json::parse(verify::solution_json(solution).text());
   };
   const auto is_said = [&](const auto& solution, bool proven, std::size_t results) {
-    const auto json = json_of(solution).at("results");
-    CHECK(json.size() == results);
-    for (const auto& result : json) CHECK(result.at("proven") == proven);
+    const auto answer = json_of(solution).at("results");
+    CHECK(answer.size() == results);
+    for (const auto& result : answer) CHECK(result.at("proven") == proven);
   };
   const auto text_of = [](const auto& solution) {
     return verify::text_of("solve.txt", verify::solution_json(solution));
