@@ -18,7 +18,9 @@ std::vector<std::string> as_meant(std::vector<std::string> words) {
     words.erase(words.begin());
     words.insert(words.empty() ? words.end() : words.begin() + 1, "--help");
   }
-  if (known_quantity(words.front()) != nullptr) words.insert(words.begin(), "eval");
+  // To make the catalogue takes as long as all else of a short call.
+  const bool is_verb = std::ranges::find(verbs(), words.front(), &VerbText::name) != verbs().end();
+  if (!is_verb && known_quantity(words.front()) != nullptr) words.insert(words.begin(), "eval");
   return words;
 }
 

@@ -155,11 +155,10 @@ TEST_CASE("memory by contour is what the residue series gives where both can") {
       for (const std::string rate :
            {"1e-9", "0.04", "0.478", "0.481", "0.8", "1.25", "2.0943951", "17", "1e7"}) {
         CAPTURE(bounds(kernel).name, alpha, rate);
-        for (const double nats : {50.0, 90.0}) {
-          const ComplexInterval found = steady_memory(kernel, exact(alpha), nearly_real(rate), nats);
-          check_same(found.real, steady_memory(kernel, exact(alpha), exact(rate), nats), nats);
-          CHECK(has_zero(found.imag));
-        }
+        const double nats = 60;
+        const ComplexInterval found = steady_memory(kernel, exact(alpha), nearly_real(rate), nats);
+        check_same(found.real, steady_memory(kernel, exact(alpha), exact(rate), nats), nats);
+        CHECK(has_zero(found.imag));
       }
     }
   }
@@ -181,7 +180,7 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
         CAPTURE(bounds(kernel).name, alpha, real, imaginary);
         if (kernel == Symbol::normal && alpha == std::string("0")) continue;
         const ComplexInterval best = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
-        for (const double nats : {1.0, 5.0, 20.0}) {
+        for (const double nats : {1.0, 20.0}) {
           const ComplexInterval rough = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), nats);
           CHECK(has_zero(rough.real - best.real));
           CHECK(has_zero(rough.imag - best.imag));

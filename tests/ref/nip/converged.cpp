@@ -66,7 +66,7 @@ TEST_CASE("ref contact: the double path's estimates cover what they are off by a
   const auto between = [&](double low, double high) {
     return low * std::pow(high / low, static_cast<double>(generator() >> 11) * 0x1p-53);
   };
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < random_contacts(3); ++i) {
     const double poisson = i == 0 ? 0.5 : 1.4 - between(0.9001, 2.3), thickness = between(0.4, 2.7);
     const double length = thickness * between(1e-6, 2), accuracy = between(1e-11, 1e-3);
     const ElasticNip nip = nip_of(poisson, thickness, 100 * thickness);
@@ -143,7 +143,7 @@ TEST_CASE("ref contact: more digits stay within the error, of a length and of a 
                               {rolling(rolled_nip(0.25, 0.1, 2)), 0.1, 60, 16, 24}};
   for (const auto& [kind, length, load, few, many] : rows) {
     CAPTURE(kind.name);
-    const Places places{0.39 * length, 1.07 * length};
+    const Places places{0.39 * length};
     const auto check = [&](const ref::ConvergedNip& coarse, const ref::ConvergedNip& fine) {
       const auto rough = numbers_of(coarse, places), good = numbers_of(fine, places);
       check_meet(rough, good);

@@ -97,7 +97,7 @@ TEST_CASE("loop and batch give the scalar's values") {
     CAPTURE(quantity.name);
     verify::Random random("columns " + quantity.drawn_for());
     const std::vector<Point> points =
-        verify::random_points(quantity, {}, quantity.is_costly ? 20 : 300, random);
+        verify::random_points(quantity, {}, quantity.is_costly ? 10 : 150, random);
     std::vector<std::vector<double>> columns(quantity.arguments.size());
     for (const Point& point : points) {
       for (std::size_t i = 0; i < point.size(); ++i) columns[i].push_back(point[i]);
@@ -120,7 +120,7 @@ TEST_CASE("samples stay in the domains") {
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     verify::Random random("domain " + quantity.drawn_for());
-    const std::size_t count = (quantity.is_costly ? 20U : 500U) / (is_thorough() ? 1U : 2U);
+    const std::size_t count = (quantity.is_costly ? 20U : 500U) / (is_thorough() ? 1U : 4U);
     std::vector<Point> points = verify::random_points(quantity, {}, count, random);
     for (const Point& start : verify::dense_points(quantity, {}, count, random)) {
       points.push_back(start);
