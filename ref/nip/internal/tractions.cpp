@@ -112,6 +112,13 @@ struct GaussNodes {
   [[nodiscard]] Index size() const { return legendre.rows(); }
 };
 
+bool any_has(const std::vector<LineFunctional>& functionals, Influence kind) {
+  const auto number = static_cast<std::size_t>(kind);
+  return std::ranges::any_of(functionals, [&](const LineFunctional& functional) {
+    return functional.on_pressure[number] != 0 || functional.on_shear[number] != 0;
+  });
+}
+
 }  // namespace
 
 LineFunctional& LineFunctional::pressure(Influence kind, const Float& factor) {
@@ -315,6 +322,9 @@ Vector Tractions::at_nodes(const Piece& piece, const Nodes& nodes, const Image& 
 
 void Tractions::add_end(const Image& image, const std::vector<LineFunctional>& functionals,
                         std::vector<Vector>& rows) const {
+  const bool is_wanted = any_has(functionals, Influence::normal) || any_has(functionals, Influence::sign) ||
+                         any_has(functionals, Influence::normal_slope);
+  if (!is_wanted) return;
   const TractionPanel& panel = panels_.front();
   const EndIntegrals moments(epsilon_, image.place / panel.width, panel.terms);
   const Float scale = log(panel.width);
@@ -388,10 +398,7 @@ void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vec
   for (const Image& image : images) {
     for (int kind = 0; kind < influences; ++kind) {
       const auto number = static_cast<std::size_t>(kind);
-      const bool is_wanted = std::ranges::any_of(functionals, [&](const LineFunctional& functional) {
-        return functional.on_pressure[number] != 0 || functional.on_shear[number] != 0;
-      });
-      if (!is_wanted) continue;
+      if (!any_has(functionals, static_cast<Influence>(kind))) continue;
       const Vector values = at_nodes(piece, nodes, image, static_cast<Influence>(kind), kernels);
       for (std::size_t f = 0; f < functionals.size(); ++f) {
         const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number];

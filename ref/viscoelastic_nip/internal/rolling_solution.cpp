@@ -233,7 +233,7 @@ const Trace& RollingSolution::pressure_trace() const {
     append(panels, own, 0, true, true, own.front().terms + 1);
     append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
     pressure_ = Trace(
-        std::move(panels), [&](const Float& x) { return tractions(x).pressure; }, nats_);
+        std::move(panels), [this](const Float& x) { return tractions(x).pressure; }, nats_);
   }
   return *pressure_;
 }
@@ -242,7 +242,7 @@ const Trace& RollingSolution::pressure_trace() const {
 const Trace& RollingSolution::elastic_trace(Influence kind, SheetKernels& kernels) const {
   const auto found = elastic_.find(kind);
   if (found != elastic_.end()) return found->second;
-  const auto function = [&](const Float& x) -> Float {
+  const auto function = [this, kind, &kernels](const Float& x) -> Float {
     if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
       return direct_row(x).cwiseProduct(amplitudes_).sum();
     const Float value = elastic(kind, x, kernels);

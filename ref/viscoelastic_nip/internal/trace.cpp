@@ -44,15 +44,24 @@ std::vector<Float> chebyshev_coefficients(const std::vector<Float>& values) {
 
 }  // namespace
 
-Trace::Trace(std::vector<TracePanel> panels, const Function& function, double nats) : nats_(nats) {
+Trace::Trace(std::vector<TracePanel> panels, Function function, double nats)
+    : nats_(nats), function_(std::move(function)) {
   int most = 0;
   for (TracePanel& panel : panels) {
-    std::vector<Float> values;
-    for (const Float& xi : chebyshev_points(panel.terms)) values.push_back(function(place_at(panel, xi)));
     most = std::max(most, panel.terms);
-    panels_.push_back({std::move(panel), chebyshev_coefficients(values)});
+    panels_.push_back({std::move(panel), {}});
   }
   rule_ = gauss_rule(most / 2 + static_cast<int>(degree_of_memory * nats_) + 4);
+}
+
+const std::vector<Float>& Trace::coefficients(const Panel& panel) const {
+  if (panel.coefficients.empty()) {
+    std::vector<Float> values;
+    for (const Float& xi : chebyshev_points(panel.shape.terms))
+      values.push_back(function_(place_at(panel.shape, xi)));
+    panel.coefficients = chebyshev_coefficients(values);
+  }
+  return panel.coefficients;
 }
 
 Float Trace::end() const { return panels_.back().shape.left + panels_.back().shape.width; }
@@ -60,11 +69,12 @@ Float Trace::end() const { return panels_.back().shape.left + panels_.back().sha
 ComplexFloat Trace::piece(const Panel& panel, const Float& from, const Float& to, const Float& x,
                           const Weight& weight) const {
   const TracePanel& shape = panel.shape;
+  const std::vector<Float>& known = coefficients(panel);
   const Float first = variable_at(shape, from), length = variable_at(shape, to) - first;
   ComplexFloat sum;
   for (std::size_t i = 0; i < rule_.size(); ++i) {
     const Float xi = first + length * rule_.from_left[i];
-    Float value = chebyshev_sum(panel.coefficients, 2 * xi - 1) * rule_.weight[i];
+    Float value = chebyshev_sum(known, 2 * xi - 1) * rule_.weight[i];
     if (shape.root != TracePanel::Root::none) value *= 2 * xi;
     sum = sum + weight(x - place_at(shape, xi)) * value;
   }

@@ -17,13 +17,13 @@ struct TracePanel {
 };
 
 /// A function of the way x along a sheet by polynomials on panels that follow each other, and what a memory makes of it. It
-/// is 0 before the first panel.
+/// is 0 before the first panel, and computed on a panel when that is first asked for.
 class Trace {
  public:
   using Function = std::function<Float(const Float& x)>;
 
   /// Integrals are good to about e^-nats.
-  Trace(std::vector<TracePanel> panels, const Function& function, double nats);
+  Trace(std::vector<TracePanel> panels, Function function, double nats);
 
   /// int_0^inf e^(-rate w) g(x - w) dw, over what the panels have of it.
   [[nodiscard]] ComplexFloat faded(const ComplexFloat& rate, const Float& x) const;
@@ -35,16 +35,18 @@ class Trace {
  private:
   struct Panel {
     TracePanel shape;
-    std::vector<Float> coefficients;
+    mutable std::vector<Float> coefficients;
   };
   using Weight = std::function<ComplexFloat(const Float& way)>;
 
+  [[nodiscard]] const std::vector<Float>& coefficients(const Panel& panel) const;
   [[nodiscard]] ComplexFloat integral(const ComplexFloat& rate, const Float& x, bool forgets,
                                       const Weight& weight) const;
   [[nodiscard]] ComplexFloat piece(const Panel& panel, const Float& from, const Float& to, const Float& x,
                                    const Weight& weight) const;
 
   double nats_;
+  Function function_;
   std::vector<Panel> panels_;
   UnitRule rule_;
 };
