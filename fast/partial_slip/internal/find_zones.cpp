@@ -139,23 +139,37 @@ Zones with(const Zones& zones, const Part& part) {
   return result;
 }
 
-/// The zones with all those parts. Where the slip at the trailing end has the wrong sign up to the end, it turns around.
+/// Whether the slip at the trailing end has the wrong sign up to the end: there it turns around.
+bool turns_at_end(const Zones& zones, const std::vector<Part>& parts) {
+  return zones.back().sign != 0 && parts.back().sign == 0 &&
+         parts.back().to > length_of(zones) - 1e-3 * zones.back().length;
+}
+
+/// The size of new zones over what they are cut from; where slip turns around at the trailing end, that is the wrong part or the
+/// whole zone.
+struct NewZones {
+  double part;
+  bool in_wrong_part;
+};
+
+/// The zones with all those parts.
 Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task,
-                   double new_part) {
+                   const NewZones& size) {
   const double last = zones.back().length;
   const int sign = zones.back().sign;
   const double length = length_of(zones);
-  const bool turns = sign != 0 && parts.back().sign == 0 && parts.back().to > length - 1e-3 * last;
+  const bool turns = turns_at_end(zones, parts);
   for (const Part& part : parts)
     if (!turns || part.from < length - last) zones = with(zones, part);
   if (turns) {
-    const double sticks = std::min(usual_part * last, length - parts.back().from),
-                 slips = new_part / 2 * last;
+    const double wrong = std::min(length - parts.back().from, last / 3);
+    const double sticks = size.in_wrong_part ? usual_part * wrong : std::min(usual_part * last, wrong);
+    const double slips = size.in_wrong_part ? size.part / usual_part * wrong : size.part / 2 * last;
     zones.back().length -= sticks + slips;
     zones.insert(zones.end(), {{sticks, 0}, {slips, -sign}});
   }
   slip_at_end(task, zones, parts.back().sign);
-  separate_slips(zones, new_part);
+  separate_slips(zones, size.part);
   return zones;
 }
 
@@ -168,6 +182,8 @@ bool in_same_order(const Zones& a, const Zones& b) {
 std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
                                   Zones zones, double nats) {
   constexpr int most_changes = 8;
+  constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
+                                {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
   for (int change = 0; change < most_changes; ++change) {
     while (!contact) {
       if (!leave_out_shortest_slip(zones)) return std::nullopt;
@@ -179,8 +195,9 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
     // The best of these, as new zones may vanish where they are not looked for.
     std::optional<ZoneContact> next;
     double least = infinity;
-    for (const double new_part : {usual_part, usual_part / 4, 2 * usual_part}) {
-      zones = with_missing(contact->zones(), parts, task, new_part);
+    for (const NewZones& size : sizes) {
+      if (size.in_wrong_part && !turns_at_end(contact->zones(), parts)) continue;
+      zones = with_missing(contact->zones(), parts, task, size);
       if (in_same_order(zones, contact->zones())) return contact;
       auto found = ZoneContact::solved(task, zones, nats);
       const double of_found = found ? wrongness(*found, task.friction) : infinity;
