@@ -124,7 +124,9 @@ TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contac
 
 TEST_CASE("both paths have the same displacements inside, on the faces the surface's") {
   using enum data::ResultId;
-  for (const auto& [friction, thickness] : {std::pair("none", "0.04"), {"full", "5"}}) {
+  std::vector<std::pair<const char*, const char*>> sheets{{"none", "0.04"}, {"full", "5"}};
+  if (is_thorough()) sheets.insert(sheets.end(), {{"full", "0.04"}, {"none", "5"}});
+  for (const auto& [friction, thickness] : sheets) {
     CAPTURE(friction, thickness);
     data::Scene scene = loaded_example("inside-displacements", {{"friction.model", friction},
                                                                 {"sheet.thickness", thickness},
