@@ -252,7 +252,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
   // A contact that is this wrong lacks more than short zones.
   constexpr double too_wrong = 1e-3;
   if (!is_found && least > too_wrong) return std::nullopt;
-  // Shorter ones are told at a better accuracy, and are found more easily when few unknowns come at a time.
+  // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;
   for (double finer = rough + stride; finer < nats && least > std::exp(-nats / 2); finer += stride) {
     if (auto contact = find_zones(task, *best, finer)) best = std::move(contact);

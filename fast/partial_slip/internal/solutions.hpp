@@ -18,8 +18,8 @@ struct Solutions {
 };
 
 /// With the second solution known, which has the zones: the first, and how they differ. The error of a boundary where slip
-/// turns into stick alternates in sign with the number of nodes beside it. It is in the difference from the first solution
-/// or in that from one with a node less there. Nothing where there is no such solution.
+/// turns into stick alternates in sign with the number of nodes beside it. It is in the difference from the first solution,
+/// in that from one with a node less there, or in that from a rougher one. Nothing where the first two do not exist.
 std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats);
 
 /// Y of the boundary before the zone number k.

@@ -134,6 +134,7 @@ Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& kernels,
     const auto [first, own] = range_of(b, mesh_.midpoints());
     const auto force = forces.segment(node, nodes);
     derivatives.col(b).segment(first, own) -= kernels.block(first, node, own, nodes) * force;
+    // The midpoints behind the zone, and those ahead of it.
     for (const bool ahead : {false, true}) {
       const Index row = ahead ? 0 : first + own, rows = ahead ? first : kernels.rows() - row;
       const Eigen::MatrixXd squares = pi * kernels.block(row, node, rows, nodes).cwiseAbs2();

@@ -8,22 +8,22 @@ using nipref::data::BadInput;
 
 namespace {
 
-const BaselineKey of_baseline{"mine.csv", "I1", "its domain", "", 1000, 1, "GNU 12.2.0", "v3"};
+const BaselineKey baseline_key{"mine.csv", "I1", "its domain", "", 1000, 1, "GNU 12.2.0", "v3"};
 
-Baseline with_entry(double error) { return {{{of_baseline, error, ""}}}; }
+Baseline with_entry(double error) { return {{{baseline_key, error, ""}}}; }
 
 }  // namespace
 
 TEST_CASE("an error may be half more than it was and a quarter ulp, and no more") {
   const Baseline baseline = with_entry(2);
-  CHECK(compare_with(baseline, of_baseline, 3.25).comparison == Comparison::not_worse);
-  CHECK(compare_with(baseline, of_baseline, 3.2501).comparison == Comparison::worse);
-  CHECK(compare_with(baseline, of_baseline, 0).comparison == Comparison::not_worse);
+  CHECK(compare_with(baseline, baseline_key, 3.25).comparison == Comparison::not_worse);
+  CHECK(compare_with(baseline, baseline_key, 3.2501).comparison == Comparison::worse);
+  CHECK(compare_with(baseline, baseline_key, 0).comparison == Comparison::not_worse);
 }
 
 TEST_CASE("another key is not comparable, and says in what it is another") {
   const auto words = [](auto change) {
-    BaselineKey other = of_baseline;
+    BaselineKey other = baseline_key;
     change(other);
     const BaselineComparison compared = compare_with(with_entry(2), other, 1);
     CHECK(compared.comparison == Comparison::not_comparable);
@@ -40,14 +40,14 @@ TEST_CASE("another key is not comparable, and says in what it is another") {
 
 TEST_CASE("lowering is free, raising needs a reason, which is kept") {
   Baseline baseline;
-  CHECK(update(baseline, of_baseline, 2, std::nullopt));
-  CHECK(update(baseline, of_baseline, 1, std::nullopt));
+  CHECK(update(baseline, baseline_key, 2, std::nullopt));
+  CHECK(update(baseline, baseline_key, 1, std::nullopt));
   CHECK(baseline.entries.at(0).max_error_ulp == 1);
-  CHECK_FALSE(update(baseline, of_baseline, 5, std::nullopt));
+  CHECK_FALSE(update(baseline, baseline_key, 5, std::nullopt));
   CHECK(baseline.entries.at(0).max_error_ulp == 1);
-  CHECK(update(baseline, of_baseline, 1.5, std::nullopt));  // not worse: nothing is raised
+  CHECK(update(baseline, baseline_key, 1.5, std::nullopt));  // not worse: nothing is raised
   CHECK(baseline.entries.at(0).max_error_ulp == 1);
-  CHECK(update(baseline, of_baseline, 5, "a faster series"));
+  CHECK(update(baseline, baseline_key, 5, "a faster series"));
   CHECK(baseline.entries.at(0).max_error_ulp == 5);
   CHECK(baseline.entries.at(0).reason == "a faster series");
   CHECK(baseline.entries.size() == 1);
@@ -55,7 +55,7 @@ TEST_CASE("lowering is free, raising needs a reason, which is kept") {
 
 TEST_CASE("a baseline is read back as it was written") {
   Baseline baseline = with_entry(0.1);
-  BaselineKey odd = of_baseline;
+  BaselineKey odd = baseline_key;
   odd.what = "it's \"mine\"\n";
   REQUIRE(update(baseline, odd, 1e300, "why = not"));
   const ScratchFile file(baseline.text());
