@@ -1,4 +1,5 @@
 // The audit of random scenes sees what is wrong with a solver, and nothing where nothing is.
+#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 
 #include "support/test.hpp"
