@@ -13,6 +13,7 @@ struct Interval {
 
   static Interval only(double value) { return {value, value}; }
   [[nodiscard]] double middle() const { return std::midpoint(lower, upper); }
+  [[nodiscard]] double width() const { return upper - lower; }
   [[nodiscard]] bool meets(const Interval& other) const {
     return lower <= other.upper && other.lower <= upper;
   }

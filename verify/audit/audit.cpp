@@ -1,7 +1,6 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -68,14 +68,9 @@ struct AuditTally {
   void add(const AuditTally& found, std::uint64_t block);
   /// See stored.hpp.
   static void members(auto& self, const auto& each) {
-    each("points", self.points);
-    each("left_out", self.left_out);
-    each("max_ulp", self.max_error_ulp);
-    each("max_relative", self.max_relative_error);
-    each("used", self.allowance_used);
-    each("worst", self.worst);
-    each("worst_ulp", self.worst_ulp);
-    each("errors", self.errors);
+    each("points", self.points, "left_out", self.left_out, "max_ulp", self.max_error_ulp, "max_relative",
+         self.max_relative_error, "used", self.allowance_used, "worst", self.worst, "worst_ulp",
+         self.worst_ulp, "errors", self.errors);
   }
 };
 

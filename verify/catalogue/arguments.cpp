@@ -16,8 +16,7 @@ using data::BadInput;
 std::string text_of(const Argument& argument, const Quantity& quantity, const Assignments& assignments) {
   if (const auto given = argument_text(argument, assignments)) return *given;
   if (argument.default_text) return *argument.default_text;
-  throw BadInput(argument.name, "(missing)",
-                 fmt::format("{} needs it: must be {}", quantity.name, domain(argument)));
+  refuse(argument.name, "(missing)", "{} needs it: must be {}", quantity.name, domain(argument));
 }
 
 /// The name of a choice stands for its number.
@@ -81,8 +80,7 @@ void append_key(const std::vector<Argument>& arguments, const MaterialModel& mod
   const std::vector<std::string> values = is_list ? items_of(value) : std::vector{value};
   const std::size_t most = key->arguments.size(), least = key->is_whole ? most : 1;
   if (values.size() < least || values.size() > most)
-    throw BadInput(key->name, "[" + value + "]",
-                   fmt::format("must hold {}{} numbers", least < most ? "1 to " : "", most));
+    refuse(key->name, "[" + value + "]", "must hold {}{} numbers", least < most ? "1 to " : "", most);
   for (std::size_t i = 0; i < key->arguments.size(); ++i) {
     const std::string& name = key->arguments[i];
     if (i < values.size()) {
@@ -138,9 +136,7 @@ void append_material(const Quantity& quantity, const Argument& material, const s
 [[noreturn]] void refuse_outside_material(const Argument& material, const std::string& name,
                                           const std::string& value) {
   const std::size_t model = number_of(material, [&](const MaterialModel& one) { return one.holds(name); });
-  throw BadInput(
-      name, value,
-      fmt::format("is part of the {0}: {0}={1}", material.name, written_model(material.models[model])));
+  refuse(name, value, "is part of the {0}: {0}={1}", material.name, written_model(material.models[model]));
 }
 
 std::string toml_text(const toml::node& node) {
@@ -274,9 +270,8 @@ void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assig
   const auto known = mapped<std::string_view>(written, &Argument::name);
   for (const auto& [name, value] : assignments) {
     if (std::ranges::find(quantity.arguments, name, &Argument::name) != quantity.arguments.end()) continue;
-    throw BadInput(name, value,
-                   fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
-                               quantity.name, fmt::join(known, ", ")));
+    refuse(name, value, "unknown argument: {}{} takes {}", data::did_you_mean(name, known), quantity.name,
+           fmt::join(known, ", "));
   }
 }
 

@@ -38,10 +38,8 @@ std::vector<AxisValue> values_of_list(const std::string& name, const std::string
     const std::string raw = text.substr(start, comma - start), item = trimmed(raw);
     if (item.empty()) throw BadInput(name, text, "must be a list of values with one comma between two");
     if (may_be_one_number(before, raw))
-      throw BadInput(
-          name, text,
-          fmt::format("must be {0}.{1} if that is one number, or '{0}, {1}', with a blank, if it is two",
-                      trimmed(before), item));
+      refuse(name, text, "must be {0}.{1} if that is one number, or '{0}, {1}', with a blank, if it is two",
+             trimmed(before), item);
     values.push_back({item, item});
     before = raw;
     start = comma + 1;
@@ -55,8 +53,7 @@ bool is_swept(const std::string& text) { return is_range(text) || text.find(',')
 
 Axis axis_of(const std::string& name, const std::string& text, std::size_t points) {
   if (is_range(text) && (points == 0 || points > most_combinations))
-    throw BadInput("points", fmt::format("{}", points),
-                   fmt::format("must be 1 to {} for {}", most_combinations, name));
+    refuse("points", std::to_string(points), "must be 1 to {} for {}", most_combinations, name);
   return {name,
           is_range(text) ? values_of_range(parse_range(name, text), points) : values_of_list(name, text)};
 }
@@ -64,8 +61,8 @@ Axis axis_of(const std::string& name, const std::string& text, std::size_t point
 AxesProduct::AxesProduct(std::vector<Axis> axes) : axes_(std::move(axes)) {
   for (const Axis& axis : axes_) {
     if (axis.values.size() > most_combinations / size_)
-      throw BadInput(axis.name, fmt::format("{} values", axis.values.size()),
-                     fmt::format("must be few enough for {} combinations at most", most_combinations));
+      refuse(axis.name, fmt::format("{} values", axis.values.size()),
+             "must be few enough for {} combinations at most", most_combinations);
     size_ *= axis.values.size();
   }
 }

@@ -1,7 +1,6 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -34,15 +33,12 @@ const std::vector<Quantity>& catalogue() {
 void refuse_quantity(std::string_view name, const std::vector<std::string_view>& groups) {
   std::vector<std::string_view> names = groups;
   for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
-  throw data::BadInput(
-      "quantity", name,
-      fmt::format("{}must be one that 'nipref list' shows{}{}", data::did_you_mean(name, names, 3),
-                  groups.empty() ? "" : ", or one of ", fmt::join(groups, ", ")));
+  refuse("quantity", name, "{}must be one that 'nipref list' shows{}{}", data::did_you_mean(name, names, 3),
+         groups.empty() ? "" : ", or one of ", fmt::join(groups, ", "));
 }
 
 const Quantity* known_quantity(std::string_view name) {
-  const auto found = std::ranges::find(catalogue(), name, &Quantity::name);
-  return found == catalogue().end() ? nullptr : &*found;
+  return item_with(catalogue(), &Quantity::name, name);
 }
 
 const Quantity& find_quantity(std::string_view name) {

@@ -28,6 +28,13 @@ class Named {
 
   Number& operator[](std::string_view name) const { return numbers_[argument_number(arguments_, name)]; }
   operator Named<const Number>() const { return {arguments_, numbers_}; }
+  /// The number of a choice.
+  [[nodiscard]] std::size_t choice(std::string_view name) const {
+    if constexpr (requires(const Number& number) { number.approximate(); })
+      return static_cast<std::size_t>((*this)[name].approximate());
+    else
+      return static_cast<std::size_t>((*this)[name]);
+  }
   /// The numbers of that argument and of all after it.
   [[nodiscard]] std::span<Number> from(std::string_view name) const {
     return numbers_.subspan(argument_number(arguments_, name));

@@ -48,8 +48,7 @@ std::string domain(const Argument& argument) {
 }
 
 const ModelKey* MaterialModel::key(std::string_view wanted) const {
-  const auto found = std::ranges::find(keys, wanted, &ModelKey::name);
-  return found == keys.end() ? nullptr : &*found;
+  return item_with(keys, &ModelKey::name, wanted);
 }
 
 bool MaterialModel::holds(std::string_view argument_or_key) const {

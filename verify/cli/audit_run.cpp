@@ -6,7 +6,6 @@
 #include <nipref/verify/cli/house.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/report/report.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -6,7 +6,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {

@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/number/accuracy.hpp>

@@ -5,9 +5,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/contacts.hpp>
-#include <nipref/verify/golden/export.hpp>
 #include <nipref/verify/golden/make.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
@@ -161,9 +159,9 @@ int make(const CommandLine& line, std::ostream& out) {
 
 /// A word is a quantity, a kind of contacts, or a file.
 fs::path file_of(const std::string& word) {
-  if (is_contact_kind(word)) return contacts_path(word);
+  if (is_contact_kind(word)) return golden_path(word);
   if (const Quantity* const quantity = known_quantity(word)) {
-    if (quantity->family.empty()) return golden_path(*quantity);
+    if (quantity->family.empty()) return golden_path(word);
     refuse("quantity", word, "must be one of {}, which hold whole contacts",
            fmt::join(contact_kinds(), ", "));
   }
@@ -201,7 +199,7 @@ int check(const CommandLine& line, std::ostream& out) {
   if (paths.empty()) {
     folder = check_folder(data::golden_directory());
     for (const std::string& name : names_of(line)) {
-      const fs::path path = data::golden_directory() / (name + ".csv");
+      const fs::path path = golden_path(name);
       if (fs::exists(path)) {
         paths.push_back(path);
       } else {
@@ -260,7 +258,7 @@ int update(const CommandLine& line, std::ostream& out) {
   Progress progress(line.has("quiet"));
   std::vector<UpdatedFile> files;
   progress.each("golden update", quantities, &Quantity::name, [&](const Quantity* quantity) {
-    const fs::path path = golden_path(*quantity);
+    const fs::path path = golden_path(quantity->name);
     if (!fs::exists(path) && line.words.size() == 1) return;
     const GoldenFile before = read_golden(path);
     destination.check(quantity->name, before.rows.size());
@@ -286,7 +284,7 @@ int list(const CommandLine& line, std::ostream& out) {
   std::vector<Json> files, missing;
   std::size_t rows = 0;
   for (const std::string& name : names_of(line)) {
-    const fs::path path = data::golden_directory() / (name + ".csv");
+    const fs::path path = golden_path(name);
     if (!fs::exists(path)) {
       missing.emplace_back(name);
       continue;
@@ -308,7 +306,7 @@ int export_files(const CommandLine& line, std::ostream& out) {
   const Destination destination(line, names.size(), format == "cpp" ? ".hpp" : "." + format);
   std::vector<Json> files;
   for (const std::string& name : names) {
-    destination.replace(name, exported_golden(data::golden_directory() / (name + ".csv"), format));
+    destination.replace(name, exported_golden(golden_path(name), format));
     files.push_back({{"quantity", name}, {"file", destination.file_of(name).string()}});
   }
   return answer(line, out, {{"action", "export"}, {"version", golden_version()}, {"files", files}}, true);

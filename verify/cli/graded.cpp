@@ -5,7 +5,6 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/golden/make.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {

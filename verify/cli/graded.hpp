@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/grade/baseline.hpp>
 #include <nipref/verify/grade/fault.hpp>

@@ -6,7 +6,6 @@
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/grade/plugin.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -86,12 +85,6 @@ std::string where_text(const CommandLine& line) {
   return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
 }
 
-AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
-  AuditOptions options = sampling_options(line, quantity);
-  options.progress = [&progress](double part) { progress.at(part); };
-  return options;
-}
-
 Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quantity& quantity,
                        const Ranges& ranges) {
   const std::vector<Point> points = timing_points(quantity, ranges);
@@ -111,7 +104,8 @@ Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quan
 
 Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
                      Progress& progress) {
-  AuditOptions options = options_of(line, *chosen.quantity, progress);
+  AuditOptions options = sampling_options(line, *chosen.quantity);
+  options.progress = [&](double part) { progress.at(part); };
   const std::string promised = take_promise(line, options);
   PluginKernel kernel(plugin, chosen.kernel);
   const auto [found, seconds] = timed([&] { return audit(*chosen.quantity, kernel.evaluator(), options); });

@@ -1,5 +1,4 @@
 #include <nipref/verify/cli/house.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -6,7 +6,6 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/make.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

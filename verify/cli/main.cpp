@@ -2,7 +2,6 @@
 
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace {

@@ -2,7 +2,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/replay.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

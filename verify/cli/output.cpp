@@ -6,8 +6,7 @@
 #include <fstream>
 
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/golden/export.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -8,7 +8,6 @@
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -21,7 +20,7 @@ constexpr std::size_t golden_sample = 25, golden_sample_of_slow = 5;
 constexpr std::size_t points_of_quick_quantity = 10'000;
 
 GoldenSample sample_golden(const Quantity& quantity) {
-  const fs::path path = golden_path(quantity);
+  const fs::path path = golden_path(quantity.name);
   if (!fs::exists(path))
     return {{},
             {.path = path,

@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/grade/speed.hpp>

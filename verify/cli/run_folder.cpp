@@ -10,7 +10,6 @@
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {

@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>

@@ -7,7 +7,6 @@
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 
@@ -15,7 +14,7 @@ namespace nipref::verify {
 constexpr std::size_t golden_share = 10;
 
 std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most) {
-  const std::filesystem::path path = golden_path(quantity);
+  const std::filesystem::path path = golden_path(quantity.name);
   if (!std::filesystem::exists(path)) return {};
   std::vector<Point> points;
   for (const GoldenRow& row : read_golden(path).rows) {

@@ -1,7 +1,6 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/seeds/statements.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 // What the seeds say in words, formulas and figures.

@@ -1,7 +1,6 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
@@ -100,8 +99,7 @@ void check_company(const VerbText& verb, const CommandLine& line) {
 }
 
 const OptionText* find_option(const VerbText& verb, std::string_view name) {
-  const auto found = std::ranges::find(verb.options, name, &OptionText::name);
-  return found == verb.options.end() ? nullptr : &*found;
+  return item_with(verb.options, &OptionText::name, name);
 }
 
 const std::vector<VerbText>& verbs() {
@@ -110,8 +108,7 @@ const std::vector<VerbText>& verbs() {
 }
 
 const VerbText& find_verb(const std::string& name) {
-  const auto found = std::ranges::find(verbs(), name, &VerbText::name);
-  if (found != verbs().end()) return *found;
+  if (const VerbText* const found = item_with(verbs(), &VerbText::name, name)) return *found;
   const auto known = mapped<std::string_view>(verbs(), &VerbText::name);
   auto near = known;
   for (const Quantity& quantity : catalogue()) near.push_back(quantity.name);

@@ -3,7 +3,6 @@
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -50,48 +49,6 @@ std::string contours_csv(const std::string& panel, const Contours& contours) {
                         contours.y[i / contours.x.size()], contours.values[i]);
   return text;
 }
-
-}  // namespace
-
-std::optional<Mark> mark_named(const std::string& name) {
-  const auto found = std::ranges::find(mark_names, name);
-  return found == std::end(mark_names) ? std::nullopt : std::optional(static_cast<Mark>(found - mark_names));
-}
-
-std::string figure_csv(const Figure& figure) {
-  std::string text = "panel,label,role,x,y,low,high,value\n";
-  for (const Panel& panel : figure.panels) {
-    for (const Series& series : panel.series) {
-      const std::string start =
-          csv_field(panel_name(panel)) + "," + csv_field(series.label) + "," + csv_field(series.role);
-      for (std::size_t i = 0; i < series.x.size(); ++i)
-        text += fmt::format("{},{},{},{},{},\n", start, series.x[i], series.y[i],
-                            series.low.empty() ? series.y[i] : series.low[i],
-                            series.high.empty() ? series.y[i] : series.high[i]);
-    }
-    if (panel.contours) text += contours_csv(panel_name(panel), *panel.contours);
-  }
-  return text;
-}
-
-Json panel_json(const Panel& panel) {
-  return {{"x_axis", axis_json(panel.x)},
-          {"y_axis", axis_json(panel.y)},
-          {"equal_scales", panel.equal_scales},
-          {"series", json_list(panel.series, series_json)},
-          {"contours", panel.contours ? contours_json(*panel.contours) : Json()},
-          {"_name", panel_name(panel)},
-          {"_count", panel.series.size()}};
-}
-
-Json figure_json(const Figure& figure) {
-  return {{"id", figure.id},
-          {"title", figure.title},
-          {"parameters", figure.parameters},
-          {"panels", json_list(figure.panels, panel_json)}};
-}
-
-namespace {
 
 constexpr const char* columns_of_series[] = {"x", "y", "low", "high"};
 
@@ -203,6 +160,44 @@ void prepare(TemplateData& panel) {
 }
 
 }  // namespace
+
+std::optional<Mark> mark_named(const std::string& name) {
+  const auto found = std::ranges::find(mark_names, name);
+  return found == std::end(mark_names) ? std::nullopt : std::optional(static_cast<Mark>(found - mark_names));
+}
+
+std::string figure_csv(const Figure& figure) {
+  std::string text = "panel,label,role,x,y,low,high,value\n";
+  for (const Panel& panel : figure.panels) {
+    for (const Series& series : panel.series) {
+      const std::string start =
+          csv_field(panel_name(panel)) + "," + csv_field(series.label) + "," + csv_field(series.role);
+      for (std::size_t i = 0; i < series.x.size(); ++i)
+        text += fmt::format("{},{},{},{},{},\n", start, series.x[i], series.y[i],
+                            series.low.empty() ? series.y[i] : series.low[i],
+                            series.high.empty() ? series.y[i] : series.high[i]);
+    }
+    if (panel.contours) text += contours_csv(panel_name(panel), *panel.contours);
+  }
+  return text;
+}
+
+Json panel_json(const Panel& panel) {
+  return {{"x_axis", axis_json(panel.x)},
+          {"y_axis", axis_json(panel.y)},
+          {"equal_scales", panel.equal_scales},
+          {"series", json_list(panel.series, series_json)},
+          {"contours", panel.contours ? contours_json(*panel.contours) : Json()},
+          {"_name", panel_name(panel)},
+          {"_count", panel.series.size()}};
+}
+
+Json figure_json(const Figure& figure) {
+  return {{"id", figure.id},
+          {"title", figure.title},
+          {"parameters", figure.parameters},
+          {"panels", json_list(figure.panels, panel_json)}};
+}
 
 std::string gnuplot_script(const Json& drawing) {
   TemplateData figure = TemplateData::parse(drawing.line());

@@ -3,7 +3,6 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/contacts.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

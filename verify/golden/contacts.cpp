@@ -1,10 +1,9 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/sweep.hpp>
 #include <nipref/data/table/csv.hpp>
-#include <nipref/verify/golden/confirm/scene.hpp>
+#include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/solve/solve.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -120,6 +119,46 @@ std::vector<std::string> result_names(const data::Scene& scene) {
   return mapped(scene.wanted, [](data::ResultId id) { return std::string(data::scene_result(id).name); });
 }
 
+/// The faults of a contact.
+std::vector<GoldenFailure> check_contact(const data::SceneText& text, const ContactsFile& file,
+                                         std::size_t number, bool by_ref) {
+  const GoldenContact& row = file.rows[number - 1];
+  std::vector<GoldenFailure> failures;
+  const auto fail = [&](GoldenFault fault, std::string_view name, const std::string& what) {
+    std::string at;
+    for (const auto& [key, value] : row.keys) at += fmt::format("{} = {}, ", key, value);
+    failures.push_back({fault, number, fmt::format("{}{}: {}", at, name, what)});
+  };
+  try {
+    const data::Scene scene = data::load_scene(text, row.keys);
+    const auto fast = solve(scene);
+    const auto reference = by_ref ? std::optional(solve_by_ref(scene, file.digits())) : std::nullopt;
+    for (std::size_t i = 0; i < file.results.size(); ++i) {
+      const ref::Estimate golden = row.results[i].number();
+      const fast::Estimate quick = fast.results[i].numbers.front();
+      const long double width = as_real(golden.error),
+                        widest = std::pow(10.0L, -file.digits()) *
+                                 std::max<long double>(size_of(fast, i), std::fabs(golden.to_double()));
+      if (!(width <= widest))
+        fail(GoldenFault::too_wide, file.results[i],
+             fmt::format("the bound {} is too wide", row.results[i].bound));
+      if (!(std::fabs(golden.error_of(quick.value)) <= quick.error + width))
+        fail(GoldenFault::wrong, file.results[i],
+             fmt::format("fast is {:.17g} +- {:.1e}, golden is {}", quick.value, quick.error,
+                         row.results[i].value));
+      if (!reference) continue;
+      const ref::Estimate& now = reference->results[i].numbers.front();
+      if (!Gap(golden, now).is_covered())
+        fail(GoldenFault::wrong, file.results[i],
+             fmt::format("the reference is {} +- {}, golden is {} +- {}", now.value_text(), now.error_text(),
+                         row.results[i].value, row.results[i].bound));
+    }
+  } catch (const BadInput& refused) {
+    fail(GoldenFault::wrong, "all", fmt::format("it is refused: {}", refused.what()));
+  }
+  return failures;
+}
+
 }  // namespace
 
 std::vector<std::string> contact_kinds() {
@@ -136,13 +175,8 @@ bool is_contact_kind(std::string_view name) {
   return name.starts_with(prefix) && std::ranges::count(contact_kinds(), name) > 0;
 }
 
-fs::path contacts_path(std::string_view kind) {
-  return data::golden_directory() / (std::string(kind) + ".csv");
-}
-
 data::SceneText contact_scene(std::string_view kind) {
-  if (!is_contact_kind(kind))
-    throw BadInput("contacts", kind, fmt::format("must be one of {}", fmt::join(contact_kinds(), ", ")));
+  if (!is_contact_kind(kind)) refuse("contacts", kind, "must be one of {}", fmt::join(contact_kinds(), ", "));
   return data::read_scene(data::golden_directory() / (std::string(kind) + ".toml"));
 }
 
@@ -223,50 +257,6 @@ ContactsFile read_contacts(const fs::path& path) {
   }
   return file;
 }
-
-namespace {
-
-/// The faults of a contact.
-std::vector<GoldenFailure> check_contact(const data::SceneText& text, const ContactsFile& file,
-                                         std::size_t number, bool by_ref) {
-  const GoldenContact& row = file.rows[number - 1];
-  std::vector<GoldenFailure> failures;
-  const auto fail = [&](GoldenFault fault, std::string_view name, const std::string& what) {
-    std::string at;
-    for (const auto& [key, value] : row.keys) at += fmt::format("{} = {}, ", key, value);
-    failures.push_back({fault, number, fmt::format("{}{}: {}", at, name, what)});
-  };
-  try {
-    const data::Scene scene = data::load_scene(text, row.keys);
-    const auto fast = solve(scene);
-    const auto reference = by_ref ? std::optional(solve_by_ref(scene, file.digits())) : std::nullopt;
-    for (std::size_t i = 0; i < file.results.size(); ++i) {
-      const ref::Estimate golden = row.results[i].number();
-      const fast::Estimate quick = fast.results[i].numbers.front();
-      const long double width = as_real(golden.error),
-                        widest = std::pow(10.0L, -file.digits()) *
-                                 std::max<long double>(size_of(fast, i), std::fabs(golden.to_double()));
-      if (!(width <= widest))
-        fail(GoldenFault::too_wide, file.results[i],
-             fmt::format("the bound {} is too wide", row.results[i].bound));
-      if (!(std::fabs(golden.error_of(quick.value)) <= quick.error + width))
-        fail(GoldenFault::wrong, file.results[i],
-             fmt::format("fast is {:.17g} +- {:.1e}, golden is {}", quick.value, quick.error,
-                         row.results[i].value));
-      if (!reference) continue;
-      const ref::Estimate& now = reference->results[i].numbers.front();
-      if (!Gap(golden, now).is_covered())
-        fail(GoldenFault::wrong, file.results[i],
-             fmt::format("the reference is {} +- {}, golden is {} +- {}", now.value_text(), now.error_text(),
-                         row.results[i].value, row.results[i].bound));
-    }
-  } catch (const BadInput& refused) {
-    fail(GoldenFault::wrong, "all", fmt::format("it is refused: {}", refused.what()));
-  }
-  return failures;
-}
-
-}  // namespace
 
 CheckedGolden check_contacts(const ContactsFile& file, const CheckOptions& options) {
   const data::SceneText text = contact_scene(file.entry("quantity"));

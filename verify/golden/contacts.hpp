@@ -18,7 +18,6 @@ namespace nipref::verify {
 /// The names of all kinds, "contacts-frictionless" and so on, in the order of the alphabet.
 std::vector<std::string> contact_kinds();
 bool is_contact_kind(std::string_view name);
-std::filesystem::path contacts_path(std::string_view kind);
 /// The kind's scene. BadInput if there is no such kind.
 data::SceneText contact_scene(std::string_view kind);
 

@@ -5,7 +5,7 @@
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/golden/check.hpp>
-#include <nipref/verify/golden/export.hpp>
+#include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/sha256.hpp>

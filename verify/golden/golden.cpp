@@ -119,9 +119,8 @@ ref::Estimate number_of(const std::string& value, const std::string& bound) {
 }
 
 const std::string& GoldenHeader::entry(const std::string& key) const {
-  const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
-  if (found == header.end()) throw BadInput(key, "(missing)", "must stand in the header of a golden file");
-  return found->second;
+  if (const auto* found = item_with(header, &Assignments::value_type::first, key)) return found->second;
+  throw BadInput(key, "(missing)", "must stand in the header of a golden file");
 }
 
 const Quantity& GoldenFile::quantity() const { return find_quantity(entry("quantity")); }
@@ -129,12 +128,8 @@ const Quantity& GoldenFile::quantity() const { return find_quantity(entry("quant
 int GoldenHeader::digits() const { return static_cast<int>(parse_integer("digits", entry("digits"))); }
 
 void GoldenHeader::set(const std::string& key, const std::string& text) {
-  const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
-  if (found == header.end()) {
-    header.emplace_back(key, text);
-  } else {
-    found->second = text;
-  }
+  auto* const found = item_with(header, &Assignments::value_type::first, key);
+  (found == nullptr ? header.emplace_back(key, "") : *found).second = text;
 }
 
 std::string GoldenHeader::header_text() const {
@@ -208,10 +203,8 @@ GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Es
 }
 
 std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
-  std::string text = file.header_text();
-  const std::vector<std::string> columns = columns_of(written_arguments(quantity));
-  for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
-  text += '\n';
+  std::string text =
+      fmt::format("{}{}\n", file.header_text(), fmt::join(columns_of(written_arguments(quantity)), ","));
   const auto exact = [](double x) { return fmt::format("{:a}", x); };
   for (const GoldenRow& row : file.rows) {
     for (const auto& [name, value] : written_point(quantity, row.arguments, exact))
@@ -236,8 +229,8 @@ GoldenFile read_golden(const std::filesystem::path& path) {
   return file;
 }
 
-std::filesystem::path golden_path(const Quantity& quantity) {
-  return data::golden_directory() / (quantity.name + ".csv");
+std::filesystem::path golden_path(std::string_view name) {
+  return data::golden_directory() / fmt::format("{}.csv", name);
 }
 
 }  // namespace nipref::verify

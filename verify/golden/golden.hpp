@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,14 @@ std::string golden_text(const Quantity& quantity, const GoldenFile& file);
 /// Reads such a file. BadInput that names file, line and column of the first fault.
 GoldenFile read_golden(const std::filesystem::path& path);
 
-/// The file of the quantity's golden values: data/golden/QUANTITY.csv.
-std::filesystem::path golden_path(const Quantity& quantity);
+/// The file of the golden values of a quantity or of a kind of contacts: data/golden/NAME.csv.
+std::filesystem::path golden_path(std::string_view name);
+
+/// What to pin: the SHA-256 of SHA256SUMS, and so of all golden values; empty if there is none.
+std::string golden_version();
+
+/// A golden file of any kind as csv, json, cpp or npy, for programs that do not read the CSV. Numbers are the doubles
+/// nearest to the texts, bounds those above. BadInput as read_csv has it.
+std::string exported_golden(const std::filesystem::path& path, std::string_view format);
 
 }  // namespace nipref::verify

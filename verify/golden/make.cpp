@@ -3,7 +3,6 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -86,24 +85,47 @@ Assignments exact_arguments(const Quantity& quantity, const Point& point) {
   return written_point(quantity, point, [](double x) { return fmt::format("{:a}", x); });
 }
 
-/// The golden value at a candidate, or the reason why there is none; both empty if the reference refuses the point.
+/// A confirmed golden value, or the reason why there is none; neither of a row that stays as it is.
 struct MadeRow {
-  std::optional<GoldenRow> row;
-  std::optional<RefusedRow> refused;
+  std::optional<GoldenRow> row = {};
+  std::optional<RefusedRow> refused = {};
+  bool has_reference = true;
+  std::string why = {};  ///< why_of
 };
 
-MadeRow made_row(const Quantity& quantity, const Candidate& candidate, int digits) {
+/// `why_of`: the reason to have that row, as a text; empty if there is none.
+template <class Why>
+MadeRow made_row(const Quantity& quantity, const Point& point, const std::string& origin, int digits,
+                 const Why& why_of) {
+  const auto refused = [&](std::string reason, bool has_reference) -> MadeRow {
+    return {{}, RefusedRow{exact_arguments(quantity, point), std::move(reason)}, has_reference};
+  };
   std::optional<ref::Estimate> reference;
   try {
-    reference = ref_value(quantity, candidate.point, digits);
-  } catch (const data::BadInput&) {
-    return {};
+    reference = ref_value(quantity, point, digits);
+  } catch (const data::BadInput& error) {
+    return refused(fmt::format("the reference refuses it: {}", error.what()), false);
   }
-  GoldenRow row = golden_row(quantity, candidate.point, *reference);
-  row.origin = candidate.origin;
+  GoldenRow row = golden_row(quantity, point, *reference);
+  row.origin = origin;
+  const std::string why = why_of(row);
+  if (why.empty()) return {};
   if (std::string reason = confirm_row(quantity, row); !reason.empty())
-    return {{}, RefusedRow{exact_arguments(quantity, candidate.point), std::move(reason)}};
-  return {std::move(row), {}};
+    return refused(std::move(reason), true);
+  return {std::move(row), {}, true, why};
+}
+
+/// Whether the scales differ by more than rounding errors.
+bool is_other_scale(double before, double after) {
+  return std::fabs(before - after) > 1e-12 * std::max(std::fabs(before), std::fabs(after));
+}
+
+/// Why the row has to change; empty if it stays.
+std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bool all) {
+  if (!Gap(before.number(), after.number()).is_covered()) return "another value";
+  if (before.proven != after.proven) return "another status";
+  if (is_other_scale(before.scale, after.scale)) return "another scale";
+  return all ? "asked for" : "";
 }
 
 std::string decimal_example(const Quantity& quantity, const Point& point) {
@@ -157,13 +179,17 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
     if (candidates.size() < lacking) candidates.add_dense(lacking - candidates.size());
     const std::vector<Candidate> all = candidates.taken();
     auto outcomes = parallel_mapped(
-        all.size(), [&](std::size_t i) { return made_row(quantity, all[i], options.digits); },
+        all.size(),
+        [&](std::size_t i) {
+          return made_row(quantity, all[i].point, all[i].origin, options.digits,
+                          [](const GoldenRow&) { return "new"; });
+        },
         [&](double part) {
           const double rows_done = static_cast<double>(begin) + static_cast<double>(lacking) * part;
           tell(part_of_audit + (1 - part_of_audit) * rows_done / static_cast<double>(options.points));
         });
     for (MadeRow& outcome : outcomes) {
-      if (outcome.refused) made.refused.push_back(*std::move(outcome.refused));
+      if (outcome.refused && outcome.has_reference) made.refused.push_back(*std::move(outcome.refused));
       if (!outcome.row || rows.size() == options.points) continue;
       const bool is_nothing = outcome.row->value == "0" && outcome.row->bound == "0";
       if (is_nothing && ++zeros > options.points / 20) continue;
@@ -183,59 +209,24 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
   return made;
 }
 
-namespace {
-
-/// Whether the scales differ by more than rounding errors.
-bool is_other_scale(double before, double after) {
-  return std::fabs(before - after) > 1e-12 * std::max(std::fabs(before), std::fabs(after));
-}
-
-/// Why the row has to change; empty if it stays.
-std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bool all) {
-  if (!Gap(before.number(), after.number()).is_covered()) return "another value";
-  if (before.proven != after.proven) return "another status";
-  if (is_other_scale(before.scale, after.scale)) return "another scale";
-  return all ? "asked for" : "";
-}
-
-struct UpdatedRow {
-  std::optional<ChangedRow> changed;
-  std::optional<RefusedRow> refused;
-};
-
-UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
-                       bool all) {
-  const auto refuse = [&](std::string reason) -> UpdatedRow {
-    return {{}, RefusedRow{exact_arguments(quantity, before.arguments), std::move(reason)}};
-  };
-  std::optional<ref::Estimate> reference;
-  try {
-    reference = ref_value(quantity, before.arguments, digits);
-  } catch (const data::BadInput& refused) {
-    return refuse(fmt::format("the reference refuses it: {}", refused.what()));
-  }
-  GoldenRow after = golden_row(quantity, before.arguments, *reference);
-  after.origin = before.origin;
-  std::string why = reason_to_change(before, after, all);
-  if (why.empty()) return {};
-  if (std::string reason = confirm_row(quantity, after); !reason.empty()) return refuse(std::move(reason));
-  return {ChangedRow{number, before, std::move(after), std::move(why)}, {}};
-}
-
-}  // namespace
-
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
                             const Provenance& provenance, const OnProgress& progress) {
   const int digits = file.digits();
   auto outcomes = parallel_mapped(
       file.rows.size(),
-      [&](std::size_t i) { return updated_row(quantity, file.rows[i], i + 1, digits, all); }, progress);
+      [&](std::size_t i) {
+        const GoldenRow& before = file.rows[i];
+        return made_row(quantity, before.arguments, before.origin, digits,
+                        [&](const GoldenRow& after) { return reason_to_change(before, after, all); });
+      },
+      progress);
   UpdatedGolden updated{{file}};
-  for (UpdatedRow& outcome : outcomes) {
-    if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));
-    if (!outcome.changed) continue;
-    updated.file.rows[outcome.changed->row - 1] = outcome.changed->after;
-    updated.changed.push_back(*std::move(outcome.changed));
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    auto& [row, refused, has_reference, why] = outcomes[i];
+    if (refused) updated.refused.push_back(*std::move(refused));
+    if (!row) continue;
+    updated.changed.push_back({i + 1, file.rows[i], *row, std::move(why)});
+    updated.file.rows[i] = *std::move(row);
   }
   if (!updated.changed.empty()) {
     updated.file.set("definition", quantity.definition);

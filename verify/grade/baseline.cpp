@@ -1,5 +1,4 @@
 #include <nipref/verify/grade/baseline.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 #include <nipref/verify/support/json.hpp>
 

@@ -6,7 +6,6 @@
 #include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -7,6 +7,20 @@
 namespace nipref::verify {
 namespace {
 
+constexpr std::string_view fault_names[] = {"crash",
+                                            "exit",
+                                            "hang",
+                                            "refused",
+                                            "not finite",
+                                            "unwritten",
+                                            "overrun",
+                                            "arguments changed",
+                                            "environment changed",
+                                            "output",
+                                            "order matters",
+                                            "threads matter",
+                                            "protocol",
+                                            "given up"};
 constexpr std::size_t shown = 4;
 
 void widen(FaultGroup& group, const Point& point) {
@@ -23,23 +37,7 @@ Json where_json(const Quantity& quantity, const std::optional<Point>& point) {
 
 }  // namespace
 
-std::string_view name_of(FaultKind kind) {
-  static constexpr std::string_view names[] = {"crash",
-                                               "exit",
-                                               "hang",
-                                               "refused",
-                                               "not finite",
-                                               "unwritten",
-                                               "overrun",
-                                               "arguments changed",
-                                               "environment changed",
-                                               "output",
-                                               "order matters",
-                                               "threads matter",
-                                               "protocol",
-                                               "given up"};
-  return names[static_cast<std::size_t>(kind)];
-}
+std::string_view name_of(FaultKind kind) { return fault_names[static_cast<std::size_t>(kind)]; }
 
 std::vector<FaultGroup> grouped(std::vector<Fault> faults) {
   std::ranges::sort(faults, {},

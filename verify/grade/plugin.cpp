@@ -7,7 +7,6 @@
 #include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
 #include <nipref/verify/grade/plugin.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,6 +1,5 @@
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/grade/speed.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/random.hpp>
 

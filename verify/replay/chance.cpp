@@ -3,14 +3,11 @@
 #include <cctype>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr double largest_proof = 0.01, largest_likely = 0.2;
-
-double width(const data::Interval& interval) { return interval.upper - interval.lower; }
 
 bool is_digit(char character) { return std::isdigit(static_cast<unsigned char>(character)) != 0; }
 
@@ -33,7 +30,7 @@ std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
 }
 
 double place_unit(const data::TableCell& cell, std::ptrdiff_t digits_behind) {
-  return width(cell.number->rounding) * std::pow(10, digits_behind);
+  return cell.number->rounding.width() * std::pow(10, digits_behind);
 }
 
 void judge_erratum(const data::TableCell& printed, ReplayedCell& cell, const data::Interval& range) {
@@ -59,7 +56,7 @@ void explain_by_one_digit(const data::Table& table, ReplayedCell& cell, const da
 }  // namespace
 
 double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit) {
-  return (width(rounding) + width(range)) / place_unit;
+  return (rounding.width() + range.width()) / place_unit;
 }
 
 void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
@@ -74,12 +71,12 @@ void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Int
 
 double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit) {
   if (witnesses.empty()) return 1;
-  std::ranges::sort(witnesses, {}, [](const LengthWitness& witness) { return width(witness.length); });
+  std::ranges::sort(witnesses, {}, [](const LengthWitness& witness) { return witness.length.width(); });
   const data::Interval& first = witnesses.front().length;
   double chance = 1;
   for (std::size_t i = 1; i < witnesses.size(); ++i) {
     if (!witnesses[i].length.meets(first)) return 1;
-    chance *= std::min(1.0, (width(first) + width(witnesses[i].length)) / unit);
+    chance *= std::min(1.0, (first.width() + witnesses[i].length.width()) / unit);
   }
   return chance;
 }
@@ -101,7 +98,7 @@ std::string agreement_on_length(const data::Table& table, std::size_t row, const
 std::vector<LengthWitness> witnesses_of_length(const data::Table& table, std::size_t row,
                                                const data::Interval& read_as,
                                                const std::function<RowValues(double)>& at) {
-  const data::Interval tried{read_as.lower - width(read_as), read_as.upper + width(read_as)};
+  const data::Interval tried{read_as.lower - read_as.width(), read_as.upper + read_as.width()};
   const RowValues low = at(tried.lower), high = at(tried.upper);
   std::vector<LengthWitness> witnesses;
   for (const auto& columns : std::vector<std::vector<std::string>>{
@@ -117,7 +114,7 @@ std::vector<LengthWitness> witnesses_of_length(const data::Table& table, std::si
       };
       const auto [shorter, longer] =
           std::minmax({length(cell.number->rounding.lower), length(cell.number->rounding.upper)});
-      if (!narrowest || longer - shorter < width(narrowest->length)) narrowest = {column, {shorter, longer}};
+      if (!narrowest || longer - shorter < narrowest->length.width()) narrowest = {column, {shorter, longer}};
     }
     if (narrowest) witnesses.push_back(*narrowest);
   }

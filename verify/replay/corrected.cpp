@@ -2,7 +2,6 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -109,7 +108,7 @@ std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> colum
 }
 
 void correct(Replay& replay) {
-  if (find_half_space_table(replay.table.id) != nullptr)
+  if (item_with(half_space_tables(), &HalfSpaceTable::id, replay.table.id) != nullptr)
     return;  // its replay has the corrected values already
   replay.costs.clear();
   if (const ViscoelasticTable* const rolling = find_viscoelastic_table(replay.table.id))

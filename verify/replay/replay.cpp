@@ -2,7 +2,6 @@
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/replay.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
@@ -31,7 +30,7 @@ std::vector<std::string> replayable_tables() {
 
 Replay replay_table(const std::string& id) {
   data::Table table = data::load_table_by_id(id);
-  if (const HalfSpaceTable* of_papers = find_half_space_table(id))
+  if (const HalfSpaceTable* of_papers = item_with(half_space_tables(), &HalfSpaceTable::id, id))
     return replay_half_space(std::move(table), *of_papers);
   if (const ViscoelasticTable* rolling = find_viscoelastic_table(id))
     return replay_viscoelastic(std::move(table), *rolling);

@@ -2,7 +2,6 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/report/report.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {

@@ -3,7 +3,6 @@
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/report/report.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/figures/figure.hpp>

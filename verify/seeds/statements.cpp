@@ -1,7 +1,6 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -32,18 +31,9 @@ constexpr std::string_view claim_verdicts[] = {"holds", "false", "holds in a ran
 
 /// `text` with the values of the formulas in it, {FORMULA:FORMAT}.
 std::string with_values(const std::string& text, StatementFormulas& formulas) {
-  std::string all;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t open = std::min(text.find('{', at), text.size()), close = text.find('}', open);
-    all += text.substr(at, open - at);
-    if (open == text.size()) break;
-    const std::string field = text.substr(open + 1, close - open - 1);
-    const std::size_t colon = field.find(':');
-    all += fmt::format(fmt::runtime("{:" + field.substr(colon + 1) + "}"),
-                       formulas.value(field.substr(0, colon)).value());
-    at = close + 1;
-  }
-  return all;
+  return with_fields(text, [&](const std::string& formula, const std::string& format) {
+    return fmt::format(fmt::runtime("{" + format + "}"), formulas.value(formula).value());
+  });
 }
 
 const TomlTable& claims_file() {

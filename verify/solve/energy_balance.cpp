@@ -5,9 +5,7 @@
 
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {

@@ -1,5 +1,4 @@
 #include <nipref/verify/solve/solve.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {

@@ -1,7 +1,6 @@
 #include <cctype>
 
 #include <nipref/verify/support/formula.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {

@@ -1,11 +1,15 @@
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
-#include <nipref/verify/support/internal/common.hpp>
-#include <nipref/verify/support/internal/json_value.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {
 
 using Tree = nlohmann::ordered_json;
+
+struct Json::Value {
+  Tree tree;
+};
 
 namespace {
 
@@ -126,6 +130,11 @@ double exact_double(const Json& json) {
   const double number = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0') throw JsonMisfit("no number");
   return number;
+}
+
+std::string filled_text(const std::string& text, const Json& data, const Partials& partials,
+                        const Escape& escape) {
+  return filled_text(text, data.value_->tree, partials, escape);
 }
 
 }  // namespace nipref::verify

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -59,10 +60,6 @@ class Json {
   /// A copy without the members that are for the text alone, at any depth: their names begin with '_'.
   [[nodiscard]] Json for_machines() const;
 
-  /// The value as that library has it, internal/json_value.hpp.
-  struct Value;
-  [[nodiscard]] const Value& value() const { return *value_; }
-
   /// Indented by two, with a line break at the end; invalid UTF-8 is replaced.
   [[nodiscard]] std::string text() const;
   /// The same in one line, with no line break.
@@ -79,6 +76,11 @@ class Json {
   [[nodiscard]] bool is_null() const;
 
  private:
+  friend std::string filled_text(const std::string& text, const Json& data,
+                                 const std::map<std::string, std::string>& partials,
+                                 const std::function<std::string(const std::string&)>& escape);
+  /// The value as that library has it.
+  struct Value;
   explicit Json(Value value);
   std::shared_ptr<const Value> value_;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <ranges>
 #include <type_traits>
@@ -14,6 +15,13 @@ auto mapped(Items&& items, const Function& function) {
   std::vector<std::conditional_t<std::is_void_v<Result>, std::remove_cvref_t<Found>, Result>> results;
   for (auto&& item : items) results.push_back(std::invoke(function, item));
   return results;
+}
+
+/// The first item of a range whose `member` is `value`; null if there is none.
+template <class Items>
+auto* item_with(Items&& items, const auto& member, const auto& value) {
+  const auto found = std::ranges::find(items, value, member);
+  return found == std::ranges::end(items) ? nullptr : &*found;
 }
 
 }  // namespace nipref::verify

@@ -1,12 +1,11 @@
 #include <cctype>
 #include <kainjow/mustache.hpp>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/support/formula.hpp>
-#include <nipref/verify/support/internal/common.hpp>
-#include <nipref/verify/support/internal/json_value.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -253,11 +252,6 @@ std::string filled_text(const std::string& text, const TemplateData& data, const
     return escaped;
   };
   return filled(text, data, without_bars, partials, false);
-}
-
-std::string filled_text(const std::string& text, const Json& data, const Partials& partials,
-                        const Escape& escape) {
-  return filled_text(text, data.value().tree, partials, escape);
 }
 
 }  // namespace nipref::verify

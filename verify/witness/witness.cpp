@@ -1,6 +1,5 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/witness/internal/calculix.hpp>
 #include <nipref/verify/witness/witness.hpp>
 

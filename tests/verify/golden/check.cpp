@@ -19,7 +19,7 @@ std::vector<GoldenFault> faults_of(const verify::CheckedGolden& checked) {
 }
 
 verify::GoldenFile golden(const char* quantity) {
-  return verify::read_golden(verify::golden_path(verify::find_quantity(quantity)));
+  return verify::read_golden(verify::golden_path(quantity));
 }
 
 /// The last `rows` ones.
@@ -35,10 +35,10 @@ TEST_CASE("golden values are what they were: every file to the last character, a
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     if (!quantity.family.empty()) continue;
-    const std::string bytes = data::text_of_input_file(verify::golden_path(quantity), "file");
+    const std::string bytes = data::text_of_input_file(verify::golden_path(quantity.name), "file");
     CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(quantity.name + ".csv") ==
           verify::sha256(bytes));
-    verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
+    verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity.name));
     // One is enough where a value takes seconds.
     const std::size_t often = is_thorough() ? 5 : 20, step = quantity.audit_points >= 20'000 ? often
                                                              : quantity.audit_points >= 20   ? 4 * often

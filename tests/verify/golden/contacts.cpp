@@ -1,6 +1,6 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/golden/confirm/scene.hpp>
+#include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 
 #include "support/scratch.hpp"
@@ -11,7 +11,7 @@ using verify::ContactsFile;
 
 namespace {
 
-ContactsFile contacts(const char* kind) { return verify::read_contacts(verify::contacts_path(kind)); }
+ContactsFile contacts(const char* kind) { return verify::read_contacts(verify::golden_path(kind)); }
 
 /// The contact that has these values of its keys.
 ContactsFile one_of(ContactsFile file, const verify::Assignments& keys) {
@@ -47,7 +47,7 @@ TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twic
     CHECK(10 * by_second_method >= file.rows.size());
     const bool is_rolling_sheet = kind.starts_with("contacts-rolling-") && kind != "contacts-rolling-sphere";
     rows[is_rolling_sheet ? "contacts-rolling-sheets" : kind] += file.rows.size();
-    CHECK(verify::contacts_text(file) == data::text_of_input_file(verify::contacts_path(kind), "file"));
+    CHECK(verify::contacts_text(file) == data::text_of_input_file(verify::golden_path(kind), "file"));
   }
   for (const auto& [kind, count] : rows) {
     CAPTURE(kind);
@@ -59,7 +59,7 @@ TEST_CASE("golden contacts are what they were: every 40th by fast, one of each k
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);
     CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(kind + ".csv") ==
-          verify::sha256(data::text_of_input_file(verify::contacts_path(kind), "file")));
+          verify::sha256(data::text_of_input_file(verify::golden_path(kind), "file")));
     ContactsFile file = contacts(kind.c_str());
     for (const auto& found : verify::check_contacts(file, {false, is_thorough() ? 20U : 40U}).failures)
       FAIL_CHECK(found.what);

@@ -57,7 +57,7 @@ const Report& small_report() {
         {"limit.none", "W < 0", "nobody", "L/B", 2, {{0.1, {1, 1e-9}, 1.1}, {0.05, {1, 1e-9}, 1.025}}}};
     small.errata = settle_all({formula_errata().front()});
     small.golden = {
-        {read_golden(golden_path(find_quantity("I1"))), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
+        {read_golden(golden_path("I1")), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
     const std::vector<FigurePlan> plans = figures();
     small.figures = {compute(*std::ranges::find(plans, "thesis-9", &FigurePlan::id))};
     return small;

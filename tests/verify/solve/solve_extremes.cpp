@@ -7,7 +7,7 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"

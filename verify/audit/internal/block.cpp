@@ -2,7 +2,6 @@
 
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 

@@ -1,13 +1,8 @@
 #pragma once
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {

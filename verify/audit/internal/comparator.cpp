@@ -1,6 +1,5 @@
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -4,7 +4,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -140,7 +140,8 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {
   return json_list(audits, [](const ContactAudit& audit) {
     Json row = Json::object();
-    ContactAudit::members(audit, [&](std::string_view key, const auto& part) { row.set(key, part); });
+    ContactAudit::members(audit,
+                          EachPart{[&](std::string_view key, const auto& part) { row.set(key, part); }});
     row.append({{"allowance_used", audit.error ? Json(*audit.error / audit.allowed) : Json()},
                 {"passed", audit.kept()},
                 {"_without_truth", !audit.kept().has_value()}});

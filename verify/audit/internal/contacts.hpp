@@ -1,9 +1,5 @@
 #pragma once
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -32,16 +28,10 @@ struct ContactAudit {
   }
   /// See stored.hpp.
   static void members(auto& self, const auto& each) {
-    each("system", self.system);
-    each("length_over_thickness", self.ratio);
-    each("poisson", self.poisson);
-    each("unknowns", self.unknowns);
-    each("condition", self.condition);
-    each("oscillation", self.oscillation);
-    each("error", self.error);
-    each("allowed", self.allowed);
-    each("kernel_error", self.kernel_error);
-    each("discretisation_error", self.discretisation_error);
+    each("system", self.system, "length_over_thickness", self.ratio, "poisson", self.poisson, "unknowns",
+         self.unknowns, "condition", self.condition, "oscillation", self.oscillation, "error", self.error,
+         "allowed", self.allowed, "kernel_error", self.kernel_error, "discretisation_error",
+         self.discretisation_error);
   }
 };
 

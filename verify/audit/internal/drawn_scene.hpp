@@ -1,12 +1,8 @@
 #pragma once
 #include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
 
 #include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {

@@ -1,7 +1,6 @@
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,6 +1,5 @@
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {

@@ -1,7 +1,6 @@
 #include <numeric>
 
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -110,15 +109,6 @@ void tie_positions(const Quantity& quantity, Point& point, std::size_t changed) 
   }
 }
 
-}  // namespace
-
-double draw(ArgumentKind kind, Random& random) {
-  if (is_position(kind)) return draw_position(random);
-  return spread(kind, random.uniform());
-}
-
-namespace {
-
 Point draw_point_of_domain(const Quantity& quantity, Random& random) {
   if (quantity.draw) return quantity.draw(random);
   Point point;
@@ -133,6 +123,11 @@ Point draw_point_of_domain(const Quantity& quantity, Random& random) {
 }
 
 }  // namespace
+
+double draw(ArgumentKind kind, Random& random) {
+  if (is_position(kind)) return draw_position(random);
+  return spread(kind, random.uniform());
+}
 
 Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random) {
   Point point = draw_point_of_domain(quantity, random);

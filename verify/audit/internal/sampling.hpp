@@ -1,9 +1,7 @@
 #pragma once
-#include <cstddef>
-#include <vector>
-
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {

@@ -3,7 +3,6 @@
 #include <nipref/data/number/with_error.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

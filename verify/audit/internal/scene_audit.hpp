@@ -1,13 +1,10 @@
 #pragma once
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
 
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
@@ -37,13 +34,8 @@ struct SceneFindings {
 
   /// What a tally stores of a scene that it keeps, see stored.hpp.
   static void members(auto& self, const auto& each) {
-    each("index", self.index);
-    each("refused", self.refused);
-    each("failed", self.failed);
-    each("ratio", self.largest_ratio);
-    each("where", self.where);
-    each("scene", self.toml);
-    each("times", self.seconds);
+    each("index", self.index, "refused", self.refused, "failed", self.failed, "ratio", self.largest_ratio,
+         "where", self.where, "scene", self.toml, "times", self.seconds);
   }
 };
 

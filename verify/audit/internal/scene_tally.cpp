@@ -1,5 +1,4 @@
 #include <nipref/verify/audit/internal/scene_tally.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -33,6 +32,11 @@ SceneTally tally_of(const SceneFindings& findings) {
     if (rank(findings) >= 0) tally.*scene = findings;
   for (const double overestimate : findings.overestimates) tally.overestimates.add(overestimate);
   return tally;
+}
+
+Json failure_json(const SceneTally& tally) {
+  if (tally.failed == 0) return {};
+  return {{"message", tally.failure.failed}, {"scene", tally.failure.toml}};
 }
 
 }  // namespace
@@ -75,15 +79,6 @@ std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, co
 bool all_kept(const std::vector<SceneTally>& tallies) {
   return std::ranges::all_of(tallies, &SceneTally::kept);
 }
-
-namespace {
-
-Json failure_json(const SceneTally& tally) {
-  if (tally.failed == 0) return {};
-  return {{"message", tally.failure.failed}, {"scene", tally.failure.toml}};
-}
-
-}  // namespace
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies) {
   return json_list(tallies, [](const SceneTally& tally) {

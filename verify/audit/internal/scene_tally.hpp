@@ -1,12 +1,7 @@
 #pragma once
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
@@ -31,19 +26,10 @@ struct SceneTally {
   [[nodiscard]] std::optional<double> median_overestimate() const;
   /// See stored.hpp; what depends on seconds is in "times".
   static void members(auto& self, const auto& each) {
-    each("scenes", self.scenes);
-    each("refused", self.refused);
-    each("failed", self.failed);
-    each("numbers", self.numbers);
-    each("unchecked", self.unchecked);
-    each("uncovered", self.uncovered);
-    each("miss_reported", self.miss_reported);
-    each("miss_unreported", self.miss_unreported);
-    each("overestimates", self.overestimates);
-    each("refusal", self.refusal);
-    each("failure", self.failure);
-    each("worst", self.worst);
-    each("times", self.slowest);
+    each("scenes", self.scenes, "refused", self.refused, "failed", self.failed, "numbers", self.numbers,
+         "unchecked", self.unchecked, "uncovered", self.uncovered, "miss_reported", self.miss_reported,
+         "miss_unreported", self.miss_unreported, "overestimates", self.overestimates, "refusal",
+         self.refusal, "failure", self.failure, "worst", self.worst, "times", self.slowest);
   }
 };
 

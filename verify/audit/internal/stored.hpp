@@ -1,17 +1,25 @@
 #pragma once
 #include <concepts>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
 // Findings as JSON in a run's folder. A struct names its parts once, for both directions: members(self, each) calls
-// each(key, part) for every part that is stored.
+// each(key, part, key, part, ...) with all parts that are stored.
+
+/// Calls one(key, part) for each pair of what it is called with.
+template <class One>
+struct EachPart {
+  One one;
+
+  void operator()() const {}
+  void operator()(std::string_view key, auto& part, auto&... more) const {
+    one(key, part);
+    (*this)(more...);
+  }
+};
 
 inline Json stored(double number) { return exact_json(number); }
 inline Json stored(std::integral auto count) { return count; }
@@ -30,7 +38,7 @@ requires std::is_class_v<T> Json stored(const T& parts) {
     return parts.json();
   } else {
     Json json = Json::object();
-    T::members(parts, [&](std::string_view key, const auto& part) { json.set(key, stored(part)); });
+    T::members(parts, EachPart{[&](std::string_view key, const auto& part) { json.set(key, stored(part)); }});
     return json;
   }
 }
@@ -55,7 +63,7 @@ void restore(T& parts, const Json& json) {
   if constexpr (requires { T::of(json); }) {
     parts = T::of(json);
   } else {
-    T::members(parts, [&](std::string_view key, auto& part) { restore(part, json.at(key)); });
+    T::members(parts, EachPart{[&](std::string_view key, auto& part) { restore(part, json.at(key)); }});
   }
 }
 

@@ -1,13 +1,8 @@
 #pragma once
-#include <cstddef>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include <nipref/verify/audit/internal/block.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {

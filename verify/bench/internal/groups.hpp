@@ -1,10 +1,6 @@
 #pragma once
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {

@@ -19,7 +19,6 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -3,7 +3,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -23,15 +22,21 @@ data::ElasticNip unit_nip(const NamedPoint& x) {
   return {nip_roller_radius, 1, {1, x["poisson"]}};
 }
 
+/// In the order of the entries; the compliance and the length are doubles or exact.
+template <class Number>
+auto numbers_of(const auto& contact, const Number& compliance, const Number& length) {
+  const Number stress = compliance * nip_roller_radius / length, slope = nip_roller_radius / length;
+  return std::vector{in_unit(contact.load(), Number(stress / length)),
+                     in_unit(contact.indentation(), Number(slope / length)),
+                     in_unit(contact.creep_ratio(), slope), in_unit(contact.peak_pressure(), stress),
+                     in_unit(contact.peak_shear(), stress)};
+}
+
 NipEstimates nip_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
   const data::ElasticNip nip = unit_nip(x);
   const double length = x["L_over_B"];
   const auto contact = fast::converged_for_length(nip, friction_of(x), length, nip_accuracy(accuracy));
-  const double stress = nip.material.normal_compliance() * nip_roller_radius / length;
-  return {in_unit(contact.load(), stress / length),
-          in_unit(contact.indentation(), nip_roller_radius / length / length),
-          in_unit(contact.creep_ratio(), nip_roller_radius / length),
-          in_unit(contact.peak_pressure(), stress), in_unit(contact.peak_shear(), stress)};
+  return numbers_of(contact, nip.material.normal_compliance(), length);
 }
 
 /// Frictionless contacts are proven where that does not take too long; all others are estimated.
@@ -40,20 +45,15 @@ ref::ConvergedNip solved_nip(const data::ElasticNip& nip, double length, data::F
   const int most = most_digits_in_time(
       [&](int some) { return likely_seconds(nip, friction, length, some, terms_in_long_time); });
   if (digits > most)
-    throw data::BadInput("digits", std::to_string(digits),
-                         fmt::format("must be at most {} for L_over_B = {:.6g}{}: more take too long", most,
-                                     length, friction == data::Friction::full ? " with full friction" : ""));
+    refuse("digits", std::to_string(digits), "must be at most {} for L_over_B = {:.6g}{}: more take too long",
+           most, length, friction == data::Friction::full ? " with full friction" : "");
   return ref::converged_for_length(nip, friction, length, digits, terms_in_long_time);
 }
 
 NipReferences nip_by_ref(const NamedPoint& x, int digits) {
   const ref::ConvergedNip contact = solved_nip(unit_nip(x), x["L_over_B"], friction_of(x), digits);
-  const mpq_class length = x["L_over_B"], poisson = x["poisson"], radius = nip_roller_radius;
-  const mpq_class stress = 2 * (1 - poisson * poisson) * radius / length;
-  return {in_unit(contact.load(), stress / length),
-          in_unit(contact.indentation(), radius / (length * length)),
-          in_unit(contact.creep_ratio(), radius / length), in_unit(contact.peak_pressure(), stress),
-          in_unit(contact.peak_shear(), stress)};
+  const mpq_class length = x["L_over_B"], poisson = x["poisson"];
+  return numbers_of(contact, mpq_class(2 * (1 - poisson * poisson)), length);
 }
 
 void keep_nip_in_domain(const NamedNumbers& x) {

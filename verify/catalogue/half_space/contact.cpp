@@ -13,7 +13,6 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -95,14 +94,17 @@ fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
   return fast::rolling_sphere_for_span(unit_isotropic(x["poisson"]), 1, x["speed"], span);
 }
 
-constexpr Direction across_motion{0, 1};
+constexpr Direction along_motion{1, 0}, across_motion{0, 1};
 
 Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
 
 using ExactFunction = std::function<ref::Estimate(const NamedExact& x, int digits)>;
 
-const Exact& number_of(const NamedExact& x, const char* name) { return x[name]; }
-const Exact& number_of(const NamedExact&, const Exact& number) { return number; }
+template <class Number>
+const Number& number_of(const Named<const Number>& x, const char* name) {
+  return x[name];
+}
+const auto& number_of(const auto&, const auto& number) { return number; }
 
 /// A function of the bodies' surface, of the arguments of those names or of numbers themselves, and of the digits.
 template <class Bodies>
@@ -110,6 +112,15 @@ ExactFunction exactly(auto function, auto... numbers) {
   return [=](const NamedExact& x, int digits) -> ref::Estimate {
     return function(Bodies::exact(x), number_of(x, numbers)..., digits);
   };
+}
+
+using SeedForms = std::vector<std::function<double(const NamedPoint& x)>>;
+const SeedForms no_forms;
+
+SeedForms forms(auto... functions) { return {functions...}; }
+/// A form by a function of the arguments of those names or of numbers themselves.
+auto printed(auto function, auto... numbers) {
+  return [=](const NamedPoint& x) { return function(number_of(x, numbers)...); };
 }
 
 /// Draws the arguments that belong neither to the bodies nor to their speed.
@@ -129,7 +140,7 @@ struct ContactRow {
   double largest_share;
   ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
-  std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
+  SeedForms seed_forms = no_forms;
   double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
   void (*keep_more)(const NamedNumbers& x) = [](const NamedNumbers&) {};
 };
@@ -182,7 +193,7 @@ struct FiniteSpan {
 
   /// `along` is the line of the motion at the span `span` of a sphere of radius 1.
   FiniteSpan(const NamedPoint& x, double span) {
-    const fast::RollingLine line = roll(x, 1e-12).along(psi_of(x)), along = roll(x, span).along({1, 0});
+    const fast::RollingLine line = roll(x, 1e-12).along(psi_of(x)), along = roll(x, span).along(along_motion);
     slowness = 1 / line.shear_share;
     index = line.index;
     share = along.amplitude / (line.amplitude / (line.lean / 2));  // B1 Q1/Q
@@ -200,87 +211,10 @@ double finite_span_ratio(const NamedPoint& x) {
 /// Limits the span to half of that at which the root ends.
 void keep_finite_span(const NamedNumbers& x) {
   const FiniteSpan of(x, 1e-12);
-  const fast::RollingLine along = roll(x, 1e-12).along({1, 0});
+  const fast::RollingLine along = roll(x, 1e-12).along(along_motion);
   const double of_line = of.slowness * of.slowness / (2 * of.index * of.share);
   const double of_motion = 2 / (along.shear_share * along.index);
   x["span_over_radius"] = std::min({x["span_over_radius"], of_line / 2, of_motion / 2});
-}
-
-const std::vector<ContactRow>& rows_on_isotropic() {
-  using Bodies = OnIsotropic;
-  static const ExactFunction sliding_exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg");
-  static const std::vector<ContactRow> rows{
-      {"die.exponent", nearest_critical, sliding_exponent, exponent<Bodies>},
-      {"die.peak_place",
-       nearest_critical,
-       [](const NamedExact& x, int digits) {
-         ref::Estimate place = sliding_exponent(x, digits);
-         place.value = -place.value - ref::Float(1) / 2;
-         return place;
-       },
-       [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
-       {},
-       [](const NamedPoint&) { return 0.5; }},
-      {"die.span_ratio",
-       nearest_critical,
-       exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
-       [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(across_motion).value; },
-       {[](const NamedPoint& x) {
-          return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]);
-        },
-        [](const NamedPoint& x) {
-          return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
-        }}},
-      {"die.force", nearest_integrated, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>},
-      {"rolling.index",
-       nearest_critical,
-       exactly<Bodies>(ref::rolling_index, "psi_deg"),
-       [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; },
-       {},
-       [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
-      {.name = "rolling.span_ratio",
-       .largest_share = nearest_critical,
-       .by_ref = exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
-       .by_fast = [](const NamedPoint& x) { return roll(x).span_ratio(across_motion).value; },
-       .seed_forms = {
-           [](const NamedPoint& x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
-           [](const NamedPoint& x) {
-             return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
-           }}},
-      {.name = "rolling.finite_span_ratio",
-       .largest_share = nearest_critical,
-       .by_ref = exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
-       .by_fast = finite_span_ratio,
-       .keep_more = keep_finite_span},
-      {"rolling.strip", nearest_critical, exactly<Bodies>(ref::rolling_strip, "psi_deg"),
-       [](const NamedPoint& x) {
-         return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
-       }},
-      {.name = "rolling.force",
-       .largest_share = nearest_integrated,
-       .by_ref = exactly<Bodies>(ref::rolling_force),
-       .by_fast = [](const NamedPoint& x) { return roll(x, 1).force().value; },
-       // Just below the Rayleigh speed the resultant force is a pull. The size is the force of tractions of one sign.
-       .size =
-           [](const NamedPoint& x) {
-             return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
-           }},
-      {.name = "rolling.creep",
-       .largest_share = nearest_critical,
-       .by_ref = exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
-       .by_fast =
-           [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
-       .seed_forms = {[](const NamedPoint& x) {
-         return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
-       }},
-       .keep_more = keep_span},
-      {"ellipse.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, "curvature_ratio"),
-       [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }},
-      {"ellipse.stiffness", nearest_integrated, exactly<Bodies>(ref::elliptic_stiffness, "curvature_ratio"),
-       [](const NamedPoint& x) {
-         return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
-       }}};
-  return rows;
 }
 
 bool has_normal_axis(const NamedPoint& x) { return symmetry_axis(x) == data::SymmetryAxis::normal; }
@@ -324,35 +258,78 @@ double seed_force(const NamedPoint& x) {
 /// and the reference needs more lines to integrate over.
 constexpr double nearest_for_force = 1 - 1e-5;
 
-const std::vector<ContactRow>& rows_of_seed_sphere() {
+}  // namespace
+
+std::vector<Quantity> half_space_contact_entries() {
+  using Bodies = OnIsotropic;
+  const ExactFunction sliding_exponent = exactly<Bodies>(ref::sliding_exponent, "friction", "psi_deg");
+  const std::vector<ContactRow> rows{
+      {"die.exponent", nearest_critical, sliding_exponent, exponent<Bodies>},
+      {"die.peak_place", nearest_critical,
+       [=](const NamedExact& x, int digits) {
+         ref::Estimate place = sliding_exponent(x, digits);
+         place.value = -place.value - ref::Float(1) / 2;
+         return place;
+       },
+       [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; }, no_forms,
+       [](const NamedPoint&) { return 0.5; }},
+      {"die.span_ratio", nearest_critical, exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
+       [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(across_motion).value; },
+       forms(printed(die_span_ratio_as_printed, "poisson", "friction", "speed"),
+             printed(die_span_ratio_as_tabulated, "poisson", "friction", "speed", table_root_decimals))},
+      {"die.force", nearest_integrated, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>},
+      {"rolling.index", nearest_critical, exactly<Bodies>(ref::rolling_index, "psi_deg"),
+       [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; }, no_forms,
+       [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
+      {"rolling.span_ratio", nearest_critical, exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
+       [](const NamedPoint& x) { return roll(x).span_ratio(across_motion).value; },
+       forms(printed(rolling_span_ratio_as_printed, "poisson", "speed"),
+             printed(rolling_span_ratio_as_tabulated, "poisson", "speed", table_root_decimals))},
+      {.name = "rolling.finite_span_ratio",
+       .largest_share = nearest_critical,
+       .by_ref = exactly<Bodies>(ref::rolling_finite_span_ratio, "psi_deg", "span_over_radius"),
+       .by_fast = finite_span_ratio,
+       .keep_more = keep_finite_span},
+      {"rolling.strip", nearest_critical, exactly<Bodies>(ref::rolling_strip, "psi_deg"),
+       [](const NamedPoint& x) {
+         return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
+       }},
+      {"rolling.force", nearest_integrated, exactly<Bodies>(ref::rolling_force),
+       [](const NamedPoint& x) { return roll(x, 1).force().value; }, no_forms,
+       // Just below the Rayleigh speed the resultant force is a pull. The size is the force of tractions of one sign.
+       [](const NamedPoint& x) { return std::numbers::pi / 6 * roll(x).along(along_motion).amplitude; }},
+      {.name = "rolling.creep",
+       .largest_share = nearest_critical,
+       .by_ref = exactly<Bodies>(ref::rolling_creep, "psi_deg", "span_over_radius"),
+       .by_fast =
+           [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
+       .seed_forms =
+           forms(printed(rolling_creep_as_printed, "poisson", "speed", "psi_deg", "span_over_radius")),
+       .keep_more = keep_span},
+      {"ellipse.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, "curvature_ratio"),
+       [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }},
+      {"ellipse.stiffness", nearest_integrated, exactly<Bodies>(ref::elliptic_stiffness, "curvature_ratio"),
+       [](const NamedPoint& x) {
+         return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
+       }}};
+  return entries_of<Bodies>(rows);
+}
+
+std::vector<Quantity> seed_sphere_entries() {
   using Bodies = SeedSphere;
-  static const std::vector<ContactRow> rows{
-      {"ti.span_ratio",
-       nearest_critical,
-       exactly<Bodies>(ref::sliding_span_ratio, "friction", "phi_deg"),
+  const std::vector<ContactRow> rows{
+      {"ti.span_ratio", nearest_critical, exactly<Bodies>(ref::sliding_span_ratio, "friction", "phi_deg"),
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(direction_of(x, "phi_deg")).value; },
-       {seed_span_ratio<InPlaneForm::printed>, seed_span_ratio<InPlaneForm::tabulated>}},
+       forms(seed_span_ratio<InPlaneForm::printed>, seed_span_ratio<InPlaneForm::tabulated>)},
       {"ti.axis_ratio", nearest_integrated, exactly<Bodies>(ref::elliptic_axis_ratio, Exact(1.0)),
        [](const NamedPoint& x) {
          return fast::EllipticContact(Bodies::surface(x), {1, 1}).axis_ratio().value;
        }},
-      {"ti.exponent",
-       nearest_critical,
-       exactly<Bodies>(ref::sliding_exponent, "friction", "phi_deg"),
-       exponent<Bodies>,
-       {seed_exponent}},
-      {"ti.force",
-       nearest_for_force,
-       exactly<Bodies>(ref::sliding_force, "friction"),
-       force<Bodies>,
-       {seed_force}}};
-  return rows;
+      {"ti.exponent", nearest_critical, exactly<Bodies>(ref::sliding_exponent, "friction", "phi_deg"),
+       exponent<Bodies>, forms(seed_exponent)},
+      {"ti.force", nearest_for_force, exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>,
+       forms(seed_force)}};
+  return entries_of<Bodies>(rows);
 }
-
-}  // namespace
-
-std::vector<Quantity> half_space_contact_entries() { return entries_of<OnIsotropic>(rows_on_isotropic()); }
-
-std::vector<Quantity> seed_sphere_entries() { return entries_of<SeedSphere>(rows_of_seed_sphere()); }
 
 }  // namespace nipref::verify

@@ -7,7 +7,6 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -107,12 +106,11 @@ Quantity entry_branch() {
       "ti.branch",
       [](NamedExact x, int digits) {
         return ref::bulk_wave_speed(exact_transverse_of(x, SymmetryAxis::in_plane),
-                                    direction_of(x, "theta_deg"),
-                                    bulk_waves[static_cast<std::size_t>(x["which"].approximate())], digits);
+                                    direction_of(x, "theta_deg"), bulk_waves[x.choice("which")], digits);
       },
       [](NamedPoint x) {
-        return speed_in_steel(fast::branch_speed(branch_waves[static_cast<std::size_t>(x["which"])],
-                                                 transverse_of(x), direction_of(x, "theta_deg")));
+        return speed_in_steel(fast::branch_speed(branch_waves[x.choice("which")], transverse_of(x),
+                                                 direction_of(x, "theta_deg")));
       });
   const auto draw = [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_degrees(random);

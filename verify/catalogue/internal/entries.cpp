@@ -4,7 +4,6 @@
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/support/formula.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -154,10 +153,8 @@ const std::vector<Quantity>& described_quantities() {
 }
 
 const Quantity& described(std::string_view name) {
-  const auto found = std::ranges::find(described_quantities(), name, &Quantity::name);
-  if (found == described_quantities().end())
-    throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));
-  return *found;
+  if (const auto* row = item_with(described_quantities(), &Quantity::name, name)) return *row;
+  throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));
 }
 
 void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys) {

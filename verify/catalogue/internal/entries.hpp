@@ -1,12 +1,7 @@
 #pragma once
-#include <array>
-#include <memory>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,16 +1,13 @@
 #pragma once
 #include <gmpxx.h>
 
-#include <functional>
-#include <string_view>
-#include <vector>
-
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -10,7 +10,6 @@
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -25,8 +24,7 @@ constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
 /// The last model, the standard linear solid with one relaxation time, is not drawn, as it is a special case of the first.
 constexpr std::size_t drawn_models = 7;
 
-std::size_t model_of(const NamedPoint& x) { return static_cast<std::size_t>(x["material"]); }
-std::size_t model_of(const NamedExact& x) { return static_cast<std::size_t>(x["material"].approximate()); }
+std::size_t model_of(const auto& x) { return x.choice("material"); }
 bool is_of_springs(std::size_t model) { return model < of_springs.size(); }
 int theta2_rate_factor(std::size_t model) { return model == thesis_model ? data::misprinted_rate_factor : 1; }
 

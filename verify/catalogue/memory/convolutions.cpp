@@ -2,7 +2,6 @@
 #include <nipref/fast/sheet/roots.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -8,7 +8,6 @@
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -239,74 +238,66 @@ const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   return last->load;
 }
 
-/// `names`: t and the times at which the load passes the points. `functions` as for entry_of.
-Quantity started_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
-  const auto draw = [names](Random& random, NamedNumbers x) {
+/// An entry by functions of these numbers: `by_ref` of the reference, `by_fast` of the load, and of the point.
+Quantity load_entry(const char* quantity, auto by_ref, auto by_fast, auto size, auto... names) {
+  return entry_of(
+      quantity,
+      [=](NamedExact x, int digits) {
+        return by_ref(x[names]..., x["speed"], x["half_thickness"], exact_material_of(x), digits);
+      },
+      [=](NamedPoint x, Accuracy accuracy) { return by_fast(load_of(x, accuracy), x[names]...); }, size);
+}
+
+/// `size`: a member of Sizes; `passing`: names of the times at which the load passes the points.
+template <class... Names>
+Quantity started_entry(const char* quantity, auto by_ref, auto by_fast, auto size, Names... passing) {
+  const std::vector<const char*> names{"t", passing...};
+  const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     const double unit = x["half_thickness"] / x["speed"], t = random.log_uniform(1e-9, 50);
     for (const char* name : names)
       x[name] = unit * (name == names.front() ? t : draw_passing_time(t, random));
   };
-  return sampled(entry_of(quantity, functions...), draw, [names](NamedNumbers x) {
+  const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(started(x, passing)...); };
+  return sampled(load_entry(quantity, by_ref, by_fast, size_at, "t", passing...), draw, [=](NamedNumbers x) {
     keep_material(x, farthest_load(x, names) / (x["half_thickness"] / x["speed"]));
     // Un is infinite under the load.
     if (names.size() == 2 && x["t"] == x["T"]) x["T"] = std::nextafter(x["T"], HUGE_VAL);
   });
 }
 
-/// `names`: the distances from the load. `functions` as for entry_of.
-Quantity steady_entry(const char* quantity, const std::vector<const char*>& names, auto... functions) {
-  const auto draw = [names](Random& random, NamedNumbers x) {
+/// `distances`: names of those from the load.
+template <class... Names>
+Quantity steady_entry(const char* quantity, auto by_ref, auto by_fast, auto size, Names... distances) {
+  const std::vector<const char*> names{distances...};
+  const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
     for (const char* name : names) x[name] = draw_distance(random);
   };
-  return sampled(entry_of(quantity, functions...), draw,
-                 [names](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
+  const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(steady(x[distances])...); };
+  return sampled(load_entry(quantity, by_ref, by_fast, size_at, distances...), draw,
+                 [=](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
 }
 
 }  // namespace
 
 std::vector<Quantity> moving_load_entries() {
-  return {started_entry(
-              "Un", {"t", "T"},
-              [](NamedExact x, int digits) {
-                return ref::moving_load_normal_displacement(x["t"], x["T"], x["speed"], x["half_thickness"],
-                                                            exact_material_of(x), digits);
-              },
-              [](NamedPoint x, Accuracy accuracy) {
-                return load_of(x, accuracy).normal_displacement(x["t"], x["T"]);
-              },
-              [](NamedPoint x) { return Sizes(x).Un(started(x, "T")); }),
-          started_entry(
-              "Vn", {"t", "T", "t0"},
-              [](NamedExact x, int digits) {
-                return ref::moving_load_tangential_displacement(
-                    x["t"], x["T"], x["t0"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
-              },
-              [](NamedPoint x, Accuracy accuracy) {
-                return load_of(x, accuracy).tangential_displacement(x["t"], x["T"], x["t0"]);
-              },
-              [](NamedPoint x) { return Sizes(x).Vn(started(x, "T"), started(x, "t0")); }),
-          steady_entry(
-              "Un_steady", {"alpha"},
-              [](NamedExact x, int digits) {
-                return ref::moving_load_steady_normal_displacement(
-                    x["alpha"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
-              },
-              [](NamedPoint x, Accuracy accuracy) {
-                return load_of(x, accuracy).steady_normal_displacement(x["alpha"]);
-              },
-              [](NamedPoint x) { return Sizes(x).Un(steady(x["alpha"])); }),
-          steady_entry(
-              "Vn_steady", {"alpha", "eta"},
-              [](NamedExact x, int digits) {
-                return ref::moving_load_steady_tangential_displacement(
-                    x["alpha"], x["eta"], x["speed"], x["half_thickness"], exact_material_of(x), digits);
-              },
-              [](NamedPoint x, Accuracy accuracy) {
-                return load_of(x, accuracy).steady_tangential_displacement(x["alpha"], x["eta"]);
-              },
-              [](NamedPoint x) { return Sizes(x).Vn(steady(x["alpha"]), steady(x["eta"])); })};
+  return {
+      started_entry(
+          "Un", [](const auto&... x) { return ref::moving_load_normal_displacement(x...); },
+          [](const auto& load, auto... at) { return load.normal_displacement(at...); }, &Sizes::Un, "T"),
+      started_entry(
+          "Vn", [](const auto&... x) { return ref::moving_load_tangential_displacement(x...); },
+          [](const auto& load, auto... at) { return load.tangential_displacement(at...); }, &Sizes::Vn, "T",
+          "t0"),
+      steady_entry(
+          "Un_steady", [](const auto&... x) { return ref::moving_load_steady_normal_displacement(x...); },
+          [](const auto& load, auto... at) { return load.steady_normal_displacement(at...); }, &Sizes::Un,
+          "alpha"),
+      steady_entry(
+          "Vn_steady", [](const auto&... x) { return ref::moving_load_steady_tangential_displacement(x...); },
+          [](const auto& load, auto... at) { return load.steady_tangential_displacement(at...); }, &Sizes::Vn,
+          "alpha", "eta")};
 }
 
 }  // namespace nipref::verify

@@ -4,7 +4,6 @@
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,6 +1,5 @@
 #include <nipref/fast/sheet/branch_points.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

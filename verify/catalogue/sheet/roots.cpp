@@ -5,7 +5,6 @@
 #include <nipref/ref/sheet/plain_series.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

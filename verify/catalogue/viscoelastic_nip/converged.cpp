@@ -3,7 +3,6 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -46,14 +45,21 @@ mpq_class exact_compliance(const data::ViscoelasticNip& nip) {
   return mpq_class(functions.theta1.instantaneous) + mpq_class(functions.theta2.instantaneous);
 }
 
+/// In the order of the entries; the compliance and the length are doubles or exact.
+template <class Number>
+auto rolling_numbers_of(const auto& contact, const Number& compliance, const Number& length) {
+  const Number slope = nip_roller_radius / length;
+  return std::vector{
+      in_unit(contact.rolling_resistance(), slope), in_unit(contact.leading_length(), Number(1 / length)),
+      in_unit(contact.load(), Number(compliance * slope / length)),
+      in_unit(contact.indentation(), Number(slope / length)), in_unit(contact.creep_ratio(), slope)};
+}
+
 NipEstimates rolling_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
   const data::ViscoelasticNip nip = rolling_nip(x);
-  const double length = x["L_over_B"], over_length = nip_roller_radius / length;
-  const auto contact = fast::converged_for_length(nip, length, nip_accuracy(accuracy));
-  const double compliance = nip.material.functions()->normal_compliance().instantaneous;
-  return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / length),
-          in_unit(contact.load(), compliance * over_length / length),
-          in_unit(contact.indentation(), over_length / length), in_unit(contact.creep_ratio(), over_length)};
+  const double length = x["L_over_B"];
+  return rolling_numbers_of(fast::converged_for_length(nip, length, nip_accuracy(accuracy)),
+                            nip.material.functions()->normal_compliance().instantaneous, length);
 }
 
 void check_rolling_work(const data::ViscoelasticNip& nip, const NamedPoint& x, int digits) {
@@ -65,8 +71,7 @@ void check_rolling_work(const data::ViscoelasticNip& nip, const NamedPoint& x, i
   const std::string here = fmt::format("L_over_B = {:.6g}, memory_over_L = {:.6g} and softening = {:.6g}",
                                        length, memory, softening);
   if (most > 0)
-    throw data::BadInput("digits", std::to_string(digits),
-                         fmt::format("must be at most {} for {}: more take too long", most, here));
+    refuse("digits", std::to_string(digits), "must be at most {} for {}: more take too long", most, here);
   throw data::BadInput(
       "L_over_B", length,
       "must be smaller, or memory_over_L larger, or softening smaller, on the reference path: " + here +
@@ -76,11 +81,8 @@ void check_rolling_work(const data::ViscoelasticNip& nip, const NamedPoint& x, i
 NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
   const data::ViscoelasticNip nip = rolling_nip(x);
   check_rolling_work(nip, x, digits);
-  const auto contact = ref::converged_for_length(nip, x["L_over_B"], digits);
-  const mpq_class length = x["L_over_B"], over_length = nip_roller_radius / length;
-  return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / length),
-          in_unit(contact.load(), exact_compliance(nip) * over_length / length),
-          in_unit(contact.indentation(), over_length / length), in_unit(contact.creep_ratio(), over_length)};
+  return rolling_numbers_of(ref::converged_for_length(nip, x["L_over_B"], digits), exact_compliance(nip),
+                            mpq_class(x["L_over_B"]));
 }
 
 bool is_standard(const NamedPoint& x) { return x["material"] == 0; }

@@ -52,7 +52,7 @@ class FigureFormulas {
   double value(const std::string& formula) { return formulas_.value(formula).value(); }
   void define(const std::string& name, double number) { formulas_.define(name, Propagated::exact(number)); }
   /// With what drawings.toml has between braces.
-  std::string text(const std::string& with_fields);
+  std::string text(const std::string& stated);
   /// The contact of the nip that is described by its numbers.
   const SolvedContact<fast::Estimate>& nip();
   /// That of the loop over tables, otherwise all of the row.

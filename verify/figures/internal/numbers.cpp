@@ -5,7 +5,6 @@
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
@@ -14,41 +13,10 @@
 namespace nipref::verify {
 namespace {
 
-/// The words of a formula's brackets: names, the kind of number first, and KEY=VALUE.
-struct NumberWords {
-  std::string text;
-  std::vector<std::string> names;
-  std::map<std::string, std::string> values;
-
-  explicit NumberWords(const std::string& words) : text(words) {
-    for (const std::string& word : words_of(words)) {
-      const std::size_t equals = word.find('=');
-      if (equals == std::string::npos) {
-        names.push_back(word);
-      } else {
-        values[word.substr(0, equals)] = word.substr(equals + 1);
-      }
-    }
-  }
-  [[nodiscard]] const std::string& name(std::size_t i) const {
-    if (i >= names.size()) refuse(fmt::format("{} names", i + 1));
-    return names[i];
-  }
-  [[nodiscard]] const std::string& value(const std::string& key) const {
-    const auto found = values.find(key);
-    if (found == values.end()) refuse(key + "=VALUE");
-    return found->second;
-  }
-  [[noreturn]] void refuse(std::string_view lacking) const {
-    throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
-  }
-};
-
 double quantity(const NumberWords& words, FigureFormulas& formulas) {
   const Quantity& wanted = find_quantity(words.name(1));
-  Assignments arguments(words.values.begin(), words.values.end());
-  for (auto& [key, text] : arguments)
-    if (text.starts_with('$')) text = fmt::format("{}", formulas.value(text.substr(1)));
+  const Assignments arguments =
+      words.arguments([&](const std::string& formula) { return formulas.value(formula); });
   return wanted.by_fast(parse_arguments(wanted, arguments).nearest(wanted), {});
 }
 
@@ -96,9 +64,8 @@ double result_of(const SolvedContact<fast::Estimate>& contact, const NumberWords
   const std::string& name = words.name(words.names.size() - 1);
   const data::SceneResult* const result = data::find_scene_result(name);
   if (result == nullptr || !contact.has(result->id)) words.refuse("a result of the contact");
-  const auto at = words.values.find("at");
-  return at == words.values.end() ? contact.number(result->id).value
-                                  : contact.at(result->id, formulas.value(at->second)).value;
+  const std::string* const at = words.find("at");
+  return at == nullptr ? contact.number(result->id).value : contact.at(result->id, formulas.value(*at)).value;
 }
 
 /// The contact of a scene with these values of its keys.
@@ -107,7 +74,7 @@ const SolvedContact<fast::Estimate>& scene_of(const NumberWords& words, FigureFo
   const std::string& name = words.name(1);
   data::SceneOverrides keys{{"method.kind", words.name(2)}};
   std::string all = name + " " + words.name(2);
-  for (const auto& [key, formula] : words.values) {
+  for (const auto& [key, formula] : words.given) {
     if (key == "at") continue;
     keys.emplace_back(key, fmt::format("{}", formulas.value(formula)));
     all += " " + keys.back().second;
@@ -189,24 +156,13 @@ void FigureFormulas::enter(const Replay& replay, const ReplayedCell& cell) {
   replayed_ = replay.nips.empty() ? nullptr : &replay.nips[cell.row].values;
 }
 
-std::string FigureFormulas::text(const std::string& with_fields) {
-  std::string all;
-  for (std::size_t at = 0; at < with_fields.size();) {
-    const std::size_t open = std::min(with_fields.find('{', at), with_fields.size());
-    all += with_fields.substr(at, open - at);
-    if (open == with_fields.size()) break;
-    const std::size_t close = with_fields.find('}', open), colon = with_fields.find(':', open);
-    const std::string field = with_fields.substr(open + 1, std::min(close, colon) - open - 1);
-    if (colon < close) {
-      all += fmt::format(fmt::runtime("{" + with_fields.substr(colon, close - colon) + "}"), value(field));
-    } else if (field == "label") {
-      all += text(scope.row->label);
-    } else {
-      all += field == "slip" ? (value("grips") != 0 ? "no slip" : "complete slip") : scope.shown->text(field);
-    }
-    at = close + 1;
-  }
-  return all;
+std::string FigureFormulas::text(const std::string& stated) {
+  return with_fields(stated, [&](const std::string& field, const std::string& format) {
+    if (!format.empty()) return fmt::format(fmt::runtime("{" + format + "}"), value(field));
+    if (field == "label") return text(scope.row->label);
+    if (field == "slip") return std::string(value("grips") != 0 ? "no slip" : "complete slip");
+    return scope.shown->text(field);
+  });
 }
 
 }  // namespace nipref::verify

@@ -201,8 +201,8 @@ Confirmation sphere_force(Arguments x) {
 
 }  // namespace
 
-const Methods& anisotropic_methods() {
-  static const Methods methods{{"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
+Methods anisotropic_methods() {
+  return {{"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
                                {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
                                {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
                                {"ti.condition", condition_by_difference},
@@ -221,7 +221,6 @@ const Methods& anisotropic_methods() {
                                {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
                                {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
                                {"anisotropic.critical", critical_of_any}};
-  return methods;
 }
 
 }  // namespace nipref::verify::confirm

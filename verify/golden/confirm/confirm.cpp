@@ -3,12 +3,16 @@
 namespace nipref::verify {
 
 Confirm confirmer_of(std::string_view quantity) {
-  for (auto* const methods :
-       {confirm::sheet_methods, confirm::field_methods, confirm::memory_methods, confirm::isotropic_methods,
-        confirm::anisotropic_methods, confirm::nip_methods, confirm::material_methods}) {
-    if (const auto found = methods().find(quantity); found != methods().end()) return found->second;
-  }
-  return {};
+  using namespace confirm;
+  static const Methods all = [] {
+    Methods joined;
+    for (auto* const methods : {sheet_methods, field_methods, memory_methods, isotropic_methods,
+                                anisotropic_methods, nip_methods, material_methods})
+      joined.merge(methods());
+    return joined;
+  }();
+  const auto found = all.find(quantity);
+  return found == all.end() ? Confirm() : found->second;
 }
 
 }  // namespace nipref::verify

@@ -1,11 +1,8 @@
 #pragma once
-#include <functional>
-#include <map>
-#include <string>
-#include <string_view>
-
-#include <nipref/ref/number/float.hpp>
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 
@@ -22,6 +19,15 @@ using Confirm = std::function<Confirmation(const NamedPoint& point)>;
 /// The second method for the quantity of that name; empty if there is none.
 Confirm confirmer_of(std::string_view quantity);
 
+/// Results of a contact by a second method, in the scene's units.
+struct SecondSolution {
+  std::string method;
+  std::vector<std::pair<data::ResultId, ref::Estimate>> numbers;
+};
+
+/// Solves the scene by a second method; empty if none reaches such a contact.
+std::function<SecondSolution()> second_solver(const data::Scene& scene);
+
 namespace confirm {
 
 using Arguments = const NamedPoint&;
@@ -29,16 +35,16 @@ using Arguments = const NamedPoint&;
 /// Second methods by the names of their quantities.
 using Methods = std::map<std::string, Confirm, std::less<>>;
 
-const Methods& sheet_methods();  ///< roots, kernels and displacements of the elastic sheet
+Methods sheet_methods();  ///< roots, kernels and displacements of the elastic sheet
 /// The field inside the sheet. For |alpha| <= 3 the method adds the fields of two half-planes under the loads and the
 /// integrals along the real axis of the thesis's integrands without them; beyond, it integrates around the poles.
-const Methods& field_methods();
-const Methods& memory_methods();     ///< J1 to J6 and the displacements under a moving load
-const Methods& material_methods();   ///< material.*
-const Methods& nip_methods();        ///< nip.* and rolling_nip.*
-const Methods& isotropic_methods();  ///< lines, dies, spheres and ellipses on isotropic half-spaces
+Methods field_methods();
+Methods memory_methods();     ///< J1 to J6 and the displacements under a moving load
+Methods material_methods();   ///< material.*
+Methods nip_methods();        ///< nip.* and rolling_nip.*
+Methods isotropic_methods();  ///< lines, dies, spheres and ellipses on isotropic half-spaces
 /// Lines and critical speeds of half-spaces of any anisotropy, and spheres on transversely isotropic ones.
-const Methods& anisotropic_methods();
+Methods anisotropic_methods();
 
 }  // namespace confirm
 

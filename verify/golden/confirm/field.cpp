@@ -199,8 +199,8 @@ Confirmation on_face(const FaceSlope& slope, Arguments x) {
 
 }  // namespace
 
-const Methods& field_methods() {
-  static const Methods methods{{"un.slope", [](Arguments x) { return on_face(un_slope, x); }},
+Methods field_methods() {
+  return {{"un.slope", [](Arguments x) { return on_face(un_slope, x); }},
                                {"vn.slope", [](Arguments x) { return on_face(vn_slope, x); }},
                                {"vs.slope", [](Arguments x) { return on_face(vs_slope, x); }},
                                {"sheet.sx", [](Arguments x) { return stress(Component::sx, x); }},
@@ -208,7 +208,6 @@ const Methods& field_methods() {
                                {"sheet.txy", [](Arguments x) { return stress(Component::txy, x); }},
                                {"sheet.u", u},
                                {"sheet.v", v}};
-  return methods;
 }
 
 }  // namespace nipref::verify::confirm

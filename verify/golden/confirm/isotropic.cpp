@@ -228,8 +228,8 @@ Confirm by_gauss_rule(Float (*value)(Arguments, bool coarse)) {
 
 }  // namespace
 
-const Methods& isotropic_methods() {
-  static const Methods methods{
+Methods isotropic_methods() {
+  return {
       {"halfspace.compliance", [](Arguments x) { return closed(line_at(x).compliance); }},
       {"halfspace.coupling", [](Arguments x) { return closed(line_at(x).coupling); }},
       {"halfspace.compliance_beyond", [](Arguments x) { return closed(line_at(x).compliance); }},
@@ -276,7 +276,6 @@ const Methods& isotropic_methods() {
        }},
       {"ellipse.axis_ratio", by_gauss_rule(axis_ratio)},
       {"ellipse.stiffness", by_gauss_rule(stiffness)}};
-  return methods;
 }
 
 LineAnswerByFormula isotropic_answer(const Float& poisson, const Float& X) {

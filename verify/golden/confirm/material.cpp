@@ -164,9 +164,8 @@ Compliance::Compliance(const Long& bulk, const Long& shear, const Long& relaxati
   theta2 = relaxing(3 / (6 * bulk + 2 * shear), rate_factor * rate);
 }
 
-const Methods& material_methods() {
-  static const Methods methods = [] {
-    Methods all{{"material.theta1",
+Methods material_methods() {
+  Methods all{{"material.theta1",
                  by_series([](const Responses& of, Arguments x) { return in_time(of.theta1, x["t"]); })},
                 {"material.theta2",
                  by_series([](const Responses& of, Arguments x) { return in_time(of.theta2, x["t"]); })},
@@ -174,9 +173,7 @@ const Methods& material_methods() {
                 {"material.lambda", [](Arguments x) { return of_term(x, false); }}};
     add_modulus(all, "G", "shear", &Moduli::G);
     add_modulus(all, "K", "bulk", &Moduli::K);
-    return all;
-  }();
-  return methods;
+  return all;
 }
 
 }  // namespace nipref::verify::confirm

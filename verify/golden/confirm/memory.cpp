@@ -179,8 +179,8 @@ LoadPath steady(double alpha) { return {alpha, std::nullopt}; }
 
 }  // namespace
 
-const Methods& memory_methods() {
-  static const Methods methods{
+Methods memory_methods() {
+  return {
       {"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
       {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
       {"J3", [](Arguments x) { return closed_form(-behind(x).imag()); }},
@@ -191,7 +191,6 @@ const Methods& memory_methods() {
       {"Vn", [](Arguments x) { return Vn(Sheet(x), started(x, "T"), started(x, "t0")); }},
       {"Un_steady", [](Arguments x) { return Un(Sheet(x), steady(x["alpha"])); }},
       {"Vn_steady", [](Arguments x) { return Vn(Sheet(x), steady(x["alpha"]), steady(x["eta"])); }}};
-  return methods;
 }
 
 }  // namespace nipref::verify::confirm

@@ -125,14 +125,11 @@ Numbers rolling_numbers(const RollingSheet& sheet) {
   return compared("Kress's rule in Chebyshev's singular weight", rolling(sheet, false), rolling(sheet, true));
 }
 
-const Methods& nip_methods() {
-  static const Methods methods = [] {
-    Methods all;
+Methods nip_methods() {
+  Methods all;
     add_family(all, "nip", elastic_numbers);
     add_family(all, "rolling_nip", rolling_nip_numbers);
-    return all;
-  }();
-  return methods;
+  return all;
 }
 
 }  // namespace nipref::verify::confirm

@@ -1,24 +1,14 @@
 #pragma once
 #include <gmpxx.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpc.hpp>
 #include <boost/multiprecision/mpfr.hpp>
-#include <cmath>
 #include <complex>
-#include <functional>
-#include <limits>
-#include <map>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <nipref/ref/number/float.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 /// The numbers that the second methods compute with, and what of the standard library they are written with.
 namespace nipref::verify::confirm {

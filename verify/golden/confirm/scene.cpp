@@ -2,7 +2,6 @@
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/golden/confirm/contacts.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>
-#include <nipref/verify/golden/confirm/scene.hpp>
 
 namespace nipref::verify {
 namespace {

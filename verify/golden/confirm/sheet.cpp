@@ -71,8 +71,8 @@ Confirmation F2(const Compliances& c, const mpq_class& eta) {
 
 }  // namespace
 
-const Methods& sheet_methods() {
-  static const Methods methods{
+Methods sheet_methods() {
+  return {
       {"root.re", [](Arguments x) { return root_part(pole_of(x).z.real()); }},
       {"root.im", [](Arguments x) { return root_part(pole_of(x).z.imag()); }},
       {"residue", residue},
@@ -98,7 +98,6 @@ const Methods& sheet_methods() {
       {"us", [](Arguments x) { return displacement(us_sum(Compliances(x), x["alpha"])); }},
       {"vn", [](Arguments x) { return vn(Compliances(x), x["alpha"], x["eta"]); }},
       {"vs", [](Arguments x) { return vs(Compliances(x), x["alpha"], x["eta"]); }}};
-  return methods;
 }
 
 }  // namespace nipref::verify::confirm

@@ -12,7 +12,6 @@
 
 #include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

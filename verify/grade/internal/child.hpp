@@ -2,12 +2,10 @@
 #include <sys/types.h>
 
 #include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include <nipref/verify/grade/internal/exchange.hpp>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {

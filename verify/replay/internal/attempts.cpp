@@ -1,7 +1,6 @@
 #include <cctype>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 
@@ -51,7 +50,7 @@ std::string all_outcomes(std::initializer_list<std::string> outcomes) {
 }
 
 double input_for(double goal, const data::Interval& input, double at_lower, double at_upper) {
-  return input.lower + (goal - at_lower) / (at_upper - at_lower) * (input.upper - input.lower);
+  return input.lower + (goal - at_lower) / (at_upper - at_lower) * input.width();
 }
 
 }  // namespace nipref::verify

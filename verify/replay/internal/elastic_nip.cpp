@@ -2,7 +2,6 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -15,7 +14,7 @@ enum class CreepReading {
 
 data::Interval creep_interval(const data::PrintedNumber& printed, CreepReading reading) {
   if (reading == CreepReading::rounded) return printed.rounding;
-  const double unit = printed.rounding.upper - printed.rounding.lower;
+  const double unit = printed.rounding.width();
   return printed.value < 0 ? data::Interval{printed.value, printed.value + unit}
                            : data::Interval{printed.value - unit, printed.value};
 }
@@ -202,11 +201,8 @@ constexpr std::array<LineLoadTable, 8> replayed_tables{{
 std::span<const LineLoadTable> line_load_tables() { return replayed_tables; }
 
 const LineLoadTable& line_load_table(const std::string& id) {
-  const auto* known = std::ranges::find(replayed_tables, id, &LineLoadTable::id);
-  if (known == replayed_tables.end()) {
-    throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-III to thesis-X");
-  }
-  return *known;
+  if (const auto* known = item_with(replayed_tables, &LineLoadTable::id, id)) return *known;
+  throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-III to thesis-X");
 }
 
 std::vector<double> shear_of_side(const data::ElasticNip& nip, const fast::LineLoadMethod& method,

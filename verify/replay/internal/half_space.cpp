@@ -2,7 +2,6 @@
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -17,17 +16,9 @@ constexpr std::array<HalfSpaceTable, 5> papers_tables{
      {"brock2013-3", sphere_on_axis_in_plane_cells,
       "(brock2013 48) with a minus sign before the first term of (43b), the last term of M still missing"}}};
 
-/// The cells that are 1 because the numbers of their table are divided by them.
-std::vector<ReplayedCell> units(const data::Table& table) {
-  std::vector<ReplayedCell> cells;
-  if (!table.has_column("phi")) return cells;
-  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
-    if (table.cell(row, "phi").number->value != 0) return;
-    ReplayedCell cell{row, column.name, 1, {1, 1}, Verdict::input, "1 by definition (brock2013 48)"};
-    cell.corrected = 1;
-    cells.push_back(std::move(cell));
-  });
-  return cells;
+/// Whether a row's cells are 1 because the numbers of their table are divided by them.
+bool is_unit(const data::Table& table, std::size_t row) {
+  return table.has_column("phi") && table.cell(row, "phi").number->value == 0;
 }
 
 std::vector<ColumnDeviation> deviations_from_corrected(const Replay& replay) {
@@ -54,10 +45,6 @@ constexpr double binary = 1e-12;  ///< larger than the rounding errors of decima
 
 double distance(double value, const data::Interval& range) {
   return std::max({0.0, range.lower - value, value - range.upper});
-}
-
-double last_digit(const data::TableCell& cell) {
-  return cell.number->rounding.upper - cell.number->rounding.lower;
 }
 
 std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
@@ -98,26 +85,18 @@ ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::Table& table) {
 
 std::span<const HalfSpaceTable> half_space_tables() { return papers_tables; }
 
-const HalfSpaceTable* find_half_space_table(std::string_view id) {
-  const auto* found = std::ranges::find(papers_tables, id, &HalfSpaceTable::id);
-  return found == papers_tables.end() ? nullptr : found;
-}
-
-void for_each_value(const data::Table& table,
-                    const std::function<void(std::size_t, const data::TableColumn&)>& call) {
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    for (const data::TableColumn& column : table.columns)
-      if (!column.is_key) call(row, column);
-  }
-}
-
 Replay replay_half_space(data::Table table, const HalfSpaceTable& how) {
   Replay replay{std::move(table), std::string(how.method), {}};
-  for (const HalfSpaceCell& cell : how.cells(replay.table)) {
-    replay.cells.push_back(assess_half_space(replay.table, cell));
+  const CellOf cell_of = how.cell_of(replay.table);
+  for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+    for (const data::TableColumn& column : replay.table.columns) {
+      if (column.is_key) continue;
+      ReplayedCell cell{row, column.name, 1, {1, 1}, Verdict::input, "1 by definition (brock2013 48)"};
+      cell.corrected = 1;
+      if (!is_unit(replay.table, row)) cell = assess_half_space(replay.table, cell_of(row, column));
+      replay.cells.push_back(std::move(cell));
+    }
   }
-  std::ranges::move(units(replay.table), std::back_inserter(replay.cells));
-  std::ranges::stable_sort(replay.cells, {}, &ReplayedCell::row);
   replay.costs = {{"formula", "against the corrected formula in the same contour rule",
                    deviations_from_corrected(replay)}};
   return replay;
@@ -157,7 +136,7 @@ ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& ce
     return corrected_by_erratum(result, table);
   }
   const auto met = std::ranges::find_if(cell.attempts, [&](const Attempt& attempt) {
-    return distance(value, attempt.range) <= last_digit(printed) + binary;
+    return distance(value, attempt.range) <= printed.number->rounding.width() + binary;
   });
   if (met != cell.attempts.end()) {
     result.value = met->range.middle();

@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/data/material/solids.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/half_space/direction.hpp>
@@ -10,25 +9,22 @@
 
 namespace nipref::verify {
 
+/// A cell before its printed number is compared.
 struct HalfSpaceCell;
+using CellOf = std::function<HalfSpaceCell(std::size_t row, const data::TableColumn& column)>;
 
 /// A table of the papers on half-spaces.
 struct HalfSpaceTable {
   std::string_view id;
-  std::vector<HalfSpaceCell> (*cells)(const data::Table& table);
+  CellOf (*cell_of)(const data::Table& table);
   std::string_view method;
 };
 std::span<const HalfSpaceTable> half_space_tables();
-const HalfSpaceTable* find_half_space_table(std::string_view id);  ///< nullptr if it is none of them
 
 /// Replays such a table by the formulas from which it was computed. `corrected` is the result of the correct formulas
 /// with the papers' own contour rule; `costs` compares the replay with it. The verdicts are those of
 /// assess_half_space.
 Replay replay_half_space(data::Table table, const HalfSpaceTable& how);
-
-/// Calls `call` for each cell that is no label of its row, row by row.
-void for_each_value(const data::Table& table,
-                    const std::function<void(std::size_t row, const data::TableColumn& column)>& call);
 
 /// One possible origin of a cell's number.
 struct Attempt {
@@ -37,7 +33,6 @@ struct Attempt {
   std::string how;  ///< the note if it matches
 };
 
-/// A cell before its printed number is compared.
 struct HalfSpaceCell {
   std::size_t row;  ///< from 0
   std::string column;
@@ -61,12 +56,12 @@ struct HalfSpaceCell {
 /// - `unexplained`.
 ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell);
 
-/// The cells of a table.
-using HalfSpaceCells = std::vector<HalfSpaceCell>(const data::Table& table);
-HalfSpaceCells sliding_die_cells, rolling_sphere_cells;          ///< brock2012-1, -2
-HalfSpaceCells sphere_on_normal_axis_cells, branch_speed_cells;  ///< brock2013-1, -2
-/// brock2013-3, without the row phi = 0, which is 1 by definition.
-HalfSpaceCells sphere_on_axis_in_plane_cells;
+// The cells of each table, which outlives them.
+CellOf sliding_die_cells(const data::Table& table);              ///< brock2012-1
+CellOf rolling_sphere_cells(const data::Table& table);           ///< brock2012-2
+CellOf sphere_on_normal_axis_cells(const data::Table& table);    ///< brock2013-1
+CellOf branch_speed_cells(const data::Table& table);             ///< brock2013-2
+CellOf sphere_on_axis_in_plane_cells(const data::Table& table);  ///< brock2013-3, but for the row phi = 0
 
 /// The two bodies of a table of brock2013 as its header states them, GPa and kg/m^3.
 struct SphereOnHalfSpace {

@@ -7,7 +7,6 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -78,36 +77,39 @@ Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& tabl
           fmt::format("with the K_X by which the column's cell of phi = {:g} was divided", other)};
 }
 
+/// The span across the motion over that along it, by the papers' rule and exactly.
+HalfSpaceCell of_sliding(std::size_t row, const data::TableColumn& column,
+                         const fast::SurfaceResponse& surface, double friction,
+                         const std::vector<Attempt>& attempts, const std::string& error,
+                         const std::string& proof) {
+  const auto by_rule = fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways);
+  const auto exact = fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards);
+  return {row, column.name, by_rule.value, attempts, error, proof, exact.value};
+}
+
 }  // namespace
 
-std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
-  const double poisson = table.parameter("poisson").value;
-  std::vector<HalfSpaceCell> cells;
-  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
-    const double friction = table.cell(row, "gamma").number->value, speed = *column.coordinate;
-    const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
-    const double corrected =
-        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
+CellOf sliding_die_cells(const data::Table& table) {
+  return [&table](std::size_t row, const data::TableColumn& column) {
+    const double poisson = table.parameter("poisson").value, speed = *column.coordinate,
+                 friction = table.cell(row, "gamma").number->value;
     const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
     const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
     const std::string error = fmt::format(
         "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
         "(Delta_1, Q_1); as printed it gives {:.5f}",
         die_span_ratio_as_printed(poisson, friction, speed));
-    const std::vector<Attempt> attempts{{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
-                                        {data::Interval::only(rounded_roots), Verdict::match,
-                                         "reproduced so with w_S and w_D to five decimals"}};
-    cells.emplace_back(row, column.name, corrected, attempts, error, "",
-                       fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value);
-  });
-  return cells;
+    return of_sliding(row, column, isotropic_surface(poisson, speed), friction,
+                      {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
+                       {data::Interval::only(rounded_roots), Verdict::match,
+                        "reproduced so with w_S and w_D to five decimals"}},
+                      error, "");
+  };
 }
 
-std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
-  const double poisson = table.parameter("poisson").value;
-  std::vector<HalfSpaceCell> cells;
-  for (const data::TableColumn& column : table.columns) {
-    const double speed = *column.coordinate;
+CellOf rolling_sphere_cells(const data::Table& table) {
+  return [&table](std::size_t row, const data::TableColumn& column) -> HalfSpaceCell {
+    const double poisson = table.parameter("poisson").value, speed = *column.coordinate;
     const double corrected =
         fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways).value;
     const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
@@ -115,65 +117,56 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
         "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
         "but {:.5f} with w_S and w_D to five decimals",
         rolling_span_ratio_as_printed(poisson, speed), corrected, rounded_roots);
-    const std::vector<Attempt> attempts{
-        {data::Interval::only(corrected), Verdict::match, "to the digits printed"},
-        {data::Interval::only(rounded_roots), Verdict::match, loss}};
-    cells.emplace_back(0, column.name, corrected, attempts, "");
-  }
-  return cells;
+    return {row,
+            column.name,
+            corrected,
+            {{data::Interval::only(corrected), Verdict::match, "to the digits printed"},
+             {data::Interval::only(rounded_roots), Verdict::match, loss}},
+            ""};
+  };
 }
 
-std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
-  const SphereOnHalfSpace bodies(table);
-  std::vector<HalfSpaceCell> cells;
-  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+CellOf sphere_on_normal_axis_cells(const data::Table& table) {
+  return [&table, bodies = SphereOnHalfSpace(table)](std::size_t row, const data::TableColumn& column) {
     const double friction = key_of_row(table, row), speed = *column.coordinate;
-    const auto surface = bodies.in_contact(data::SymmetryAxis::normal, forwards, speed);
-    const double corrected =
-        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
     const std::string error = fmt::format(
         "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
         "circle demands 1; and (25c) adds the couplings, which subtract",
         sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-    const std::vector<Attempt> attempts{
-        {data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
-         Verdict::seed_error, "reproduced so"}};
-    cells.emplace_back(row, column.name, corrected, attempts, error, error,
-                       fast::EllipticContact(surface, {1, 1}).span_ratio(sideways, forwards).value);
-  });
-  return cells;
+    const double printed = sphere_span_ratio_as_printed(bodies.scaled, friction, speed);
+    return of_sliding(row, column, bodies.in_contact(data::SymmetryAxis::normal, forwards, speed), friction,
+                      {{data::Interval::only(printed), Verdict::seed_error, "reproduced so"}}, error, error);
+  };
 }
 
-std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
+CellOf branch_speed_cells(const data::Table& table) {
   const SphereOnHalfSpace bodies(table);
   data::TransverselyIsotropicSolid with_printed_d1 = bodies.half_space;
   with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
-  std::vector<HalfSpaceCell> cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+  return [=, &table](std::size_t row, const data::TableColumn& column) -> HalfSpaceCell {
     const fast::Direction motion = fast::Direction::of_degrees(key_of_row(table, row));
-    const double unit = bodies.speed_unit();
-    const std::string print =
+    const bool is_transverse = column.name == "c_56";
+    const auto wave = is_transverse             ? fast::BranchWave::transverse
+                      : column.name == "c_plus" ? fast::BranchWave::quasi_longitudinal
+                                                : fast::BranchWave::quasi_transverse;
+    const auto speed = [&](const data::TransverselyIsotropicSolid& solid) {
+      return fast::branch_speed(wave, solid, motion) / bodies.speed_unit();
+    };
+    const double made = speed(is_transverse ? bodies.half_space : with_printed_d1);
+    const std::string how =
         fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
                     bodies.scaled.c11, branch_radicand_as_printed(bodies.scaled, motion));
-    const auto cell = [&](const char* column, fast::BranchWave wave,
-                          const data::TransverselyIsotropicSolid& made_with, const std::string& how) {
-      const double right = fast::branch_speed(wave, bodies.half_space, motion) / unit;
-      const double made = fast::branch_speed(wave, made_with, motion) / unit;
-      return HalfSpaceCell{row, column, right, {{data::Interval::only(made), Verdict::match, how}}, ""};
-    };
-    cells.push_back(cell("c_56", fast::BranchWave::transverse, bodies.half_space, ""));
-    cells.push_back(cell("c_plus", fast::BranchWave::quasi_longitudinal, with_printed_d1, print));
-    cells.push_back(cell("c_minus", fast::BranchWave::quasi_transverse, with_printed_d1, print));
-  }
-  return cells;
+    return {row,
+            column.name,
+            speed(bodies.half_space),
+            {{data::Interval::only(made), Verdict::match, is_transverse ? "" : how}},
+            ""};
+  };
 }
 
-std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table) {
-  InPlaneSpans spans(table);
-  std::vector<HalfSpaceCell> cells;
-  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+CellOf sphere_on_axis_in_plane_cells(const data::Table& table) {
+  return [&table, spans = InPlaneSpans(table)](std::size_t row, const data::TableColumn& column) mutable {
     const double phi = key_of_row(table, row), speed = *column.coordinate;
-    if (phi == 0) return;
     const double tabulated = spans.by(InPlaneForm::tabulated, phi, speed);
     HalfSpaceCell cell{row,
                        column.name,
@@ -188,9 +181,8 @@ std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& tabl
     if (cell.proof.empty())
       cell.attempts.push_back(
           with_the_columns_unit(spans, table, phi, row == row_of_90 ? row_of_45 : row_of_90, column));
-    cells.push_back(std::move(cell));
-  });
-  return cells;
+    return cell;
+  };
 }
 
 }  // namespace nipref::verify

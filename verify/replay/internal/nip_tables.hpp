@@ -1,5 +1,4 @@
 #pragma once
-
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/viscoelastic_nip.hpp>

@@ -4,7 +4,6 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -152,8 +151,7 @@ class ViscoelasticRowReplay {
 std::span<const ViscoelasticTable> viscoelastic_tables() { return rolling_tables; }
 
 const ViscoelasticTable* find_viscoelastic_table(std::string_view id) {
-  const auto* found = std::ranges::find(rolling_tables, id, &ViscoelasticTable::id);
-  return found == rolling_tables.end() ? nullptr : found;
+  return item_with(rolling_tables, &ViscoelasticTable::id, id);
 }
 
 data::ViscoelasticLineLoads viscoelastic_method(const ViscoelasticTable& how) {

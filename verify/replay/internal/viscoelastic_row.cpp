@@ -1,6 +1,5 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -126,13 +125,12 @@ std::optional<data::Interval> length_by_displacements(const data::Table& table, 
 /// Sets what the row's other cells tell of the input's length.
 void narrow(ViscoelasticRowInput& input, const std::vector<PrintedLength>& lengths, double ratio,
             const std::optional<data::Interval>& by_displacements) {
-  const auto width = [](const data::Interval& interval) { return interval.upper - interval.lower; };
   input.narrowest_column = input.column;
   for (const PrintedLength& length : lengths) {
     const data::Interval leading = length.leading(ratio);
     if (length.is_doubtful || !leading.meets(input.leading_length)) continue;
     input.agreed = input.agreed.within(leading);
-    if (width(leading) >= width(input.narrowest)) continue;
+    if (leading.width() >= input.narrowest.width()) continue;
     input.narrowest_column = length.column;
     input.narrowest = leading;
   }

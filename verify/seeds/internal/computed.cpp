@@ -5,7 +5,6 @@
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

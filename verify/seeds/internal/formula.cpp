@@ -2,7 +2,6 @@
 
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

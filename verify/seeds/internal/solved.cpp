@@ -2,12 +2,11 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -15,37 +14,25 @@ namespace {
 using data::ViscoelasticMaterial;
 
 /// The words of a formula's brackets.
-struct Request {
-  std::string text, kind, name;
-  Assignments given = {};
+struct Request : NumberWords {
+  std::string kind, name;
   Formulas& formulas;
 
-  Request(const std::string& words, Formulas& scope) : text(words), formulas(scope) {
-    std::istringstream stream(words);
-    stream >> kind >> name;
-    for (std::string word; stream >> word;) {
-      const std::size_t equals = word.find('=');
-      if (equals == std::string::npos) refuse("KEY=VALUE");
-      given.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-    }
-  }
-  [[noreturn]] void refuse(std::string_view lacking) const {
-    throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
+  Request(const std::string& words, Formulas& scope)
+      : NumberWords(words), kind(NumberWords::name(0)), name(NumberWords::name(1)), formulas(scope) {
+    if (names.size() > 2) refuse("KEY=VALUE");
   }
   [[nodiscard]] std::string text_of(const std::string& key, const std::string& otherwise) const {
-    for (const auto& [name_of, value] : given)
-      if (name_of == key) return value;
-    return otherwise;
+    const std::string* const found = find(key);
+    return found == nullptr ? otherwise : *found;
   }
   [[nodiscard]] double number(const std::string& key, const std::string& otherwise) const {
     return formulas.value(text_of(key, otherwise)).value();
   }
   /// The given values as decimal arguments of a quantity.
   [[nodiscard]] Assignments arguments() const {
-    Assignments all = given;
-    for (auto& [key, value] : all)
-      if (value.starts_with('$')) value = fmt::format("{}", formulas.value(value.substr(1)).value());
-    return all;
+    return NumberWords::arguments(
+        [&](const std::string& formula) { return formulas.value(formula).value(); });
   }
   const auto& entry(const auto& table, const std::string& key) const {
     const auto found = table.find(key);
@@ -232,6 +219,57 @@ const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
     {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
 
 }  // namespace
+
+NumberWords::NumberWords(const std::string& words) : text(words) {
+  for (const std::string& word : words_of(words)) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) {
+      names.push_back(word);
+    } else {
+      given.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+  }
+}
+
+void NumberWords::refuse(std::string_view lacking) const {
+  throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
+}
+
+const std::string& NumberWords::name(std::size_t i) const {
+  if (i >= names.size()) refuse(fmt::format("{} names", i + 1));
+  return names[i];
+}
+
+const std::string* NumberWords::find(const std::string& key) const {
+  const auto* const found = item_with(given, &Assignments::value_type::first, key);
+  return found == nullptr ? nullptr : &found->second;
+}
+
+const std::string& NumberWords::value(const std::string& key) const {
+  if (const std::string* const found = find(key)) return *found;
+  refuse(key + "=VALUE");
+}
+
+Assignments NumberWords::arguments(const std::function<double(const std::string&)>& value_of) const {
+  Assignments all = given;
+  for (auto& [key, text_of] : all)
+    if (text_of.starts_with('$')) text_of = fmt::format("{}", value_of(text_of.substr(1)));
+  return all;
+}
+
+std::string with_fields(const std::string& text,
+                        const std::function<std::string(const std::string&, const std::string&)>& written) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = std::min(text.find('{', at), text.size());
+    all += text.substr(at, open - at);
+    if (open == text.size()) break;
+    const std::size_t close = text.find('}', open), colon = std::min(text.find(':', open), close);
+    all += written(text.substr(open + 1, colon - open - 1), text.substr(colon, close - colon));
+    at = close + 1;
+  }
+  return all;
+}
 
 Formulas::Solve solved_numbers() {
   auto contacts = std::make_shared<std::map<std::map<std::string, std::string>, SolvedInDouble>>();

@@ -1,5 +1,5 @@
 #pragma once
-
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
@@ -44,6 +44,26 @@ class Formulas {
   std::vector<std::pair<std::string, Propagated>> numbers_;
   std::map<std::string, Definition> functions_;
 };
+
+/// The words of a formula's brackets: names, the kind of number first, and KEY=VALUE.
+struct NumberWords {
+  std::string text;
+  std::vector<std::string> names;
+  Assignments given;
+
+  explicit NumberWords(const std::string& words);
+  /// Throws BadInput that names the brackets.
+  [[noreturn]] void refuse(std::string_view lacking) const;
+  [[nodiscard]] const std::string& name(std::size_t i) const;
+  [[nodiscard]] const std::string& value(const std::string& key) const;
+  [[nodiscard]] const std::string* find(const std::string& key) const;  ///< null if it is not given
+  /// The given values as decimal arguments of a quantity; what follows $ is a formula, which `value_of` evaluates.
+  [[nodiscard]] Assignments arguments(const std::function<double(const std::string&)>& value_of) const;
+};
+
+/// The text with each field {NAME} or {NAME:FORMAT} replaced by written(NAME, ":FORMAT").
+std::string with_fields(const std::string& text,
+                        const std::function<std::string(const std::string&, const std::string&)>& written);
 
 /// Computes what formulas name in brackets, [KIND NAME KEY=VALUE ...]; the values are formulas without spaces:
 ///   - ref, fast, printed: a quantity of the catalogue by ref, by fast, or as the seed prints it. Its arguments are decimal

@@ -1,4 +1,3 @@
-#include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 

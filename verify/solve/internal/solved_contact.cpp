@@ -3,7 +3,6 @@
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {

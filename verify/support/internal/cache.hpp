@@ -1,8 +1,7 @@
 #pragma once
-#include <cstddef>
-#include <map>
-#include <memory>
 #include <mutex>
+
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,8 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <string>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

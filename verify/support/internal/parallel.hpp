@@ -1,9 +1,5 @@
 #pragma once
-#include <cstddef>
-#include <functional>
-#include <type_traits>
-#include <vector>
-
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/on_progress.hpp>
 
 namespace nipref::verify {

@@ -1,9 +1,7 @@
 #pragma once
 #include <sys/types.h>
 
-#include <string>
-#include <string_view>
-#include <vector>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -1,9 +1,5 @@
 #pragma once
-#include <cstddef>
-#include <functional>
-#include <ranges>
-#include <string>
-
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {

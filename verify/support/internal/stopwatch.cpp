@@ -1,6 +1,5 @@
 #include <chrono>
 
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {

@@ -1,9 +1,5 @@
 #pragma once
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <utility>
-#include <vector>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,9 +1,7 @@
 #pragma once
-#include <functional>
-#include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
+#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {

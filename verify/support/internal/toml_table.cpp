@@ -3,7 +3,6 @@
 
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/toml_obstacle.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {

@@ -1,11 +1,7 @@
 #pragma once
-#include <filesystem>
 #include <initializer_list>
-#include <map>
-#include <string>
-#include <vector>
 
-#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 

@@ -1,7 +1,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/witness/internal/calculix.hpp>
 
 namespace nipref::verify::calculix {

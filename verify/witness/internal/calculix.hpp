@@ -1,6 +1,5 @@
 #pragma once
-#include <map>
-#include <optional>
+#include <nipref/verify/support/internal/common.hpp>
 
 /// The finite-element program CalculiX (ccx) as an independent check of contacts, if it is installed.
 namespace nipref::verify::calculix {

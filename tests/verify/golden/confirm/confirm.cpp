@@ -13,7 +13,7 @@ TEST_CASE("every quantity of the catalogue has a second method, which confirms i
     // Convolutions over a way need seconds to begin.
     if (verify::is_slow(quantity) || quantity.name.starts_with("Un") || quantity.name.starts_with("Vn"))
       continue;
-    const verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
+    const verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity.name));
     for (std::size_t i = file.rows.size() / 2; i < file.rows.size(); i += 200) {
       verify::GoldenRow row = file.rows[i];
       CHECK(verify::confirm_row(quantity, row) == "");

@@ -4,7 +4,6 @@
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -57,14 +56,6 @@ fast::Direction direction_of(const NamedPoint& x, const char* degrees) {
 }
 ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees) {
   return ref::SurfaceDirection::of_degrees(x[degrees]);
-}
-
-data::SymmetryAxis symmetry_axis(const NamedPoint& x) {
-  return x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
-}
-
-data::SymmetryAxis symmetry_axis(const NamedExact& x) {
-  return x["axis"].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
 }
 
 data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x) {

@@ -31,8 +31,9 @@ ref::Exact as_written(double constant);
 // Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa) and density (kg/m^3), whose defaults are those
 // of the seed's graphite epoxy, and axis, the direction of its axis relative to the surface.
 
-data::SymmetryAxis symmetry_axis(const NamedPoint& x);
-data::SymmetryAxis symmetry_axis(const NamedExact& x);
+data::SymmetryAxis symmetry_axis(const auto& x) {
+  return x.choice("axis") == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
+}
 /// The solid in the units in which it is given, so that no constant is rounded.
 data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x);
 /// The half-space under loads that move at `speed` times steel's shear wave speed in the direction theta_deg.

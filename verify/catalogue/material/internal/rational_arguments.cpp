@@ -99,7 +99,7 @@ void put_list(std::span<double> list, std::span<const double> values) {
 
 void default_unread(const NamedNumbers& x) {
   const auto& models = x.arguments()[argument_number(x.arguments(), "material")].models;
-  const MaterialModel& chosen = models[static_cast<std::size_t>(x["material"])];
+  const MaterialModel& chosen = models[x.choice("material")];
   for (const Argument& argument : x.arguments()) {
     const auto has_it = [&](const MaterialModel& model) { return model.holds(argument.name); };
     if (std::ranges::any_of(models, has_it) && !has_it(chosen)) x[argument.name] = default_number(argument);
