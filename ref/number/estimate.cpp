@@ -85,6 +85,7 @@ Estimate operator-(const Estimate& a, const Estimate& b) {
 
 Estimate operator*(double factor, Estimate number) {
   mpfr_mul_d(raw(number.value), raw(number.value), factor, MPFR_RNDN);
+  if (mpfr_zero_p(raw(number.value)) != 0) mpfr_set_zero(raw(number.value), 1);  // no -0
   mpfr_mul_d(raw(number.error), raw(number.error), std::fabs(factor), MPFR_RNDU);
   return number;
 }

@@ -79,6 +79,7 @@ TEST_CASE("ref partial slip: a small contact without coupling is Carter's") {
   CHECK(apart(nip.creep_ratio().value / slope, creep) < 4 * a * least);
   CHECK(apart(nip.pressure(0).value / slope, 2 * a) < 2 * a * least);
   CHECK(nip.creep_ratio().error < a * slope * 1e-15);
+  CHECK(nip.shear(1).value_text() == "0");
   check_balance(nip);
 }
 
