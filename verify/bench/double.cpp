@@ -36,21 +36,14 @@ std::vector<TimedRange> ranges(const Quantity& quantity) {
 }
 
 double representative(ArgumentKind kind, const TimedRange& range, Random& random) {
-  switch (kind) {
-    case ArgumentKind::nonzero_position:
-    case ArgumentKind::position:
-      // The upper end is included, the lower end is not.
-      return range.logarithmic ? random.log_uniform(range.lower, range.upper)
-                               : range.upper - random.uniform() * (range.upper - range.lower);
-    case ArgumentKind::young:
-      return 1;
-    case ArgumentKind::poisson:
-      return 0.3;
-    case ArgumentKind::index:
-      return std::floor(random.log_uniform(1, 1000));
-    default:  // quantities with other arguments draw their points themselves
-      return 0;
-  }
+  if (kind == ArgumentKind::nonzero_position || kind == ArgumentKind::position)
+    // The upper end is included, the lower end is not.
+    return range.logarithmic ? random.log_uniform(range.lower, range.upper)
+                             : range.upper - random.uniform() * (range.upper - range.lower);
+  if (kind == ArgumentKind::young) return 1;
+  if (kind == ArgumentKind::poisson) return 0.3;
+  if (kind == ArgumentKind::index) return std::floor(random.log_uniform(1, 1000));
+  return 0;  // quantities with other arguments draw their points themselves
 }
 
 std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range) {

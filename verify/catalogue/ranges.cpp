@@ -47,25 +47,17 @@ bool of_one_sign(double lower, double upper) { return lower > 0 || upper < 0; }
 double Range::at(double fraction) const {
   if (fraction <= 0 || fixed()) return lower;
   if (fraction >= 1) return upper;
-  double value = 0;
-  switch (spacing) {
-    case Spacing::linear:
-      value = lower * (1 - fraction) + upper * fraction;
-      break;
-    case Spacing::log:
-      value = std::copysign(
-          std::exp(std::log(std::fabs(lower)) * (1 - fraction) + std::log(std::fabs(upper)) * fraction),
-          lower);
-      break;
-    case Spacing::bits: {
-      const std::int64_t first = ordinal(lower), last = ordinal(upper);
-      // The distance of two doubles of opposite signs needs 64 bits without a sign.
-      const auto steps = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
-      const auto step =
-          static_cast<std::uint64_t>(std::ldexp(fraction, 32) * std::ldexp(static_cast<double>(steps), -32));
-      value = at_ordinal(static_cast<std::int64_t>(static_cast<std::uint64_t>(first) + step));
-      break;
-    }
+  double value = lower * (1 - fraction) + upper * fraction;
+  if (spacing == Spacing::log)
+    value = std::copysign(
+        std::exp(std::log(std::fabs(lower)) * (1 - fraction) + std::log(std::fabs(upper)) * fraction), lower);
+  if (spacing == Spacing::bits) {
+    const std::int64_t first = ordinal(lower), last = ordinal(upper);
+    // The distance of two doubles of opposite signs needs 64 bits without a sign.
+    const auto steps = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
+    const auto step =
+        static_cast<std::uint64_t>(std::ldexp(fraction, 32) * std::ldexp(static_cast<double>(steps), -32));
+    value = at_ordinal(static_cast<std::int64_t>(static_cast<std::uint64_t>(first) + step));
   }
   return std::clamp(value, lower, upper);
 }

@@ -1,7 +1,15 @@
+#include <fstream>
+
+#include <nipref/data/closest_name.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
+#include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/text.hpp>
@@ -10,6 +18,145 @@ namespace nipref::verify {
 namespace {
 
 using data::BadInput;
+
+constexpr double usual_slowdown = 0.1;
+
+/// A kernel that is to be graded, as what.
+struct Chosen {
+  std::string kernel;
+  const Quantity* quantity;
+};
+
+/// Of a bare function: the option, or the word after the file.
+const Quantity& quantity_of_symbol(const CommandLine& line) {
+  const auto option = line.option("quantity");
+  if (option && line.words.size() > 1)
+    throw BadInput("argument", line.words[1], "unexpected: the quantity is given already");
+  if (line.words.size() > 2)
+    throw BadInput("argument", line.words[2], "unexpected: a function computes one quantity");
+  if (option) return find_quantity(*option);
+  return find_quantity(line.words.size() > 1 ? line.words[1] : "(missing)");
+}
+
+Plugin plugin_of(const CommandLine& line, const std::string& file) {
+  Plugin plugin{file, {}, line.number("time-limit").value()};
+  if (const auto symbol = line.option("symbol"))
+    plugin.function = {*symbol, quantity_of_symbol(line).arguments.size(), line.has("thread-safe")};
+  return plugin;
+}
+
+bool is_named(const KernelInfo& kernel, const std::string& word) {
+  return kernel.name == word || kernel.quantity == word;
+}
+
+Chosen chosen(const KernelInfo& kernel) {
+  const Quantity& quantity = find_quantity(kernel.quantity);
+  if (kernel.arity != quantity.arguments.size())
+    refuse("kernel", kernel.name, "must have {} arguments, as {} has, instead of {}",
+           quantity.arguments.size(), quantity.name, kernel.arity);
+  return {kernel.name, &quantity};
+}
+
+void refuse_unknown_kernels(const std::vector<KernelInfo>& kernels, std::span<const std::string> words) {
+  std::vector<std::string_view> names;
+  for (const KernelInfo& kernel : kernels) {
+    names.push_back(kernel.name);
+    if (std::ranges::find(names, kernel.quantity) == names.end()) names.push_back(kernel.quantity);
+  }
+  for (const std::string& word : words) {
+    if (std::ranges::none_of(kernels, [&](const KernelInfo& kernel) { return is_named(kernel, word); }))
+      refuse("kernel", word, "{}must be one of {}", data::did_you_mean(word, names), fmt::join(names, ", "));
+  }
+}
+
+std::vector<Chosen> chosen_kernels(const CommandLine& line, const Plugin& plugin) {
+  const std::vector<KernelInfo> kernels = kernels_of(plugin);
+  if (plugin.function) return {{plugin.function->symbol, &quantity_of_symbol(line)}};
+  const auto words = std::span(line.words).subspan(1);
+  refuse_unknown_kernels(kernels, words);
+  std::vector<Chosen> all;
+  for (const KernelInfo& kernel : kernels) {
+    if (words.empty() ||
+        std::ranges::any_of(words, [&](const std::string& word) { return is_named(kernel, word); }))
+      all.push_back(chosen(kernel));
+  }
+  return all;
+}
+
+std::string where_text(const CommandLine& line) {
+  if (line.assignments.empty()) return "its domain";
+  const auto written = [](const auto& pair) { return pair.first + "=" + pair.second; };
+  return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
+}
+
+Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quantity& quantity,
+                       const Ranges& ranges) {
+  const std::vector<Point> points = timing_points(quantity, ranges);
+  Behaviour behaviour;
+  if (!points.empty()) behaviour.to_fast = speed_against_fast(kernel, quantity, points);
+  if (const auto older_file = line.option("against")) {
+    Slowdown slowdown{*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
+    PluginKernel older(plugin_of(line, *older_file), kernel.info().name);
+    if (older.info().arity != kernel.info().arity)
+      throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
+    if (!points.empty()) slowdown.speed = speed_against(kernel, older, points);
+    behaviour.to_older = slowdown;
+  }
+  behaviour.faults = kernel.faults();
+  return behaviour;
+}
+
+Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
+                     Progress& progress) {
+  AuditOptions options = sampling_options(line, *chosen.quantity);
+  options.progress = [&](double part) { progress.at(part); };
+  const std::string promised = take_promise(line, options);
+  PluginKernel kernel(plugin, chosen.kernel);
+  const auto [found, seconds] = timed([&] { return audit(*chosen.quantity, kernel.evaluator(), options); });
+  double own = 0;
+  kernel.evaluator()({&found.worst, 1}, {&own, 1});
+  progress.at(1, "timing");
+  // A library's version and folder are no part of what the kernel is.
+  std::string file = plugin.file.filename().string();
+  if (const std::size_t version = file.find(".so."); version != std::string::npos) file.resize(version + 3);
+  const std::string what = chosen.kernel + " of " + file;
+  return {.grade = grade_of(what, where_text(line), found),
+          .seconds = seconds,
+          .promised = promised,
+          .own = own,
+          .seed = options.seed,
+          .behaviour = behaviour_of(line, kernel, *chosen.quantity, options.ranges)};
+}
+
+void refuse_what_is_wrong(const CommandLine& line) {
+  refuse_option(line, "column", "has no effect on kernels: must be left out");
+  static_cast<void>(max_slowdown_option(line));
+  if (const auto older = line.option("against")) static_cast<void>(kernels_of(plugin_of(line, *older)));
+}
+
+/// Whether the first word is a shared object.
+bool names_plugin(const CommandLine& line) {
+  const std::string& file = line.words.front();
+  if (file.ends_with(".so") || line.option("symbol")) return true;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;  // what is read of a pipe is gone
+  std::array<char, 4> first{};
+  std::ifstream(file, std::ios::binary).read(first.data(), first.size());
+  return first == std::array{'\x7f', 'E', 'L', 'F'};
+}
+
+/// Kernels of a shared object, those that the words name by their names or quantities, or all; fewer if the process
+/// was interrupted. Tells progress, unless quiet.
+std::vector<Graded> graded_kernels(const CommandLine& line) {
+  refuse_what_is_wrong(line);
+  const Plugin plugin = plugin_of(line, line.words.front());
+  const std::vector<Chosen> kernels = chosen_kernels(line, plugin);
+  Progress progress(line.has("quiet"));
+  std::vector<Graded> all;
+  progress.each("grade", kernels, &Chosen::kernel,
+                [&](const Chosen& chosen) { all.push_back(graded_kernel(line, plugin, chosen, progress)); });
+  return all;
+}
 
 void refuse_what_needs_kernels(const CommandLine& line) {
   for (const char* const name :
@@ -33,6 +180,35 @@ std::vector<std::string> remarks_on(const MeasuredPoints& measured) {
                     "the value is compared at what is left",
                     measured.short_rows));
   return remarks;
+}
+
+/// Values that are there already: the words are a CSV and, if it is not said there, its quantity. One for each column
+/// of contacts. Tells progress, unless quiet.
+std::vector<Graded> graded_file(const CommandLine& line) {
+  refuse_what_needs_kernels(line);
+  if (line.words.size() > 2)
+    throw BadInput("argument", line.words[2], "unexpected: grade takes a file and a quantity");
+  const auto quantity = line.words.size() > 1 ? std::optional(line.words[1]) : std::nullopt;
+  AuditOptions options;
+  const std::string promised = take_promise(line, options);
+  const std::string& file = line.words.front();
+  const std::string what = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+  const auto columns = read_measured_points(file, quantity, line.option("column"));
+  Progress progress(line.has("quiet"));
+  options.progress = [&](double part) { progress.at(part); };
+  std::vector<Graded> all;
+  const auto name = [](const MeasuredPoints& column) { return column.quantity->name; };
+  progress.each("grade", columns, name, [&](const MeasuredPoints& column) {
+    const auto [found, seconds] =
+        timed([&] { return audit_values(*column.quantity, column.points, column.values, options); });
+    const auto worst = std::ranges::find(column.points, found.worst) - column.points.begin();
+    all.push_back({.grade = grade_of(what, "its points", found),
+                   .seconds = seconds,
+                   .promised = promised,
+                   .own = column.values[static_cast<std::size_t>(worst)],
+                   .remarks = remarks_on(column)});
+  });
+  return all;
 }
 
 BaselineKey key_of(const Graded& graded) {
@@ -67,33 +243,6 @@ bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded
 }
 
 }  // namespace
-
-std::vector<Graded> graded_file(const CommandLine& line) {
-  refuse_what_needs_kernels(line);
-  if (line.words.size() > 2)
-    throw BadInput("argument", line.words[2], "unexpected: grade takes a file and a quantity");
-  const auto quantity = line.words.size() > 1 ? std::optional(line.words[1]) : std::nullopt;
-  AuditOptions options;
-  const std::string promised = take_promise(line, options);
-  const std::string& file = line.words.front();
-  const std::string what = file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
-  const auto columns = read_measured_points(file, quantity, line.option("column"));
-  Progress progress(line.has("quiet"));
-  options.progress = [&](double part) { progress.at(part); };
-  std::vector<Graded> all;
-  const auto name = [](const MeasuredPoints& column) { return column.quantity->name; };
-  progress.each("grade", columns, name, [&](const MeasuredPoints& column) {
-    const auto [found, seconds] =
-        timed([&] { return audit_values(*column.quantity, column.points, column.values, options); });
-    const auto worst = std::ranges::find(column.points, found.worst) - column.points.begin();
-    all.push_back({.grade = grade_of(what, "its points", found),
-                   .seconds = seconds,
-                   .promised = promised,
-                   .own = column.values[static_cast<std::size_t>(worst)],
-                   .remarks = remarks_on(column)});
-  });
-  return all;
-}
 
 int grade_verb(const CommandLine& line, std::ostream& out) {
   std::optional<Baseline> baseline = baseline_of(line);

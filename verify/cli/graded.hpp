@@ -50,17 +50,6 @@ std::string junit_text(const std::vector<Graded>& all);
 /// the scale, as no double keeps less than half a unit, Nabs in the quantity's own unit.
 std::string take_promise(const CommandLine& line, AuditOptions& options);
 
-/// Values that are there already: the words are a CSV and, if it is not said there, its quantity. One for each column
-/// of contacts. Tells progress, unless quiet.
-std::vector<Graded> graded_file(const CommandLine& line);
-
-/// Whether the first word is a shared object.
-bool names_plugin(const CommandLine& line);
-
-/// Kernels of a shared object, those that the words name by their names or quantities, or all; fewer if the process
-/// was interrupted. Tells progress, unless quiet.
-std::vector<Graded> graded_kernels(const CommandLine& line);
-
 /// Appends the worst point of a grade, with the reference's value of 50 digits, to a file like those of data/golden,
 /// of which it is the first row if there is none. Nothing if the point is there. BadInput naming "keep-worst" if the
 /// file is about another quantity. OutputError if it cannot be written.

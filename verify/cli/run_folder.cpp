@@ -10,7 +10,6 @@
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
-#include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -29,17 +28,20 @@ void must(bool done, const fs::path& file) {
 }
 
 /// Writes the text and syncs the file.
-void write_and_sync(int descriptor, std::string_view text, const fs::path& file) {
-  must(write_all(descriptor, text) && fsync(descriptor) == 0, file);
+void write_and_sync(const Descriptor& to, std::string_view text, const fs::path& file) {
+  must(write_all(to.number(), text) && fsync(to.number()) == 0, file);
+}
+
+int opened(const fs::path& file, int flags) {
+  const int number = open(file.c_str(), flags | O_CLOEXEC, 0666);
+  must(number >= 0, file);
+  return number;
 }
 
 /// Syncs a folder, so that a new name in it is on the disk.
 void sync_folder(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  must(descriptor >= 0, folder);
-  const bool done = fsync(descriptor) == 0 || errno == EINVAL;  // where folders cannot be synced
-  close(descriptor);
-  must(done, folder);
+  const Descriptor descriptor(opened(folder, O_RDONLY | O_DIRECTORY));
+  must(fsync(descriptor.number()) == 0 || errno == EINVAL, folder);  // where folders cannot be synced
 }
 
 /// Writes a file unless it exists. If several processes try at the same time, one of them writes the whole file; `who`
@@ -48,10 +50,7 @@ void write_once(const fs::path& file, std::string_view text, const std::string& 
   if (fs::exists(file)) return;
   fs::path ours = file;
   ours += fmt::format(".{}.{}", who, getpid());
-  const int descriptor = open(ours.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  must(descriptor >= 0, ours);
-  write_and_sync(descriptor, text, ours);
-  close(descriptor);
+  write_and_sync(Descriptor(opened(ours, O_WRONLY | O_CREAT | O_TRUNC)), text, ours);
   const bool done = link(ours.c_str(), file.c_str()) == 0 || errno == EEXIST;
   const int why = errno;
   unlink(ours.c_str());
@@ -199,28 +198,22 @@ void StoredBlocks::read(const fs::path& folder) {
 }
 
 ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Shard shard)
-    : path_((folder / fmt::format("shard-{}-of-{}.jsonl", shard.index + 1, shard.of)).string()),
-      descriptor_(-1) {
+    : path_((folder / fmt::format("shard-{}-of-{}.jsonl", shard.index + 1, shard.of)).string()) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder, error))
     throw BadInput("out", folder.string(), "must be a folder, or one that can be made");
   write_once(folder / fingerprint_name, fingerprint, fs::path(path_).stem().string());
   refuse_other_fingerprint(folder, text_of(folder / fingerprint_name), fingerprint);
-  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  must(descriptor_ >= 0, path_);
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    close(descriptor_);
+  const int number = file_.emplace(opened(path_, O_RDWR | O_CREAT | O_APPEND)).number();
+  if (flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     refuse("out", folder.string(), "must be left to the process that is writing {}", path_);
-  }
-  must(ftruncate(descriptor_, end_of_lines(descriptor_, path_)) == 0, path_);
+  must(ftruncate(number, end_of_lines(number, path_)) == 0, path_);
   sync_folder(folder);
 }
 
-ShardFile::~ShardFile() { close(descriptor_); }
-
 void ShardFile::append(const BlockWork& work, std::size_t block, const Json& found) {
-  write_and_sync(descriptor_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
+  write_and_sync(*file_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
                  path_);
 }
 

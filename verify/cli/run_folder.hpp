@@ -1,6 +1,7 @@
 #pragma once
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/process.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -62,16 +63,13 @@ class ShardFile {
   /// Makes the folder, run.json and the file if need be, and removes an incomplete line at the file's end. BadInput
   /// if the folder has another run, or another process uses the file. OutputError if something cannot be written.
   ShardFile(const std::filesystem::path& folder, const std::string& fingerprint, Shard shard);
-  ShardFile(const ShardFile&) = delete;
-  ShardFile& operator=(const ShardFile&) = delete;
-  ~ShardFile();
 
   /// Appends the block and syncs the file. OutputError if that fails.
   void append(const BlockWork& work, std::size_t block, const Json& found);
 
  private:
   std::string path_;
-  int descriptor_;
+  std::optional<Descriptor> file_;
 };
 
 }  // namespace nipref::verify

@@ -5,7 +5,6 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/golden/golden.hpp>
-#include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
 namespace nipref::verify {

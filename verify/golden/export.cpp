@@ -6,7 +6,7 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
@@ -22,14 +22,13 @@ struct Column {
 
   void read_numbers() {
     for (const std::string& text : texts) {
-      char* end = nullptr;
-      double number = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0') return numbers.clear();
+      std::optional<double> number = number_in(text);
+      if (!number) return numbers.clear();
       // A bound that underflows is not 0.
       const std::string digits = text.substr(0, text.find('e'));
       if (name.ends_with("bound") && digits.find_first_of("123456789") != std::string::npos)
-        number = std::nextafter(number, std::numeric_limits<double>::infinity());
-      numbers.push_back(number);
+        number = std::nextafter(*number, std::numeric_limits<double>::infinity());
+      numbers.push_back(*number);
     }
   }
 };

@@ -4,7 +4,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/golden/golden.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -162,14 +162,13 @@ void check_columns(const std::filesystem::path& path, const std::vector<CsvField
 
 double double_of(const std::filesystem::path& path, const CsvField& field, bool may_be_none) {
   const std::string text = trimmed(field.text);
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || (!may_be_none && !std::isfinite(number)))
+  const std::optional<double> number = number_in(text);
+  if (!number || (!may_be_none && !std::isfinite(*number)))
     data::refuse(path, field.position,
                  text.find(',') != std::string::npos ? "must have a decimal point, not a comma"
                  : may_be_none                       ? "must be a number, inf or nan"
                                                      : "must be a finite number");
-  return number;
+  return *number;
 }
 
 double argument_of(const std::filesystem::path& path, const Argument& argument, const CsvField& field) {

@@ -3,7 +3,7 @@
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/golden/contacts.hpp>
-#include <nipref/verify/grade/contact_quantities.hpp>
+#include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 

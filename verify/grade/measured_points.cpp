@@ -3,7 +3,6 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/contacts.hpp>
-#include <nipref/verify/grade/contact_quantities.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -129,16 +129,10 @@ Series error_series(const std::string& label, Mark mark, const std::vector<Error
 /// The name with the unit, if the argument has one.
 std::string label_of(const Argument& argument, bool decades) {
   const std::string name = decades ? "|" + argument.name + "|" : argument.name;
-  switch (argument.kind) {
-    case ArgumentKind::nonzero_position:
-    case ArgumentKind::position:
-    case ArgumentKind::depth:
-      return name + ", half-thicknesses";
-    case ArgumentKind::degrees:
-      return name + ", degrees";
-    default:
-      return name;
-  }
+  using enum ArgumentKind;
+  if (argument.kind == nonzero_position || argument.kind == position || argument.kind == depth)
+    return name + ", half-thicknesses";
+  return argument.kind == degrees ? name + ", degrees" : name;
 }
 
 /// The error of all points against one argument.

@@ -34,30 +34,23 @@ auto for_given(const data::Given& given, const auto& for_load, const auto& for_l
                          : for_length(std::get<data::GivenLength>(given).contact_length);
 }
 
-auto solution(FastPath, const auto& problem, const ConvergedMethod&, double accuracy) {
-  return with_nip(problem, [&](const auto&... nip) {
-    return for_given(
-        problem.given, [&](double load) { return fast::converged_for_load(nip..., load, accuracy); },
-        [&](double length) { return fast::converged_for_length(nip..., length, accuracy); });
-  });
-}
-auto solution(RefPath, const auto& problem, const ConvergedMethod&, int digits) {
-  return with_nip(problem, [&](const auto&... nip) {
-    return for_given(
-        problem.given, [&](double load) { return ref::converged_for_load(nip..., load, digits); },
-        [&](double length) { return ref::converged_for_length(nip..., length, digits); });
-  });
-}
+// fast takes an accuracy, a double, where the reference takes digits, an int.
+using fast::converged_for_length, ref::converged_for_length, fast::converged_for_load,
+    ref::converged_for_load;
+using fast::partial_slip_for_length, ref::partial_slip_for_length, fast::partial_slip_for_load,
+    ref::partial_slip_for_load;
 
-auto solution(FastPath, const PartialSlipProblem& problem, const ConvergedMethod&, double accuracy) {
-  return for_given(
-      problem.given, [&](double load) { return fast::partial_slip_for_load(problem.nip, load, accuracy); },
-      [&](double length) { return fast::partial_slip_for_length(problem.nip, length, accuracy); });
+auto solution(auto /*path*/, const auto& problem, const ConvergedMethod&, auto accuracy) {
+  return with_nip(problem, [&](const auto&... nip) {
+    return for_given(
+        problem.given, [&](double load) { return converged_for_load(nip..., load, accuracy); },
+        [&](double length) { return converged_for_length(nip..., length, accuracy); });
+  });
 }
-auto solution(RefPath, const PartialSlipProblem& problem, const ConvergedMethod&, int digits) {
+auto solution(auto /*path*/, const PartialSlipProblem& problem, const ConvergedMethod&, auto accuracy) {
   return for_given(
-      problem.given, [&](double load) { return ref::partial_slip_for_load(problem.nip, load, digits); },
-      [&](double length) { return ref::partial_slip_for_length(problem.nip, length, digits); });
+      problem.given, [&](double load) { return partial_slip_for_load(problem.nip, load, accuracy); },
+      [&](double length) { return partial_slip_for_length(problem.nip, length, accuracy); });
 }
 
 auto solution(FastPath, const ElasticNipProblem& problem, const data::LineLoads& by, double accuracy) {

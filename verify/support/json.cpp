@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {
@@ -125,11 +126,8 @@ Json exact_json(double number) {
 }
 
 double exact_double(const Json& json) {
-  const std::string text = json.as_text();
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') throw JsonMisfit("no number");
-  return number;
+  if (const auto number = number_in(json.as_text())) return *number;
+  throw JsonMisfit("no number");
 }
 
 std::string filled_text(const std::string& text, const Json& data, const Partials& partials,

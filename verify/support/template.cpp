@@ -15,12 +15,6 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-std::optional<double> number_in(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
-}
-
 std::string two_digits(double number) {
   if (!(number >= 10 && number < 1e6)) return fmt::format("{:.2g}", number);
   const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
@@ -176,23 +170,14 @@ mustache::data object_data(const TemplateData& value) {
 }
 
 mustache::data data_of(const TemplateData& value) {
-  switch (value.type()) {
-    case TemplateData::value_t::object:
-      return object_data(value);
-    case TemplateData::value_t::array: {
-      mustache::data list(mustache::data::type::list);
-      for (const TemplateData& item : value) list << data_of(item);
-      return list;
-    }
-    case TemplateData::value_t::string:
-      return value.get<std::string>();
-    case TemplateData::value_t::boolean:
-      return value.get<bool>();
-    case TemplateData::value_t::number_float:
-      return fmt::format("{}", value.get<double>());
-    default:
-      return value.is_null() ? mustache::data(false) : mustache::data(value.dump());
-  }
+  if (value.is_object()) return object_data(value);
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_null() || value.is_boolean()) return value == true;
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
+  if (!value.is_array()) return value.dump();
+  mustache::data list(mustache::data::type::list);
+  for (const TemplateData& item : value) list << data_of(item);
+  return list;
 }
 
 /// Keeps a name that the data does not have.

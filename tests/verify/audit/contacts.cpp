@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>

@@ -1,5 +1,5 @@
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/audit/internal/drawn_scene.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 
 #include "support/test.hpp"
 

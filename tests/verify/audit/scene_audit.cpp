@@ -1,6 +1,6 @@
 // The audit of random scenes sees what is wrong with a solver, and nothing where nothing is.
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 
 #include "support/test.hpp"
 

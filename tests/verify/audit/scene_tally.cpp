@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>

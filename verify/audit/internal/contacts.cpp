@@ -3,8 +3,8 @@
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
-#include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,7 +2,7 @@
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/material/functions.hpp>
-#include <nipref/verify/audit/internal/drawn_scene.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -37,22 +37,15 @@ double spread(ArgumentKind kind, double fraction) {
 
 /// A second position that is related to the first.
 double related_position(double first, Random& random) {
-  switch (random.index(8)) {
-    case 0:
-      return first;
-    case 1:
-      return -first;
-    case 2:
-      return first * (1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.index(52))));
-    case 3:
-      return 0;
-    case 4:
-      return with_random_sign(std::fabs(first) > 1e-3 ? random.log_uniform(smallest_position, 1e-6)
-                                                      : random.uniform(1, middle_to),
-                              random);
-    default:
-      return draw_position(random);
-  }
+  const std::size_t way = random.index(8);
+  if (way == 0) return first;
+  if (way == 1) return -first;
+  if (way == 2) return first * (1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.index(52))));
+  if (way == 3) return 0;
+  if (way > 4) return draw_position(random);
+  const bool is_far = std::fabs(first) > 1e-3;
+  return with_random_sign(is_far ? random.log_uniform(smallest_position, 1e-6) : random.uniform(1, middle_to),
+                          random);
 }
 
 double neighbour(double value, int steps) {

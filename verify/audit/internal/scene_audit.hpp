@@ -1,13 +1,57 @@
 #pragma once
 #include <cstdint>
 
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/number/estimate.hpp>
-#include <nipref/verify/audit/internal/drawn_scene.hpp>
+#include <nipref/verify/audit/error_tally.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/on_progress.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
+
+/// A scene as the keys of its TOML file, so that single keys can be changed and the scene is read exactly as by
+/// `solve`.
+class DrawnScene {
+ public:
+  using Value = std::variant<double, std::string, std::vector<double>, std::vector<data::ResultId>>;
+
+  /// "TABLE.KEY", or "KEY".
+  void set(const std::string& key, Value value) { keys_.insert_or_assign(key, std::move(value)); }
+  void remove(const std::string& key) { keys_.erase(key); }
+  [[nodiscard]] bool has(const std::string& key) const { return keys_.contains(key); }
+  /// The value of a key, which must have this type.
+  [[nodiscard]] double number(const std::string& key) const { return std::get<double>(keys_.at(key)); }
+  [[nodiscard]] std::string text(const std::string& key) const {
+    return std::get<std::string>(keys_.at(key));
+  }
+  [[nodiscard]] std::vector<double> numbers(const std::string& key) const {
+    return std::get<std::vector<double>>(keys_.at(key));
+  }
+  [[nodiscard]] const std::vector<data::ResultId>& wanted() const {
+    return std::get<std::vector<data::ResultId>>(keys_.at("wanted"));
+  }
+  void set_wanted(std::vector<data::ResultId> results) { set("wanted", std::move(results)); }
+  [[nodiscard]] std::map<std::string, Value>& keys() { return keys_; }
+
+  [[nodiscard]] std::string toml() const;
+  /// BadInput as from load_scene.
+  [[nodiscard]] data::Scene scene() const;
+
+ private:
+  std::map<std::string, Value> keys_;
+};
+
+/// The kinds of scenes that data/statements/drawn_scenes.toml states, by name; scene `index` of any seed is of kind index modulo their number.
+const std::vector<std::string_view>& drawn_kinds();
+
+/// Scene number `index` of `seed`, which is the same at each call. The domain: L/B 1e-4 to 1e3, R/B 1 to 1e4,
+/// Poisson's ratio -0.9 to 0.4999, relaxation lengths 1e-8 to 1e8 contact lengths, speeds up to 1 - 1e-9 of the
+/// critical one, ratios of curvatures 1e-4 to 1e4, accuracies 1e-2 to 1e-13. The scene wants all results of its kind.
+/// Every other scene has numbers of 34 bits, see variants_of. Some scenes are refused when they are read or solved.
+DrawnScene draw_scene(const std::string& seed, std::uint64_t index);
 
 /// The solver that is audited, and the reference.
 struct SceneSolvers {
@@ -65,5 +109,44 @@ struct Variant {
 /// - Isotropic limit: an isotropic half-space as a transversely isotropic one, if its moduli are exact.
 std::vector<Variant> variants_of(const DrawnScene& drawn, const SceneSolution<fast::Estimate>& solved,
                                  Random& random);
+
+/// Sums of the findings about the drawn scenes of one kind, which do not depend on their order. Among equally bad
+/// scenes the one with the lowest index is kept.
+struct SceneTally {
+  std::size_t scenes = 0;
+  std::size_t refused = 0, failed = 0;
+  std::size_t numbers = 0, unchecked = 0, uncovered = 0, miss_reported = 0, miss_unreported = 0;
+  ErrorTally overestimates = {};  ///< estimate over error
+  SceneFindings refusal = {};     ///< the first refused scene, if there is one
+  SceneFindings failure = {};     ///< the first scene that failed, if there is one
+  SceneFindings worst = {};       ///< the scene with the largest ratio of error to estimate
+  SceneFindings slowest = {};
+
+  void add(const SceneFindings& findings);
+  void add(const SceneTally& more);
+  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
+  [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
+  [[nodiscard]] std::optional<double> median_overestimate() const;
+  /// See stored.hpp; what depends on seconds is in "times".
+  static void members(auto& self, const auto& each) {
+    each("scenes", self.scenes, "refused", self.refused, "failed", self.failed, "numbers", self.numbers,
+         "unchecked", self.unchecked, "uncovered", self.uncovered, "miss_reported", self.miss_reported,
+         "miss_unreported", self.miss_unreported, "overestimates", self.overestimates, "refusal",
+         self.refusal, "failure", self.failure, "worst", self.worst, "times", self.slowest);
+  }
+};
+
+/// One tally for each kind, in the order of drawn_kinds().
+std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
+/// The tallies that have scenes.
+std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
+
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Throws Interrupted if the process is.
+std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
+                                        const OnProgress& on_progress, const SceneSolvers& solvers = {});
+
+Json scene_tally_json(const std::vector<SceneTally>& tallies);
+
+bool all_kept(const std::vector<SceneTally>& tallies);
 
 }  // namespace nipref::verify

@@ -1,4 +1,4 @@
-#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {

@@ -30,11 +30,6 @@ void draw_line(Random& random, const NamedNumbers& x) {
   x["psi_deg"] = draw_degrees(random);
 }
 
-void keep_line(const NamedNumbers& x) {
-  keep_poisson(x);
-  x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
-}
-
 /// A line as the reference takes it.
 struct Line {
   Exact poisson, speed, psi_deg;
@@ -68,7 +63,10 @@ Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast, Size size
     ref::check_subcritical(line.solid, line.speed, line.motion, line.psi);
     return by_ref(line, digits);
   };
-  return sampled(line_entry(name, checked, by_fast, size), draw_line, keep_line);
+  return sampled(line_entry(name, checked, by_fast, size), draw_line, [](NamedNumbers x) {
+    keep_poisson(x);
+    x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
+  });
 }
 
 Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
@@ -118,15 +116,6 @@ Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_
   return beyond_entry(
       name, [of_ref](const Line& line, int digits) { return response_beyond(line, digits).*of_ref; },
       [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
-}
-
-ref::Estimate rolling_index_by_ref(const Line& line, int digits) {
-  const auto answer = [&](const Exact&, int some) { return line_answer(response_beyond(line, some)); };
-  return ref::rolling_index_beyond(answer, line.psi_deg, digits);
-}
-
-ref::Estimate condition_by_ref(const Line& line, int digits) {
-  return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
@@ -189,16 +178,6 @@ Quantity entry_separation() {
   });
 }
 
-Quantity entry_rayleigh() {
-  const auto by_ref = [](const Exact& poisson, int digits) {
-    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-    return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
-  };
-  return sampled(
-      entry_of("halfspace.rayleigh", {"poisson"}, by_ref, fast::isotropic_rayleigh_speed),
-      [](Random& random, NamedNumbers x) { x["poisson"] = draw_poisson(random); }, keep_poisson);
-}
-
 }  // namespace
 
 std::vector<Quantity> half_space_entries() {
@@ -214,11 +193,30 @@ std::vector<Quantity> half_space_entries() {
                                 &ref::LineResponse::compliance),
           response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
                                 &ref::LineResponse::coupling),
-          beyond_entry("halfspace.rolling_index_beyond", rolling_index_by_ref, fast::rolling_index_beyond,
-                       [](double, double, double) { return 0.1; }),
-          subcritical_entry("halfspace.condition", condition_by_ref, fast::isotropic_condition,
-                            [](double, double, double) { return 1.0; }),
-          entry_rayleigh(),
+          beyond_entry(
+              "halfspace.rolling_index_beyond",
+              [](const Line& line, int digits) {
+                const auto answer = [&](const Exact&, int some) {
+                  return line_answer(response_beyond(line, some));
+                };
+                return ref::rolling_index_beyond(answer, line.psi_deg, digits);
+              },
+              fast::rolling_index_beyond, [](double, double, double) { return 0.1; }),
+          subcritical_entry(
+              "halfspace.condition",
+              [](const Line& line, int digits) {
+                return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
+              },
+              fast::isotropic_condition, [](double, double, double) { return 1.0; }),
+          sampled(
+              entry_of(
+                  "halfspace.rayleigh", {"poisson"},
+                  [](const Exact& poisson, int digits) {
+                    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+                    return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
+                  },
+                  fast::isotropic_rayleigh_speed),
+              [](Random& random, NamedNumbers x) { x["poisson"] = draw_poisson(random); }, keep_poisson),
           entry_separation()};
 }
 

@@ -45,11 +45,6 @@ void draw_line_of_solid(Random& random, const NamedNumbers& x) {
   x["speed"] = draw_share(random) * critical_speed_of(x);
 }
 
-void keep_line_of_solid(const NamedNumbers& x) {
-  keep_physical(x);
-  x["speed"] = std::min(x["speed"], nearest_critical * critical_speed_of(x));
-}
-
 /// `by_ref` is a function of solid, speed, motion, psi and digits.
 template <class Ref, class Fast, class Size>
 Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
@@ -58,7 +53,10 @@ Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size 
     return by_ref(exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
                   direction_of(x, "psi_deg"), digits);
   };
-  return sampled(entry_of(name, of_line, by_fast, size), draw_line_of_solid, keep_line_of_solid);
+  return sampled(entry_of(name, of_line, by_fast, size), draw_line_of_solid, [](NamedNumbers x) {
+    keep_physical(x);
+    x["speed"] = std::min(x["speed"], nearest_critical * critical_speed_of(x));
+  });
 }
 
 Quantity transverse_line(const char* name, double LineResponse::*of_fast,
@@ -86,13 +84,6 @@ Quantity entry_transverse_compliance() {
   };
   set_forms(entry, seed_form(InPlaneForm::printed), seed_form(InPlaneForm::tabulated));
   return entry;
-}
-
-Quantity entry_ti_condition() {
-  return transverse_line_entry(
-      "ti.condition", exact_condition,
-      [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); },
-      [](NamedPoint) { return 1.0; });
 }
 
 // The order of their names on the command line.
@@ -168,7 +159,10 @@ std::vector<Quantity> transverse_half_space_entries() {
           transverse_line("ti.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
           transverse_line("ti.coupling_across", &LineResponse::coupling_across,
                           &ref::LineResponse::coupling_across),
-          entry_ti_condition(),
+          transverse_line_entry(
+              "ti.condition", exact_condition,
+              [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); },
+              [](NamedPoint) { return 1.0; }),
           entry_transverse_rayleigh(),
           entry_branch(),
           entry_transverse_critical()};

@@ -110,28 +110,15 @@ int most_digits_in_time(const std::function<double(int digits)>& seconds) {
 }
 
 double draw_nip_length(Random& random, double shortest, double longest) {
-  switch (random.index(20)) {
-    case 0:
-      return shortest;
-    case 1:
-      return longest;
-    case 2:
-      return 1;
-    default:
-      return random.log_uniform(shortest, longest);
-  }
+  const std::array special{shortest, longest, 1.0};
+  const std::size_t way = random.index(20);
+  return way < special.size() ? special[way] : random.log_uniform(shortest, longest);
 }
 
 double draw_nip_poisson(Random& random) {
-  switch (random.index(8)) {
-    case 0:
-      return 0;
-    case 1:
-    case 2:
-      return 0.5 - random.log_uniform(1e-12, 0.3);
-    default:
-      return random.uniform(-0.9, 0.4999);
-  }
+  const std::size_t way = random.index(8);
+  if (way == 0) return 0;
+  return way < 3 ? 0.5 - random.log_uniform(1e-12, 0.3) : random.uniform(-0.9, 0.4999);
 }
 
 }  // namespace nipref::verify

@@ -12,19 +12,11 @@ double nearby(double value, Random& random) {
 }
 
 double draw_passing_time(double t, Random& random) {
-  switch (random.index(6)) {
-    case 0:
-    case 1:
-      return nearby(t, random);
-    case 2:
-      return t * random.log_uniform(1e-16, 1e-3) * (random.chance(0.5) ? 1 : -1);
-    case 3:
-      return -random.log_uniform(1e-9, 50);
-    case 4:
-      return t * random.uniform();
-    default:
-      return random.log_uniform(1e-9, 50);
-  }
+  const std::size_t way = random.index(6);
+  if (way < 2) return nearby(t, random);
+  if (way == 2) return t * random.log_uniform(1e-16, 1e-3) * (random.chance(0.5) ? 1 : -1);
+  if (way == 3) return -random.log_uniform(1e-9, 50);
+  return way == 4 ? t * random.uniform() : random.log_uniform(1e-9, 50);
 }
 
 namespace {
@@ -108,20 +100,19 @@ Quantity sign_entry(const char* name, ByRef by_ref, ByFast by_fast) {
 
 constexpr double cosine = HUGE_VAL;  // min(1, b w) = 1
 
-double size_ahead_cosine(double lambda, double a, double, double t, double T) {
-  return size_ahead(lambda, a, cosine, t, T);
-}
-double size_behind_cosine(double lambda, double a, double, double t, double T) {
-  return size_behind(lambda, a, cosine, t, T);
+/// The size without b.
+auto of_cosine(double (*size)(double lambda, double a, double b, double t, double T)) {
+  return
+      [size](double lambda, double a, double, double t, double T) { return size(lambda, a, cosine, t, T); };
 }
 
 }  // namespace
 
 std::vector<Quantity> memory_entries() {
   return {wave_entry("J1", ref::J1, fast::J1, size_ahead),
-          wave_entry("J2", ref::J2, fast::J2, size_ahead_cosine),
+          wave_entry("J2", ref::J2, fast::J2, of_cosine(size_ahead)),
           wave_entry("J3", ref::J3, fast::J3, size_behind),
-          wave_entry("J4", ref::J4, fast::J4, size_behind_cosine),
+          wave_entry("J4", ref::J4, fast::J4, of_cosine(size_behind)),
           sign_entry("J5", ref::J5, fast::J5),
           sign_entry("J6", ref::J6, fast::J6)};
 }

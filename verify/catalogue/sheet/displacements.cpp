@@ -36,10 +36,6 @@ double size_F2(double eta, double poisson) {
 /// smallest normal number counts as that number.
 double normal_size(double kernel) { return std::max(kernel, std::numeric_limits<double>::min()); }
 
-double size_un(double alpha, double young, double poisson) {
-  return ElasticMaterial{young, poisson}.normal_compliance() * normal_size(envelope_I1(alpha)) / pi;
-}
-
 /// The terms of I2 and I3; the magnitude of I2 is pi/2 but at the load.
 double size_of_step(double alpha, const ElasticMaterial& material) {
   return alpha == 0 ? 0 : material.theta2() / 2;
@@ -84,7 +80,11 @@ auto of_constants(FunctionOfTwo function) {
 std::vector<Quantity> displacement_entries() {
   return {entry_of("F1", {"eta", "poisson"}, ref::F1, fast::F1, size_F1),
           entry_of("F2", {"eta", "poisson"}, ref::F2, fast::F2, size_F2),
-          entry_of("un", {"alpha", "young", "poisson"}, ref::un, of_constants(fast::un), size_un),
+          entry_of("un", {"alpha", "young", "poisson"}, ref::un, of_constants(fast::un),
+                   [](double alpha, double young, double poisson) {
+                     const ElasticMaterial material{young, poisson};
+                     return material.normal_compliance() * normal_size(envelope_I1(alpha)) / pi;
+                   }),
           entry_of("us", {"alpha", "young", "poisson"}, ref::us, of_constants(fast::us), size_us),
           entry_of("vn", {"alpha", "eta", "young", "poisson"}, ref::vn, of_constants(fast::vn), size_vn),
           entry_of("vs", {"alpha", "eta", "young", "poisson"}, ref::vs, of_constants(fast::vs), size_vs)};

@@ -29,30 +29,21 @@ struct InnerPoint {
 /// Draws places on lines towards the load, on and just below the face, near the middle plane, far away, and hard places.
 InnerPoint draw_anywhere(Random& random) {
   const double side = random.chance(0.5) ? 1 : -1, face = random.chance(0.5) ? 1 : -1;
-  switch (random.index(7)) {
-    case 0:
-    case 1: {
-      const double distance = random.log_uniform(nearest_on_the_face * 2, 1);
-      const double angle = random.uniform(0, std::numbers::pi / 2);
-      return {side * distance * std::cos(angle), face * (1 - distance * std::sin(angle))};
-    }
-    case 2:
-      return {side * random.log_uniform(1e-20, 10),
-              face * (1 - std::ldexp(static_cast<double>(random.index(4)), -53))};
-    case 3:
-      return {side * random.log_uniform(1e-20, 10), face * random.log_uniform(nearest_on_the_face, 1)};
-    case 4:
-      return {side * random.uniform(0, 3), random.uniform(-1, 1)};
-    case 5:
-      return {side * random.log_uniform(1e-3, 700), random.uniform(-1, 1)};
-    default:
-      return {side * hard_alphas[random.index(hard_alphas.size())],
-              face * hard_depths[random.index(hard_depths.size())]};
+  const std::size_t way = random.index(7);
+  if (way < 2) {
+    const double distance = random.log_uniform(nearest_on_the_face * 2, 1);
+    const double angle = random.uniform(0, std::numbers::pi / 2);
+    return {side * distance * std::cos(angle), face * (1 - distance * std::sin(angle))};
   }
-}
-
-double draw_ratio(Random& random) {
-  return random.chance(0.1) ? 0.5 : std::nextafter(-1.0, 0.0) + 1.5 * random.uniform();
+  if (way == 2)
+    return {side * random.log_uniform(1e-20, 10),
+            face * (1 - std::ldexp(static_cast<double>(random.index(4)), -53))};
+  if (way == 3)
+    return {side * random.log_uniform(1e-20, 10), face * random.log_uniform(nearest_on_the_face, 1)};
+  if (way == 4) return {side * random.uniform(0, 3), random.uniform(-1, 1)};
+  if (way == 5) return {side * random.log_uniform(1e-3, 700), random.uniform(-1, 1)};
+  return {side * hard_alphas[random.index(hard_alphas.size())],
+          face * hard_depths[random.index(hard_depths.size())]};
 }
 
 void keep_off_the_load(double& alpha, double& depth) {
@@ -75,7 +66,8 @@ void draw_point_of_sheet(Random& random, const NamedNumbers& x) {
     x["eta"] = random.chance(0.5) ? eta : -eta;
   }
   x["load"] = random.chance(0.5) ? 1 : 0;
-  if (has("poisson")) x["poisson"] = draw_ratio(random);
+  if (has("poisson"))
+    x["poisson"] = random.chance(0.1) ? 0.5 : std::nextafter(-1.0, 0.0) + 1.5 * random.uniform();
 }
 
 Quantity in_sheet(Quantity entry) {
@@ -83,48 +75,25 @@ Quantity in_sheet(Quantity entry) {
                  [](NamedNumbers x) { keep_off_the_load(x["alpha"], x["depth"]); });
 }
 
+/// A function of a place, a load and more, as one of the numbers of their arguments.
+auto at_place(auto function) {
+  return [function](const auto& alpha, const auto& depth, const auto& load,
+                    const auto&... more) -> decltype(function(alpha, depth, load_of(load), more...)) {
+    return function(alpha, depth, load_of(load), more...);
+  };
+}
+
 using RefStress = ref::Enclosure (*)(const Exact&, const Exact&, SheetLoad, int);
 
 Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefStress by_ref,
                       double (FieldSize::*size)() const) {
-  return in_sheet(entry_of(
-      name, {"alpha", "depth", "load"},
-      [by_ref](const Exact& alpha, const Exact& depth, const Exact& load, int digits) {
-        return by_ref(alpha, depth, load_of(load), digits);
-      },
-      [part](double alpha, double depth, double load) {
-        return fast::sheet_stresses(alpha, depth, load_of(load)).*part;
-      },
-      [size](double alpha, double depth, double load) {
-        return (FieldSize{alpha, depth, load_of(load)}.*size)();
-      }));
-}
-
-Quantity entry_u() {
-  return in_sheet(entry_of(
-      "sheet.u", {"alpha", "depth", "load", "poisson"},
-      [](const Exact& alpha, const Exact& depth, const Exact& load, const Exact& poisson, int digits) {
-        return ref::sheet_u(alpha, depth, load_of(load), poisson, digits);
-      },
-      [](double alpha, double depth, double load, double poisson) {
-        return fast::sheet_u(alpha, depth, load_of(load), poisson);
-      },
-      [](double alpha, double depth, double load, double poisson) {
-        return FieldSize{alpha, depth, load_of(load)}.u(poisson);
-      }));
-}
-
-Quantity entry_v() {
-  return in_sheet(entry_of(
-      "sheet.v", {"alpha", "eta", "depth", "load", "poisson"},
-      [](const Exact& alpha, const Exact& eta, const Exact& depth, const Exact& load, const Exact& poisson,
-         int digits) { return ref::sheet_v(alpha, eta, depth, load_of(load), poisson, digits); },
-      [](double alpha, double eta, double depth, double load, double poisson) {
-        return fast::sheet_v(alpha, eta, depth, load_of(load), poisson);
-      },
-      [](double alpha, double eta, double depth, double load, double poisson) {
-        return FieldSize{alpha, depth, load_of(load)}.v(eta, poisson);
-      }));
+  return in_sheet(entry_of(name, {"alpha", "depth", "load"}, at_place(by_ref),
+                           at_place([part](double alpha, double depth, SheetLoad load) {
+                             return fast::sheet_stresses(alpha, depth, load).*part;
+                           }),
+                           at_place([size](double alpha, double depth, SheetLoad load) {
+                             return (FieldSize{alpha, depth, load}.*size)();
+                           })));
 }
 
 /// The modulus of the root of the slowest residue term, the factor by which a derivative has a larger amplitude.
@@ -160,14 +129,29 @@ Quantity slope_entry(const char* name, ref::Enclosure (*by_ref)(const Exact&, De
 }  // namespace
 
 std::vector<Quantity> field_entries() {
-  return {slope_entry("un.slope", ref::un_slope, fast::un_slope, envelope_I1),
-          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope, envelope_I3),
-          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope, envelope_r),
-          stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
-          stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
-          stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
-          entry_u(),
-          entry_v()};
+  return {
+      slope_entry("un.slope", ref::un_slope, fast::un_slope, envelope_I1),
+      slope_entry("vn.slope", ref::vn_slope, fast::vn_slope, envelope_I3),
+      slope_entry("vs.slope", ref::vs_slope, fast::vs_slope, envelope_r),
+      stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
+      stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
+      stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
+      in_sheet(entry_of("sheet.u", {"alpha", "depth", "load", "poisson"}, at_place(ref::sheet_u),
+                        at_place(fast::sheet_u),
+                        at_place([](double alpha, double depth, SheetLoad load, double poisson) {
+                          return FieldSize{alpha, depth, load}.u(poisson);
+                        }))),
+      in_sheet(entry_of("sheet.v", {"alpha", "depth", "load", "eta", "poisson"},
+                        at_place([](const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& eta,
+                                    const Exact& poisson, int digits) {
+                          return ref::sheet_v(alpha, eta, depth, load, poisson, digits);
+                        }),
+                        at_place([](double alpha, double depth, SheetLoad load, double eta, double poisson) {
+                          return fast::sheet_v(alpha, eta, depth, load, poisson);
+                        }),
+                        at_place([](double alpha, double depth, SheetLoad load, double eta, double poisson) {
+                          return FieldSize{alpha, depth, load}.v(eta, poisson);
+                        })))};
 }
 
 }  // namespace nipref::verify

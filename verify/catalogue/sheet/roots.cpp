@@ -12,30 +12,26 @@ namespace {
 constexpr long largest_index = 1'000'000;
 
 /// The number of a root as an integer; BadInput unless it is one in the catalogue's range.
-long whole_number(const ref::Exact& n) {
+int whole_number(const ref::Exact& n) {
   const mpq_class& value = n.value();
-  if (value.get_den() != 1 || value < 1 || value > largest_index) {
+  if (value.get_den() != 1 || value < 1 || value > largest_index)
     throw data::BadInput("n", value.get_str(), "must be a whole number from 1 to 1000000");
-  }
-  return value.get_num().get_si();
+  return static_cast<int>(value.get_num().get_si());
 }
 
-std::complex<double> fast_root(double n) {
-  return fast::sheet_root(static_cast<int>(whole_number(ref::Exact(n, "n"))));
-}
+std::complex<double> fast_root(double n) { return fast::sheet_root(whole_number(ref::Exact(n, "n"))); }
 
 Quantity residue_entry() {
   const auto coefficients = [](double n, double kernel) {
     return fast::residue_coefficients(static_cast<fast::PlainKernel>(static_cast<int>(kernel)),
-                                      static_cast<int>(whole_number(ref::Exact(n, "n"))));
+                                      whole_number(ref::Exact(n, "n")));
   };
   return sampled(
       entry_of(
           "residue", {"n", "kernel", "coefficient"},
           [](const ref::Exact& n, const ref::Exact& kernel, const ref::Exact& coefficient, int digits) {
             const auto which = static_cast<ref::PlainKernel>(static_cast<int>(kernel.approximate()));
-            const ref::ResidueCoefficients both =
-                ref::residue_coefficients(which, static_cast<int>(whole_number(n)), digits);
+            const ref::ResidueCoefficients both = ref::residue_coefficients(which, whole_number(n), digits);
             return coefficient.sign() == 0 ? both.A : both.B;
           },
           [coefficients](double n, double kernel, double coefficient) {

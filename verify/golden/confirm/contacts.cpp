@@ -6,6 +6,9 @@
 namespace nipref::verify::confirm {
 namespace {
 
+using FloatMatrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
+using FloatVector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther. In the
@@ -99,10 +102,8 @@ class Contact {
     const auto of_pressure = [](int j) { return std::abs(j); };
     const auto of_shear = [&](int j) { return last + std::abs(j); };
     const int of_strain = 2 * last + 1;
-    using Matrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
-    using Vector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
-    Matrix system = Matrix::Zero(of_strain + 1, of_strain + 1);
-    Vector right = Vector::Zero(of_strain + 1);
+    FloatMatrix system = FloatMatrix::Zero(of_strain + 1, of_strain + 1);
+    FloatVector right = FloatVector::Zero(of_strain + 1);
     for (int k = 0; k <= last; ++k) {
       const int slope = k, strain = last + 1 + k;
       const Float w = grid_.middle(k), x = half_length_ * tanh(w);
@@ -128,7 +129,7 @@ class Contact {
       right(slope) = -2 * pi() * x;
       system(strain, of_strain) = -pi();
     }
-    const Vector found = system.partialPivLu().solve(right);
+    const FloatVector found = system.partialPivLu().solve(right);
     pressure_.assign(found.begin(), found.begin() + last + 1);
     shear_.assign(1, Float(0));
     shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
@@ -192,10 +193,8 @@ RolledContact::RolledContact(const Float& half_length, const std::function<Float
     logarithm.push_back(sum / points);
   }
   const Float own_logarithm = -log(half_length_);
-  using Matrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
-  using Vector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
-  Matrix system = Matrix::Zero(points + 2, points + 2);
-  Vector right = Vector::Zero(points + 2);
+  FloatMatrix system = FloatMatrix::Zero(points + 2, points + 2);
+  FloatVector right = FloatVector::Zero(points + 2);
   for (int k = 0; k < points; ++k) {
     for (int i = 0; i < points; ++i) {
       const Float x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
@@ -214,7 +213,7 @@ RolledContact::RolledContact(const Float& half_length, const std::function<Float
       system(points + end, i) = sum;
     }
   }
-  const Vector found = system.partialPivLu().solve(right);
+  const FloatVector found = system.partialPivLu().solve(right);
   values_.assign(found.begin(), found.end());
   const Float slope = values_[at(points) + 1], level = values_[at(points)];
   values_.resize(at(points));

@@ -14,14 +14,11 @@ struct Rests {
 };
 
 const std::vector<Rests>& rests() {
-  static const std::vector<Rests> all = [] {
-    std::vector<Rests> made;
-    double_exponential_rule(250, [&](const Float& z, const Float& weight) {
-      const Float q = exp(-2 * z), whole = 4 * z * q - expm1(-4 * z), scale = -2 * exp(-3 * z) / whole;
-      made.push_back({z, weight, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)});
-    });
-    return made;
-  }();
+  static const auto all =
+      double_exponential_rule<Rests>(250, [](const Float& z, const Float& weight) -> Rests {
+        const Float q = exp(-2 * z), whole = 4 * z * q - expm1(-4 * z), scale = -2 * exp(-3 * z) / whole;
+        return {z, weight, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)};
+      });
   return all;
 }
 
@@ -201,13 +198,13 @@ Confirmation on_face(const FaceSlope& slope, Arguments x) {
 
 Methods field_methods() {
   return {{"un.slope", [](Arguments x) { return on_face(un_slope, x); }},
-                               {"vn.slope", [](Arguments x) { return on_face(vn_slope, x); }},
-                               {"vs.slope", [](Arguments x) { return on_face(vs_slope, x); }},
-                               {"sheet.sx", [](Arguments x) { return stress(Component::sx, x); }},
-                               {"sheet.sy", [](Arguments x) { return stress(Component::sy, x); }},
-                               {"sheet.txy", [](Arguments x) { return stress(Component::txy, x); }},
-                               {"sheet.u", u},
-                               {"sheet.v", v}};
+          {"vn.slope", [](Arguments x) { return on_face(vn_slope, x); }},
+          {"vs.slope", [](Arguments x) { return on_face(vs_slope, x); }},
+          {"sheet.sx", [](Arguments x) { return stress(Component::sx, x); }},
+          {"sheet.sy", [](Arguments x) { return stress(Component::sy, x); }},
+          {"sheet.txy", [](Arguments x) { return stress(Component::txy, x); }},
+          {"sheet.u", u},
+          {"sheet.v", v}};
 }
 
 }  // namespace nipref::verify::confirm

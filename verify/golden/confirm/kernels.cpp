@@ -9,15 +9,11 @@ struct Node {
 };
 
 const std::vector<Node>& nodes() {
-  static const std::vector<Node> all = [] {
-    std::vector<Node> made;
-    double_exponential_rule(400, [&](const Float& x, const Float& weight) {
-      const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
-      made.push_back({x, weight, unit * sine / cosine, unit, unit * sine / x, unit * cosine, unit * sine,
-                      unit / x, unit * cosine / x});
-    });
-    return made;
-  }();
+  static const auto all = double_exponential_rule<Node>(400, [](const Float& x, const Float& weight) -> Node {
+    const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
+    return {x,           weight,   unit * sine / cosine, unit, unit * sine / x, unit * cosine,
+            unit * sine, unit / x, unit * cosine / x};
+  });
   return all;
 }
 
@@ -73,15 +69,6 @@ Split alpha_from_far(const mpq_class& alpha) {
 }
 
 }  // namespace
-
-void double_exponential_rule(int end, const std::function<void(const Float& x, const Float& weight)>& add) {
-  const Float step = Float(1) / 256;
-  for (int j = -1400; j <= 1600; ++j) {
-    const Float t = j * step, x = exp(t - exp(-t));
-    if (x > end) break;
-    add(x, step * x * (1 + exp(-t)));
-  }
-}
 
 Split& Split::add(const mpq_class& factor, const Split& term) {
   const Float by = to_number(factor);

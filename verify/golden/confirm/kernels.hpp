@@ -17,9 +17,19 @@ struct Split {
   [[nodiscard]] Float value() const;
 };
 
-/// Calls add(x, weight) for each node below `end` of the double exponential rule on x > 0. Node j is at t = j/256; the coarse
+/// made(x, weight) of each node below `end` of the double exponential rule on x > 0. Node j is at t = j/256; the coarse
 /// rule has the nodes of even j. For kernels at |x| <= 3 the integrands are analytic and bounded in the strip |Im t| < 0.3.
-void double_exponential_rule(int end, const std::function<void(const Float& x, const Float& weight)>& add);
+template <class Node>
+std::vector<Node> double_exponential_rule(int end, Node (*made)(const Float& x, const Float& weight)) {
+  const Float step = Float(1) / 256;
+  std::vector<Node> nodes;
+  for (int j = -1400; j <= 1600; ++j) {
+    const Float t = j * step, x = exp(t - exp(-t));
+    if (x > end) break;
+    nodes.push_back(made(x, step * x * (1 + exp(-t))));
+  }
+  return nodes;
+}
 
 /// The sum of `integrand` over the nodes; the error is its difference from twice the sum over the even nodes.
 template <class Node, class Integrand>

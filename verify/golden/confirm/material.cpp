@@ -166,13 +166,13 @@ Compliance::Compliance(const Long& bulk, const Long& shear, const Long& relaxati
 
 Methods material_methods() {
   Methods all{{"material.theta1",
-                 by_series([](const Responses& of, Arguments x) { return in_time(of.theta1, x["t"]); })},
-                {"material.theta2",
-                 by_series([](const Responses& of, Arguments x) { return in_time(of.theta2, x["t"]); })},
-                {"material.gamma", [](Arguments x) { return of_term(x, true); }},
-                {"material.lambda", [](Arguments x) { return of_term(x, false); }}};
-    add_modulus(all, "G", "shear", &Moduli::G);
-    add_modulus(all, "K", "bulk", &Moduli::K);
+               by_series([](const Responses& of, Arguments x) { return in_time(of.theta1, x["t"]); })},
+              {"material.theta2",
+               by_series([](const Responses& of, Arguments x) { return in_time(of.theta2, x["t"]); })},
+              {"material.gamma", [](Arguments x) { return of_term(x, true); }},
+              {"material.lambda", [](Arguments x) { return of_term(x, false); }}};
+  add_modulus(all, "G", "shear", &Moduli::G);
+  add_modulus(all, "K", "bulk", &Moduli::K);
   return all;
 }
 

@@ -180,17 +180,16 @@ LoadPath steady(double alpha) { return {alpha, std::nullopt}; }
 }  // namespace
 
 Methods memory_methods() {
-  return {
-      {"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
-      {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
-      {"J3", [](Arguments x) { return closed_form(-behind(x).imag()); }},
-      {"J4", [](Arguments x) { return closed_form(behind(x).real()); }},
-      {"J5", of_sign},
-      {"J6", of_sign},
-      {"Un", [](Arguments x) { return Un(Sheet(x), started(x, "T")); }},
-      {"Vn", [](Arguments x) { return Vn(Sheet(x), started(x, "T"), started(x, "t0")); }},
-      {"Un_steady", [](Arguments x) { return Un(Sheet(x), steady(x["alpha"])); }},
-      {"Vn_steady", [](Arguments x) { return Vn(Sheet(x), steady(x["alpha"]), steady(x["eta"])); }}};
+  return {{"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
+          {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
+          {"J3", [](Arguments x) { return closed_form(-behind(x).imag()); }},
+          {"J4", [](Arguments x) { return closed_form(behind(x).real()); }},
+          {"J5", of_sign},
+          {"J6", of_sign},
+          {"Un", [](Arguments x) { return Un(Sheet(x), started(x, "T")); }},
+          {"Vn", [](Arguments x) { return Vn(Sheet(x), started(x, "T"), started(x, "t0")); }},
+          {"Un_steady", [](Arguments x) { return Un(Sheet(x), steady(x["alpha"])); }},
+          {"Vn_steady", [](Arguments x) { return Vn(Sheet(x), steady(x["alpha"]), steady(x["eta"])); }}};
 }
 
 }  // namespace nipref::verify::confirm

@@ -127,8 +127,8 @@ Numbers rolling_numbers(const RollingSheet& sheet) {
 
 Methods nip_methods() {
   Methods all;
-    add_family(all, "nip", elastic_numbers);
-    add_family(all, "rolling_nip", rolling_nip_numbers);
+  add_family(all, "nip", elastic_numbers);
+  add_family(all, "rolling_nip", rolling_nip_numbers);
   return all;
 }
 

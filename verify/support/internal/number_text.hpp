@@ -5,6 +5,13 @@
 
 namespace nipref::verify {
 
+/// The number that the whole text is; nothing if it is none.
+inline std::optional<double> number_in(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
+}
+
 /// An error >= 0 in two digits, rounded upwards.
 inline std::string upward_text(double error) {
   const std::string nearest = fmt::format("{:.1e}", error);

@@ -133,26 +133,16 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
 }
 
 double draw_share(Random& random) {
-  switch (random.index(4)) {
-    case 0:
-      return random.log_uniform(1e-8, 1);
-    case 1:
-      return 1 - random.log_uniform(1e-9, 1e-3);
-    default:
-      return random.uniform(0, 0.999);
-  }
+  const std::size_t way = random.index(4);
+  if (way == 0) return random.log_uniform(1e-8, 1);
+  return way == 1 ? 1 - random.log_uniform(1e-9, 1e-3) : random.uniform(0, 0.999);
 }
 
 double draw_degrees(Random& random) {
   const double sign = random.chance(0.5) ? 1 : -1;
-  switch (random.index(4)) {
-    case 0:
-      return sign * (90 - random.log_uniform(1e-12, 1));
-    case 1:
-      return sign * random.log_uniform(1e-6, 1);
-    default:
-      return random.uniform(-90, 90);
-  }
+  const std::size_t way = random.index(4);
+  if (way == 0) return sign * (90 - random.log_uniform(1e-12, 1));
+  return way == 1 ? sign * random.log_uniform(1e-6, 1) : draw_angle(random);
 }
 
 double draw_share(Random& random, double least, double largest) {

@@ -51,18 +51,11 @@ std::string evaluate_text(const std::string& alpha) {
 std::span<const int> peer_digits() { return ladder; }
 
 std::string exp_sinh_I1(const std::string& alpha, int digits) {
-  switch (digits) {
-    case 30:
-      return evaluate_text<30>(alpha);
-    case 50:
-      return evaluate_text<50>(alpha);
-    case 100:
-      return evaluate_text<100>(alpha);
-    case 200:
-      return evaluate_text<200>(alpha);
-    default:
-      throw data::BadInput("digits", digits, "must be 30, 50, 100 or 200 for exp_sinh");
-  }
+  if (digits == 30) return evaluate_text<30>(alpha);
+  if (digits == 50) return evaluate_text<50>(alpha);
+  if (digits == 100) return evaluate_text<100>(alpha);
+  if (digits == 200) return evaluate_text<200>(alpha);
+  throw data::BadInput("digits", digits, "must be 30, 50, 100 or 200 for exp_sinh");
 }
 
 double decimal_distance(const std::string& first, const std::string& second) {
