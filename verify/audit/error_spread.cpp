@@ -68,9 +68,8 @@ void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
   largest->largest = true;
   std::vector<ErrorDot> kept{*largest};
   const std::size_t step = std::max<std::size_t>(1, part.size() / (dots_of_part - 1));
-  for (std::size_t i = 0; i < part.size() && kept.size() < dots_of_part; i += step) {
+  for (std::size_t i = 0; i < part.size() && kept.size() < dots_of_part; i += step)
     if (!part[i].largest) kept.push_back(part[i]);
-  }
   std::ranges::sort(kept, {}, &ErrorDot::at);
   std::ranges::copy(kept, std::back_inserter(dots));
 }
@@ -87,16 +86,14 @@ std::vector<ErrorDot> dots_of(const Quantity& quantity, std::size_t along, std::
     parts[std::min(static_cast<std::size_t>(part), parts_of_axis - 1)].push_back(one.dot);
   }
   std::vector<ErrorDot> dots;
-  for (auto& part : parts) {
+  for (auto& part : parts)
     if (!part.empty()) append_dots(dots, std::move(part));
-  }
   return dots;
 }
 
 bool is_inside(const WrongRegion& region, const Point& point) {
-  for (std::size_t i = 0; i < point.size(); ++i) {
+  for (std::size_t i = 0; i < point.size(); ++i)
     if (point[i] < region.lower[i] || point[i] > region.upper[i]) return false;
-  }
   return true;
 }
 

@@ -133,9 +133,8 @@ Json ratio_json(const BenchRatio& ratio) {
 Json bench_json(const BenchReport& report) {
   const auto ratios = [&](bool of_errors) {
     std::vector<Json> these;
-    for (const BenchRatio& ratio : report.ratios) {
+    for (const BenchRatio& ratio : report.ratios)
       if (ratio.of_errors == of_errors) these.push_back(ratio_json(ratio));
-    }
     return these;
   };
   const auto ways_json = [](std::span<const BenchRow> ways) {

@@ -50,9 +50,8 @@ std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range
   Random random("bench " + quantity.name + range.name);
   std::vector<Point> points(points_in_a_set, Point(quantity.arguments.size()));
   if (quantity.draw) std::ranges::generate(points, [&] { return quantity.draw(random); });
-  for (std::size_t j = 0; !quantity.draw && j < quantity.arguments.size(); ++j) {
+  for (std::size_t j = 0; !quantity.draw && j < quantity.arguments.size(); ++j)
     for (Point& point : points) point[j] = representative(quantity.arguments[j].kind, range, random);
-  }
   return points;
 }
 
@@ -117,9 +116,8 @@ std::vector<TimedWay> ways_to(const Quantity& quantity, const std::vector<Point>
       add("fast batch " + how, method_of(quantity.by_fast_batch, fast::Accuracy(rtol), points));
   };
   add_fast(fast::Accuracy::best_rtol);
-  for (const OtherKernel& other : others) {
+  for (const OtherKernel& other : others)
     if (other.quantity == quantity.name) add(other.name, method_of(*other.kernel, points));
-  }
   if (quantity.peers.empty()) return all;
   for (const double rtol : coarse_tolerances) add_fast(rtol);
   const auto first_arguments = mapped(points, [](const Point& point) { return point.front(); });

@@ -80,9 +80,8 @@ void check_room(const char* name, const std::string& text, std::size_t size) {
 verify::Assignments assignments_of(const verify::Quantity& quantity, const char* const* arguments) {
   refuse_null("arguments", arguments);
   verify::Assignments assignments;
-  for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
+  for (std::size_t i = 0; i < quantity.arguments.size(); ++i)
     if (arguments[i] != nullptr) assignments.emplace_back(quantity.arguments[i].name, arguments[i]);
-  }
   return assignments;
 }
 

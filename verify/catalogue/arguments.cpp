@@ -140,9 +140,8 @@ void append_material(const Quantity& quantity, const Argument& material, const s
 }
 
 std::string toml_text(const toml::node& node) {
-  if (const toml::array* const list = node.as_array()) {
+  if (const toml::array* const list = node.as_array())
     return fmt::format("[{}]", fmt::join(mapped(*list, toml_text), ","));
-  }
   const auto number = node.value<double>();
   return number ? fmt::format("{}", *number) : node.value_or(std::string("?"));
 }
@@ -180,9 +179,8 @@ std::optional<Number> whole_text_as(const std::string& text) {
 
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
   const double value = std::strtod(text.c_str(), nullptr);
-  if (!std::isfinite(value) || (value == 0 && exact.sign() != 0)) {
+  if (!std::isfinite(value) || (value == 0 && exact.sign() != 0))
     throw BadInput(name, text, "must be within the range of a double for fast; --path ref takes it");
-  }
   return value;
 }
 
@@ -277,9 +275,8 @@ void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assig
 
 std::optional<std::string> argument_text(const Argument& argument, const Assignments& assignments) {
   std::vector<std::string> given;
-  for (const auto& [name, value] : assignments) {
+  for (const auto& [name, value] : assignments)
     if (name == argument.name) given.push_back(value);
-  }
   if (given.size() > 1) throw BadInput(argument.name, given[1], "given twice: must be given once");
   return given.empty() ? std::nullopt : std::optional(given.front());
 }

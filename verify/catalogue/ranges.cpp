@@ -101,9 +101,8 @@ Ranges parse_ranges(const Quantity& quantity, const Assignments& assignments) {
 }
 
 bool contains(const Ranges& ranges, const Point& point) {
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
+  for (std::size_t i = 0; i < ranges.size(); ++i)
     if (ranges[i] && !ranges[i]->contains(point[i])) return false;
-  }
   return true;
 }
 

@@ -56,9 +56,8 @@ Selection changed_selection(const CommandLine& line) {
   const std::set<std::string> subjects =
       touched_subjects(changed_files(line.option("since").value_or("HEAD")));
   Selection selected;
-  for (const Quantity& quantity : catalogue()) {
+  for (const Quantity& quantity : catalogue())
     if (subjects.contains(std::string(quantity.subject))) selected.quantities.push_back(&quantity);
-  }
   if (subjects.contains(contacts)) selected.groups.push_back(contacts);
   return selected;
 }

@@ -108,9 +108,8 @@ std::vector<std::string> words_of(const CommandLine& line, const std::set<std::s
   std::vector<std::string> words{line.verb};
   words.insert(words.end(), line.words.begin(), line.words.end());
   for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
-  for (const auto& [name, value] : line.options) {
+  for (const auto& [name, value] : line.options)
     if (!without.contains(name)) words.push_back("--" + name + (value.empty() ? "" : "=" + value));
-  }
   return words;
 }
 

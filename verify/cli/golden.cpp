@@ -123,13 +123,11 @@ MadeFile made_of(const std::string& name, const CommandLine& line, const OnProgr
 /// The names after the action; without any those of all quantities and kinds of contacts.
 std::vector<std::string> names_of(const CommandLine& line) {
   std::vector<std::string> names(line.words.begin() + 1, line.words.end());
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     if (!is_contact_kind(name)) static_cast<void>(find_quantity(name));
-  }
   if (!names.empty()) return names;
-  for (const Quantity& quantity : catalogue()) {
+  for (const Quantity& quantity : catalogue())
     if (quantity.family.empty()) names.push_back(quantity.name);
-  }
   std::ranges::copy(contact_kinds(), std::back_inserter(names));
   return names;
 }
@@ -317,9 +315,8 @@ int export_files(const CommandLine& line, std::ostream& out) {
 int golden_verb(const CommandLine& line, std::ostream& out) {
   const std::string action = line.words.empty() ? "(missing)" : line.words.front();
   constexpr std::array<Verb*, golden_actions.size()> run{make, check, update, list, export_files};
-  for (std::size_t i = 0; i < run.size(); ++i) {
+  for (std::size_t i = 0; i < run.size(); ++i)
     if (golden_actions[i] == action) return run[i](line, out);
-  }
   throw BadInput("golden", action, "must be make, check, update, list or export");
 }
 

@@ -254,12 +254,9 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
     to_be_written |= settled && line.has("update-baseline");
   }
   if (to_be_written) replace_output_file(*line.option("baseline"), baseline->text());
-  if (const auto path = line.option("keep-worst")) {
+  if (const auto path = line.option("keep-worst"))
     for (const Graded& graded : all) keep_worst(*path, graded);
-  }
-  if (const auto junit = line.option("junit")) {
-    write_output_file(*junit, junit_text(all));
-  }
+  if (const auto junit = line.option("junit")) write_output_file(*junit, junit_text(all));
   const auto text = [&] {
     std::string of_all;
     for (const Graded& graded : all)

@@ -174,9 +174,8 @@ void refuse_other_fingerprint(const fs::path& folder, const std::string& found, 
 
 void StoredBlocks::read(const fs::path& folder) {
   std::set<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
+  for (const auto& entry : fs::directory_iterator(folder))
     if (is_shard_file(entry.path())) files.insert(entry.path());
-  }
   for (const fs::path& file : files) {
     std::ifstream stream(file, std::ios::binary);
     std::size_t number = 0;

@@ -16,9 +16,8 @@ std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges,
   const std::filesystem::path path = golden_path(quantity.name);
   if (!std::filesystem::exists(path)) return {};
   std::vector<Point> points;
-  for (const GoldenRow& row : read_golden(path).rows) {
+  for (const GoldenRow& row : read_golden(path).rows)
     if (contains(ranges, row.arguments)) points.push_back(row.arguments);
-  }
   return thinned(std::move(points), most);
 }
 

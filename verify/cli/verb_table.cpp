@@ -84,12 +84,10 @@ void check_company(const VerbText& verb, const CommandLine& line) {
   if (line.words.size() > 1 && !verb.too_many.empty())
     throw BadInput("argument", line.words[1], "unexpected: " + verb.too_many);
   for (const OptionText& option : verb.options) {
-    for (const auto& [other, why] : option.needs) {
+    for (const auto& [other, why] : option.needs)
       if (!line.has(other)) refuse_option(line, option.name, why);
-    }
-    for (const auto& [other, why] : option.without) {
+    for (const auto& [other, why] : option.without)
       if (line.has(other)) refuse_option(line, option.name, why);
-    }
     const bool suits = option.actions.empty() || line.words.empty() ||
                        std::ranges::find(option.actions, line.words.front()) != option.actions.end();
     if (!suits)

@@ -105,9 +105,8 @@ void add_key(TemplateData& plots, const TemplateData& all_series) {
 std::string rows_of(const TemplateData& series) {
   std::string text;
   for (std::size_t i = 0; i < series["x"].size(); ++i) {
-    for (const char* column : columns_of_series) {
+    for (const char* column : columns_of_series)
       if (!series[column].is_null()) text += fmt::format("{} ", series[column][i].get<double>());
-    }
     text += "\n";
   }
   return text;
@@ -154,9 +153,8 @@ void prepare(TemplateData& panel) {
   add_key(plots, panel["series"]);
   for (std::size_t i = 0; i + 1 < plots.size(); ++i) plots[i]["more"] = true;
   panel["plots"] = plots;
-  for (TemplateData& series : panel["series"]) {
+  for (TemplateData& series : panel["series"])
     for (const char* column : columns_of_series) series.erase(column);
-  }
 }
 
 }  // namespace

@@ -92,15 +92,13 @@ struct UnmadeContact {
 /// Those that a second method is to confirm.
 std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts) {
   std::vector<UnmadeContact*> reached, taken;
-  for (UnmadeContact& contact : contacts) {
+  for (UnmadeContact& contact : contacts)
     if (contact.refused.empty() && second_solver(*contact.scene)) reached.push_back(&contact);
-  }
   if (reached.empty() || reached.front()->scene->kind() == data::SceneKind::half_space) return reached;
   const std::size_t wanted =
       std::min(reached.size(), (contacts.size() + nips_for_each_confirmed - 1) / nips_for_each_confirmed);
-  for (std::size_t i = 0; i < reached.size(); ++i) {
+  for (std::size_t i = 0; i < reached.size(); ++i)
     if (is_taken(i, reached.size(), wanted)) taken.push_back(reached[i]);
-  }
   return taken;
 }
 

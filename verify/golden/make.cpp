@@ -52,9 +52,8 @@ class Candidates {
       : quantity_(quantity), random_("golden " + quantity.drawn_for() + " " + options.seed) {}
 
   void add(const std::vector<Point>& points, const std::string& origin) {
-    for (const Point& point : points) {
+    for (const Point& point : points)
       if (seen_.insert(point).second) fresh_.push_back({point, origin});
-    }
   }
   void add_dense(std::size_t count) { add(dense_points(quantity_, {}, count, random_), "dense"); }
 

@@ -67,14 +67,12 @@ std::size_t value_column(const CsvFile& file, const Quantity& quantity,
     if (const auto place = place_of(file, *wanted)) return *place;
     throw BadInput("column", *wanted, "must be the name of a column of " + file.path.string());
   }
-  for (const std::string& name : {std::string("value"), quantity.name}) {
+  for (const std::string& name : {std::string("value"), quantity.name})
     if (const auto place = place_of(file, name)) return *place;
-  }
   std::vector<std::size_t> others;
   const auto& names = file.records.front();
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (!is_argument(trimmed(names[i].text), quantity)) others.push_back(i);
-  }
   if (others.size() == 1) return others.front();
   data::refuse(file.path, names.front().position,
                fmt::format("must have the values in a column value or {}, or in one that --column names",

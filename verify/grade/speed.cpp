@@ -37,9 +37,8 @@ Contender BatchMethod::contender(std::size_t least, std::size_t most) const {
 BatchMethod method_of(const decltype(Quantity::by_fast_loop)& evaluate, fast::Accuracy accuracy,
                       const std::vector<Point>& points) {
   std::vector<std::vector<double>> columns(points.front().size());
-  for (const Point& point : points) {
+  for (const Point& point : points)
     for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
-  }
   return {[=, &evaluate](std::span<double> values) {
     const auto heads = mapped<std::span<const double>>(
         columns, [&](const auto& column) { return std::span(column).first(values.size()); });

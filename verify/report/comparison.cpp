@@ -99,9 +99,8 @@ std::size_t compare(const TomlTable& part, const json& older, const json& newer,
       if (found && !column.numbers.contains("differs")) break;
     }
   }
-  for (const auto& [id, row] : before) {
+  for (const auto& [id, row] : before)
     if (!now.contains(id)) items.push_back({Change::gone, name + id, "", ""});
-  }
   return of_other_points;
 }
 

@@ -21,9 +21,8 @@ TemplateData* row_like(TemplateData& rows, const TemplateData& row, const Keys& 
 
 /// Adds to each row the members of that row of `more` which has the same keys.
 void join(TemplateData& rows, TemplateData& more, const Keys& keys) {
-  for (TemplateData& row : rows) {
+  for (TemplateData& row : rows)
     if (const TemplateData* const other = row_like(more, row, keys)) row.update(*other);
-  }
 }
 
 /// Groups rows with the same keys: a group has these keys, and its rows as `rows`.
@@ -61,9 +60,8 @@ std::string percent_encoded(const std::string& svg) {
 /// Replaces the plots in the rows by pictures, drawn in several threads.
 void draw_all(TemplateData& rows, const Drawer& draw) {
   std::vector<TemplateData*> plotted;
-  for (TemplateData& row : rows) {
+  for (TemplateData& row : rows)
     if (row.contains("plot") && !row["plot"].is_null()) plotted.push_back(&row);
-  }
   parallel_for(plotted.size(), [&](std::size_t i) {
     TemplateData& row = *plotted[i];
     const auto svg = draw(gnuplot_script(Json::parse(row["plot"].dump())));
@@ -103,9 +101,8 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
   for (TemplateData& subject : page["subjects"]) subject["count"] = subject["rows"].size();
   for (TemplateData& row : rows) row.erase("picture");
   for (TemplateData& one : page["ways"]) one["drawn"] = one.contains("picture");
-  for (const char* list : {"subjects", "ways"}) {
+  for (const char* list : {"subjects", "ways"})
     if (!page[list].empty()) page[list].front()["first"] = true;
-  }
   return page;
 }
 

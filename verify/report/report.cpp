@@ -51,9 +51,8 @@ Json random_contacts_json(const std::vector<SceneTally>& scenes) {
 
 Json hard_cases_json(const std::vector<ContactAudit>& audits) {
   std::vector<bool> kept;
-  for (const ContactAudit& audit : audits) {
+  for (const ContactAudit& audit : audits)
     if (audit.kept()) kept.push_back(*audit.kept());
-  }
   return share_json(kept, std::identity());
 }
 
@@ -74,9 +73,8 @@ Json skipped_json(const Report& report) {
 Json table_counts_json(const Replay& replay) {
   const ColumnDeviation* worst = nullptr;
   for (const Cost& cost : replay.costs) {
-    for (const ColumnDeviation& column : cost.columns) {
+    for (const ColumnDeviation& column : cost.columns)
       if (worst == nullptr || std::fabs(column.largest) > std::fabs(worst->largest)) worst = &column;
-    }
   }
   return {{"id", replay.table.id},
           {"judged", replay.cells.size() - replay.count(Verdict::input)},

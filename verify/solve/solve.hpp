@@ -72,9 +72,8 @@ struct SceneSolution {
   /// Names of the results that are not as accurate as was asked.
   [[nodiscard]] std::vector<std::string_view> missed() const {
     std::vector<std::string_view> names;
-    for (const Result& result : results) {
+    for (const Result& result : results)
       if (result.met() == false) names.push_back(result.what->name);
-    }
     return names;
   }
   /// Whether all results are as accurate as was asked; nothing if an accuracy was asked of none.
@@ -91,9 +90,8 @@ struct SceneSolution {
     return profile(data::scene_result(id).name);
   }
   [[nodiscard]] const std::vector<Number>& profile(std::string_view name) const {
-    for (const Result& result : results) {
+    for (const Result& result : results)
       if (result.what->name == name) return result.numbers;
-    }
     throw data::BadInput("result", name, "must be among what the scene wants");
   }
 };

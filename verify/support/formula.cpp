@@ -56,9 +56,8 @@ std::vector<std::string> tokens_of(const std::string& formula) {
       tokens.emplace_back("_");
     } else if (is(at, isdigit)) {
       while (is(end, isdigit) || (end < formula.size() && formula[end] == '.')) ++end;
-      if (end < formula.size() && formula[end] == 'e' && (is(end + 1, isdigit) || is(end + 2, isdigit))) {
+      if (end < formula.size() && formula[end] == 'e' && (is(end + 1, isdigit) || is(end + 2, isdigit)))
         for (end += 2; is(end, isdigit);) ++end;
-      }
     } else if (formula.compare(at, 3, " / ") == 0) {
       end = at + 3;
     } else if (pairs.contains(formula.substr(at, 2))) {

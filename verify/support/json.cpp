@@ -20,9 +20,8 @@ void erase_everywhere(Tree& value, IsErased is_erased) {
   if (!value.is_structured()) return;
   std::vector<std::string> erased;
   if (value.is_object()) {
-    for (const auto& [name, member] : value.items()) {
+    for (const auto& [name, member] : value.items())
       if (is_erased(name)) erased.push_back(name);
-    }
   }
   for (const std::string& name : erased) value.erase(name);
   for (Tree& item : value) erase_everywhere(item, is_erased);

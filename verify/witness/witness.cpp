@@ -36,9 +36,8 @@ using Side = std::vector<double>;
 /// scaled so that the last one ends at `length`.
 std::vector<double> graded(double length, double first, double largest) {
   std::vector<double> distances{0};
-  for (double step = first; distances.back() < length; step = std::min(1.15 * step, largest)) {
+  for (double step = first; distances.back() < length; step = std::min(1.15 * step, largest))
     distances.push_back(distances.back() + step);
-  }
   const double stretch = length / distances.back();
   for (double& distance : distances) distance *= stretch;
   return distances;
@@ -141,9 +140,8 @@ Response read_response(std::istream& in, const StripMesh& mesh) {
     double across = 0;
     if (forces && numbers >> along >> across) response.reaction = -across;
     std::size_t node = 0;
-    if (!forces && numbers >> node >> along >> across) {
+    if (!forces && numbers >> node >> along >> across)
       response.surface[mesh.along.at(node - mesh.surface_number(0))] = {-across, along};
-    }
   }
   return response;
 }

@@ -50,9 +50,8 @@ std::optional<double> exact_product(double factor, double number) {
 bool multiply(DrawnScene::Value& value, const Units& units, const data::SceneKey& key) {
   std::vector<double*> numbers;
   if (auto* number = std::get_if<double>(&value)) numbers.push_back(number);
-  if (auto* list = std::get_if<std::vector<double>>(&value)) {
+  if (auto* list = std::get_if<std::vector<double>>(&value))
     for (double& number : *list) numbers.push_back(&number);
-  }
   Dimension power = key.dimension;
   for (double* const number : numbers) {
     const auto product = exact_product(units(power), *number);

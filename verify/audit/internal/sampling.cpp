@@ -65,9 +65,8 @@ bool has_range(const Ranges& ranges, std::size_t argument) { return !ranges.empt
 
 /// Draws the arguments that have a range again, from their range.
 void into_ranges(const Ranges& ranges, Point& point, Random& random) {
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
+  for (std::size_t i = 0; i < ranges.size(); ++i)
     if (ranges[i]) point[i] = ranges[i]->fixed() ? ranges[i]->lower : ranges[i]->at(random.uniform());
-  }
 }
 
 /// 0 to count - 1 in a random order.
@@ -96,9 +95,8 @@ void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random
 /// The other position of a quantity of two, if there are two and `changed` is one of them.
 void tie_positions(const Quantity& quantity, Point& point, std::size_t changed) {
   for (std::size_t i = 0; i < point.size(); ++i) {
-    if (i != changed && is_position(quantity.arguments[i].kind)) {
+    if (i != changed && is_position(quantity.arguments[i].kind))
       point[i] = into_domain(quantity.arguments[i].kind, point[changed]);
-    }
   }
 }
 
@@ -206,9 +204,8 @@ std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges,
                                  Random& random) {
   std::vector<Point> points;
   points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     points.push_back(kept_off(quantity, ranges, draw_point(quantity, ranges, random)));
-  }
   return points;
 }
 

@@ -44,9 +44,8 @@ class Comparisons {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
       if (std::ranges::find(results, result.what->id) == results.end()) continue;
-      for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+      for (std::size_t i = 0; i < result.numbers.size(); ++i)
         if (const std::optional<RefNumber> other = other_of(result, i)) compare(name, k, i, *other, is_truth);
-      }
     }
   }
 
@@ -207,9 +206,8 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
       ResultId::edge_displacement,      ResultId::peak_pressure, ResultId::pressure,
       ResultId::peak_pressure_position, ResultId::surface_strain};
   if (ratio <= longest_inside_by_ref) {
-    for (const data::SceneResult& result : data::scene_results()) {
+    for (const data::SceneResult& result : data::scene_results())
       if (result.shape == data::Shape::field) known.push_back(result.id);
-    }
   }
   drawn.set_wanted(known);
   try {

@@ -8,9 +8,8 @@ using Limits = std::numeric_limits<double>;
 
 /// The value and its neighbouring doubles, with alternating signs, so that both signs occur without twice as many points.
 void add_with_neighbours(std::vector<double>& values, double value) {
-  for (const double near : {std::nextafter(value, 0.0), value, std::nextafter(value, Limits::infinity())}) {
+  for (const double near : {std::nextafter(value, 0.0), value, std::nextafter(value, Limits::infinity())})
     values.push_back(values.size() % 2 == 0 ? near : -near);
-  }
 }
 
 /// fast's branch points, and the ends of the range of doubles and of the kernels: e^(-2.106 x) becomes subnormal at 336 and

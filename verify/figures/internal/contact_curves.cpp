@@ -48,9 +48,8 @@ double contour_step(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::fabs(value));
   const double power = std::pow(10, std::floor(std::log10(largest / 10)));
-  for (const double step : {power, 2 * power, 5 * power}) {
+  for (const double step : {power, 2 * power, 5 * power})
     if (10 * step >= largest) return step;
-  }
   return 10 * power;
 }
 
@@ -106,9 +105,8 @@ std::vector<Series> slip_zones(FigureFormulas& formulas, const Series& start) {
     const double exit = boundaries.back().value, entry = boundaries.front().value;
     const auto place = [&](std::size_t i) { return (boundaries[i].value - exit) / (entry - exit); };
     const std::vector<int> signs = contact.zone_signs();
-    for (std::size_t i = 0; i < signs.size(); ++i) {
+    for (std::size_t i = 0; i < signs.size(); ++i)
       if (signs[i] != 0) add_bar(signs[i] > 0 ? towards_entry : towards_exit, mu, place(i + 1), place(i));
-    }
   }
   return {towards_entry, towards_exit};
 }
@@ -122,9 +120,8 @@ Contours stress_contours(FigureFormulas& formulas) {
                     {},
                     0};
   Places places;
-  for (const double depth : contours.y) {
+  for (const double depth : contours.y)
     for (const double along : contours.x) places.push_back({along * half, depth});
-  }
   const SolvedContact<fast::Estimate>& contact = formulas.nip();
   const double peak = contact.number(ResultId::peak_pressure).value;
   const ResultId stress = data::find_scene_result(scope.shown->text("id"))->id;

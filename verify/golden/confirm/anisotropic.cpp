@@ -69,13 +69,11 @@ std::array<std::array<Complex, 3>, 3> StrohSolid::admittance(const Float& psi_de
   for (const Complex& s : roots_of<150>(sextic)) {
     if (s.imag() < 0 || count == 3) continue;
     std::array<Column, 3> rows;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) rows[i][k] = value_at(p[i][k], s);
-    }
     a[count] = cross(rows[0], rows[1]);
-    for (const auto& other : {cross(rows[1], rows[2]), cross(rows[2], rows[0])}) {
+    for (const auto& other : {cross(rows[1], rows[2]), cross(rows[2], rows[0])})
       if (size(other) > size(a[count])) a[count] = other;
-    }
     for (std::size_t i = 0; i < 3; ++i) {
       b[count][i] = 0;
       for (std::size_t k = 0; k < 3; ++k) b[count][i] += (r[k][i] + s * t[i][k]) * a[count][k];
@@ -88,9 +86,8 @@ std::array<std::array<Complex, 3>, 3> StrohSolid::admittance(const Float& psi_de
   for (auto& row : y) row.fill(Complex(0));
   for (std::size_t n = 0; n < 3; ++n) {
     const Column inverse = cross(b[(n + 1) % 3], b[(n + 2) % 3]);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) y[i][k] += unit * a[n][i] * inverse[k] / determinant;
-    }
   }
   return y;
 }

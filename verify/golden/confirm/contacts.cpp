@@ -149,9 +149,8 @@ class Contact {
   /// By golden section search about the largest of the known values.
   [[nodiscard]] Float largest_shear() const {
     int largest = 1;
-    for (int j = 1; j < grid_.last; ++j) {
+    for (int j = 1; j < grid_.last; ++j)
       if (abs(shear(j)) > abs(shear(largest))) largest = j;
-    }
     const Float part = (sqrt(Float(5)) - 1) / 2;
     Float from = grid_.node(largest - 1), to = grid_.node(largest + 1);
     for (int i = 0; i < 60; ++i) {

@@ -16,9 +16,8 @@ enum class MovingModel { thesis = 1, prony, operators, two_moduli };
 Exponentials terms_of(Arguments x, const std::string& function) {
   Exponentials sum{Long(x[function + "_instantaneous"]), {}};
   const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
-  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+  for (std::size_t k = 0; k < amplitudes.size(); ++k)
     if (amplitudes[k] != 0) sum.terms.push_back({LongComplex(amplitudes[k]), LongComplex(rates[k])});
-  }
   return sum;
 }
 

@@ -34,9 +34,8 @@ Root value_at(const PolynomialOf<Real>& polynomial, const Root& z) {
 template <class Root>
 Root apart(const std::vector<Root>& roots, std::size_t i) {
   Root product(1);
-  for (std::size_t j = 0; j < roots.size(); ++j) {
+  for (std::size_t j = 0; j < roots.size(); ++j)
     if (j != i) product *= roots[i] - roots[j];
-  }
   return product;
 }
 

@@ -152,9 +152,8 @@ void Trial::time(const Kernel& kernel, Exchange& exchange) {
   arrays.fill(kernel, exchange, as_given(exchange.points));
   exchange.status = 0;
   const Clock::time_point start = Clock::now();
-  for (std::size_t pass = 0; pass < exchange.passes; ++pass) {
+  for (std::size_t pass = 0; pass < exchange.passes; ++pass)
     if (const int of_pass = kernel.evaluate(arrays.arguments, arrays.output)) exchange.status = of_pass;
-  }
   exchange.seconds = std::chrono::duration<double>(Clock::now() - start).count();
 }
 

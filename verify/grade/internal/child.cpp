@@ -45,9 +45,8 @@ fs::path kernel_host() {
   std::error_code unknown;
   const fs::path beside =
       fs::read_symlink("/proc/self/exe", unknown).parent_path() / NIPREF_HOST_FROM_PROGRAM;
-  for (const fs::path& folder : {beside, fs::path(NIPREF_HOST_INSTALLED), fs::path(NIPREF_HOST_BUILT)}) {
+  for (const fs::path& folder : {beside, fs::path(NIPREF_HOST_INSTALLED), fs::path(NIPREF_HOST_BUILT)})
     if (can_run(folder / "nipref-kernel-host")) return folder / "nipref-kernel-host";
-  }
   throw data::BadInput(
       host_variable, "(not set)",
       "must be the program nipref-kernel-host, which was not found beside this program nor where it "

@@ -55,9 +55,8 @@ std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
 /// The formula's number, if it does not match the cell.
 std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& cell) {
   std::string text = units_away(printed, cell.attempts.front()) + ", which the table's formula gives";
-  for (std::size_t i = 1; i < cell.attempts.size(); ++i) {
+  for (std::size_t i = 1; i < cell.attempts.size(); ++i)
     text += fmt::format("; {} ({})", units_away(printed, cell.attempts[i]), cell.attempts[i].how);
-  }
   return text;
 }
 

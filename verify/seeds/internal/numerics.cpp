@@ -13,9 +13,8 @@ namespace {
 /// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
 /// infinite if `certain` holds at none.
 Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
-  for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2) {
+  for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2)
     if (certain(reach)) return {x, reach};
-  }
   return {x, std::numeric_limits<double>::infinity()};
 }
 

@@ -53,13 +53,11 @@ long double magnitude_of(const ref::Estimate& number) {
 template <class Number>
 Places places_of(data::Shape shape, const SceneSolution<Number>& solution) {
   Places places;
-  if (shape == data::Shape::profile) {
+  if (shape == data::Shape::profile)
     for (const double y : solution.positions) places.push_back({y});
-  }
   if (shape == data::Shape::field) {
-    for (const double depth : solution.field.depths) {
+    for (const double depth : solution.field.depths)
       for (const double y : solution.field.positions) places.push_back({y, depth});
-    }
   }
   return places;
 }

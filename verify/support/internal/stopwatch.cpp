@@ -56,9 +56,8 @@ std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, i
   const auto plans = mapped(contenders, [&](const Contender& one) { return plan(one, seconds_per_round); });
   std::vector<std::vector<double>> samples(contenders.size());
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < contenders.size(); ++i) {
+    for (std::size_t i = 0; i < contenders.size(); ++i)
       samples[i].push_back(seconds_per_evaluation(contenders[i], plans[i]));
-    }
   }
   std::vector<Timing> timings;
   for (std::size_t i = 0; i < contenders.size(); ++i) {
