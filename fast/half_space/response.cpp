@@ -10,7 +10,7 @@ PressureWave::PressureWave(const LineResponse& y, const std::array<Vector, 3>& m
   Eigen::Matrix3cd g;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) g(static_cast<int>(i), static_cast<int>(k)) = matrix[i][k];
-  const Eigen::Vector3cd values = Eigen::ComplexEigenSolver<Eigen::Matrix3cd>(g, false).eigenvalues();
+  const Eigen::Vector3cd values = Eigen::ComplexSchur<Eigen::Matrix3cd>(g, false).matrixT().diagonal();
   decays = {values[0], values[1], values[2]};
   // The first and the last are the farthest from each other: a second divided difference is divided by their distance.
   const auto apart = [&](std::size_t i, std::size_t k) { return std::abs(decays[i] - decays[k]); };

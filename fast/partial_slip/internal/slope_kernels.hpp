@@ -27,9 +27,9 @@ class SlopeKernels {
  private:
   using Kernels = std::array<Eigen::MatrixXd, 3>;  ///< U, V, S
   [[nodiscard]] Rows under(const Kernels& kernels, const auto& pressures, const auto& shears) const {
-    const auto p = (at_sources_.transpose() * pressures).eval(),
-               q = (at_sources_.transpose() * shears).eval();
-    return {at_targets_ * (kernels[0] * p - kernels[1] * q), at_targets_ * (kernels[1] * p + kernels[2] * q)};
+    const Eigen::MatrixXd p = at_sources_.transpose() * pressures, q = at_sources_.transpose() * shears;
+    const Eigen::MatrixXd normal = kernels[0] * p - kernels[1] * q, along = kernels[1] * p + kernels[2] * q;
+    return {at_targets_ * normal, at_targets_ * along};
   }
 
   Eigen::MatrixXd at_targets_, at_sources_;

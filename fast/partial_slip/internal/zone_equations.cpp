@@ -69,11 +69,15 @@ ZoneEquations::Misfits ZoneEquations::misfits() const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
-  const auto [normal, tangential] = forces();
+  const Forces forces = this->forces();
+  const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
   const Eigen::MatrixXd kernels = cauchy();
-  const auto [rest_across, rest_along] = rests().values(normal.matrix(), tangential.matrix());
-  const Eigen::VectorXd across = kernels * normal.matrix() + rest_across + task_.beta * q_here,
-                        along = kernels * tangential.matrix() + rest_along - task_.beta * p_here;
+  const Rows rest = rests().values(normal, tangential);
+  Eigen::VectorXd across = kernels * normal, along = kernels * tangential;
+  across += rest.normal;
+  across += task_.beta * q_here;
+  along += rest.along;
+  along -= task_.beta * p_here;
   return {across.array() - 2 * (leading_length() - places(mesh_.midpoints())), along.array() - creep()};
 }
 
@@ -106,7 +110,7 @@ ZoneEquations::Rows ZoneEquations::rows() const {
 ZoneEquations::Rows ZoneEquations::by_lengths(const Eigen::MatrixXd& kernels,
                                               const SlopeKernels& rest) const {
   // A length moves midpoints and nodes, and changes the weights of its nodes.
-  const auto forces = this->forces();
+  const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
   const Eigen::MatrixXd own = extents(mesh_.midpoints()), moves = extents(mesh_.nodes());
   const Eigen::MatrixXd in_zone = of_points(mesh_.nodes(), [&](const ZoneMesh::Point& node, Index zone) {
@@ -114,13 +118,16 @@ ZoneEquations::Rows ZoneEquations::by_lengths(const Eigen::MatrixXd& kernels,
   });
   const Eigen::MatrixXd p_of_zones = normal.asDiagonal() * in_zone,
                         q_of_zones = tangential.asDiagonal() * in_zone;
-  const Rows here = rest.slopes(normal, tangential);
-  const Rows moved = rest.slopes(normal.asDiagonal() * moves, tangential.asDiagonal() * moves);
-  const Rows by_weight = rest.values(p_of_zones, q_of_zones);
-  return {2 * own + here.normal.asDiagonal() * own - moved.normal + by_weight.normal + kernels * p_of_zones +
-              by_distances(kernels, normal),
-          here.along.asDiagonal() * own - moved.along + by_weight.along + kernels * q_of_zones +
-              by_distances(kernels, tangential)};
+  const Eigen::MatrixXd moved_p = normal.asDiagonal() * moves, moved_q = tangential.asDiagonal() * moves;
+  const Rows here = rest.slopes(normal, tangential), moved = rest.slopes(moved_p, moved_q),
+             by_weight = rest.values(p_of_zones, q_of_zones);
+  Rows rows{2 * own + here.normal.asDiagonal() * own - moved.normal + by_weight.normal,
+            here.along.asDiagonal() * own - moved.along + by_weight.along};
+  rows.normal += kernels * p_of_zones;
+  rows.normal += by_distances(kernels, normal);
+  rows.along += kernels * q_of_zones;
+  rows.along += by_distances(kernels, tangential);
+  return rows;
 }
 
 /// The derivative of -1/(pi d) is 1/(pi d^2) times that of d. Of points in one zone that is d itself; of others it is the part
