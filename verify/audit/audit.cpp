@@ -93,8 +93,4 @@ Json audit_row_json(const AuditResult& result) {
 
 Json audit_json(const std::vector<AuditResult>& results) { return json_list(results, audit_row_json); }
 
-bool all_kept(const std::vector<AuditResult>& results) {
-  return std::ranges::all_of(results, &AuditResult::kept);
-}
-
 }  // namespace nipref::verify

@@ -117,7 +117,4 @@ Json audit_row_json(const AuditResult& result);
 /// The "rows" of an audit.
 Json audit_json(const std::vector<AuditResult>& results);
 
-/// True if every promise was kept.
-bool all_kept(const std::vector<AuditResult>& results);
-
 }  // namespace nipref::verify

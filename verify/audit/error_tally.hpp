@@ -1,8 +1,10 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include <nipref/verify/support/json.hpp>
 
@@ -34,5 +36,11 @@ class ErrorTally {
   mpz_class sum_;                      ///< in units of 2^-32, each number rounded up
   std::map<int, std::uint64_t> bins_;  ///< by number
 };
+
+/// True if no promise was broken; what has no truth to compare with breaks none.
+template <class Found>
+bool all_kept(const std::vector<Found>& all) {
+  return std::ranges::none_of(all, [](const Found& one) { return one.kept() == false; });
+}
 
 }  // namespace nipref::verify

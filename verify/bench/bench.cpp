@@ -1,4 +1,3 @@
-#include <nipref/data/directory.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
@@ -8,7 +7,7 @@
 namespace nipref::verify {
 
 std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows) {
-  const TomlTable file = read_toml(data::statements_directory() / "speed.toml", "statements file");
+  const TomlTable& file = statements_file("speed.toml");
   std::vector<BenchRatio> formed;
   for (const TomlTable& promise :
        file.list("promise", {"what", "quantity", "range", "quick"},
@@ -132,10 +131,8 @@ Json ratio_json(const BenchRatio& ratio) {
 
 Json bench_json(const BenchReport& report) {
   const auto ratios = [&](bool of_errors) {
-    std::vector<Json> these;
-    for (const BenchRatio& ratio : report.ratios)
-      if (ratio.of_errors == of_errors) these.push_back(ratio_json(ratio));
-    return these;
+    const auto is_such = [=](const BenchRatio& ratio) { return ratio.of_errors == of_errors; };
+    return json_list(report.ratios | std::views::filter(is_such), ratio_json);
   };
   const auto ways_json = [](std::span<const BenchRow> ways) {
     return Json{{"quantity", ways.front().quantity},

@@ -35,11 +35,6 @@ const verify::Quantity& given(const nipref_quantity* quantity) {
 
 fast::Accuracy accuracy_of(double rtol) { return rtol == 0 ? fast::Accuracy() : fast::Accuracy(rtol); }
 
-std::span<const double> columns_refused_if_null(const double* column, std::size_t points) {
-  refuse_null("columns", column);
-  return {column, points};
-}
-
 /// Checks, like the command line, the domains of arguments that the catalogue's evaluators do not check.
 void check_choices(const verify::Quantity& quantity, std::span<const double> point) {
   for (std::size_t i = 0; i < point.size(); ++i) {
@@ -186,8 +181,10 @@ int nipref_fast_batch(const nipref_quantity* quantity, std::size_t points, const
     refuse_null("columns", columns);
     refuse_null("values", values);
     std::vector<std::span<const double>> spans;
-    for (std::size_t i = 0; i < wanted.arguments.size(); ++i)
-      spans.push_back(columns_refused_if_null(columns[i], points));
+    for (std::size_t i = 0; i < wanted.arguments.size(); ++i) {
+      refuse_null("columns", columns[i]);
+      spans.emplace_back(columns[i], points);
+    }
     const std::vector<double> found = values_at(wanted, spans, points, accuracy_of(rtol));
     if (points > 0) std::memcpy(values, found.data(), points * sizeof(double));
   });

@@ -41,11 +41,9 @@ double quotient(const ref::Float& distance, double unit) {
 }
 
 /// 0 where it is not known.
-double known_envelope(const Quantity& quantity, const ParsedArguments& arguments) try {
-  const double envelope = quantity.envelope(arguments.nearest(quantity));
-  return std::isfinite(envelope) ? envelope : 0;
-} catch (const data::BadInput&) {
-  return 0;
+double known_envelope(const Quantity& quantity, const ParsedArguments& arguments) {
+  const auto envelope = unless_refused([&] { return quantity.envelope(arguments.nearest(quantity)); });
+  return envelope && std::isfinite(*envelope) ? *envelope : 0;
 }
 
 }  // namespace

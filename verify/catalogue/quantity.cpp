@@ -77,11 +77,8 @@ Point point_of(const Quantity& quantity, const std::vector<std::pair<std::string
 }
 
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {
-  try {
-    return quantity.by_fast(point, accuracy);
-  } catch (const data::BadInput&) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
+  return unless_refused([&] { return quantity.by_fast(point, accuracy); })
+      .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 ref::Estimate ref_value(const Quantity& quantity, std::span<const double> point, int digits) {

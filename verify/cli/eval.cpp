@@ -147,11 +147,11 @@ Json number_json(const std::string& path, const std::string& text) {
 /// What errors are measured against at the arguments; nothing where doubles end. The first answer decides: the values
 /// differ by less than what the scale is for.
 std::optional<double> scale_of(const EvalRequest& request, const ParsedArguments& arguments,
-                               const EvalAnswer& answer) try {
-  return std::max(std::fabs(std::strtod(answer.value.c_str(), nullptr)),
-                  request.quantity->envelope(arguments.nearest(*request.quantity)));
-} catch (const BadInput&) {
-  return {};
+                               const EvalAnswer& answer) {
+  return unless_refused([&] {
+    return std::max(std::fabs(std::strtod(answer.value.c_str(), nullptr)),
+                    request.quantity->envelope(arguments.nearest(*request.quantity)));
+  });
 }
 
 Json answer_json(const EvalAnswer& answer) {
@@ -190,11 +190,6 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"_differs", request.form == nullptr ? Json() : Json(request.form->differs)}};
 }
 
-std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
-  return mapped(given,
-                [&](const auto& pair) { return axis_of(pair.first, pair.second, line.count("points")); });
-}
-
 std::vector<std::string> columns_of(const EvalRequest& request) {
   if (request.form != nullptr) return {request.form->name};
   std::vector<std::string> columns;
@@ -223,7 +218,8 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
   const Quantity& quantity = *request.quantity;
   const Assignments all = with_material_numbers(quantity, line.assignments);
   refuse_unknown_arguments(quantity, all);
-  const AxesProduct points(axes_of(line, all));
+  const AxesProduct points(
+      mapped(all, [&](const auto& pair) { return axis_of(pair.first, pair.second, line.count("points")); }));
   const Sweep sweep{"eval_sweep",
                     points,
                     columns_of(request),

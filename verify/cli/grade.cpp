@@ -9,7 +9,6 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/grade/plugin.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/text.hpp>

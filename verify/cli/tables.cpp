@@ -6,16 +6,6 @@
 namespace nipref::verify {
 namespace {
 
-/// Each once, in the order in which they are named.
-std::vector<std::string> ids_of(const CommandLine& line) {
-  std::vector<std::string> ids;
-  for (const std::string& name : line.words) {
-    const std::string id = data::find_table_id(name);
-    if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
-  }
-  return ids;
-}
-
 int list_tables(const std::vector<std::string>& ids, const CommandLine& line, std::ostream& out) {
   std::vector<data::TableSummary> summaries;
   if (ids.empty()) summaries = data::summarize_tables();
@@ -51,7 +41,8 @@ bool fall_short(const std::vector<Replay>& replays) {
 }
 
 int tables_verb(const CommandLine& line, std::ostream& out) {
-  const std::vector<std::string> ids = ids_of(line);
+  const std::vector<std::string> ids =
+      each_once(mapped(line.words, [](const auto& name) { return data::find_table_id(name); }));
   if (line.has("list")) return list_tables(ids, line, out);
   Progress progress(line.has("quiet"));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);

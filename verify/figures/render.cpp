@@ -64,12 +64,8 @@ std::string escaped_for_gnuplot(const std::string& text) {
 
 /// The labels or roles without repetition, in the order of their first series.
 std::vector<std::string> each_once(const TemplateData& all_series, const char* what) {
-  std::vector<std::string> names;
-  for (const TemplateData& series : all_series) {
-    const std::string name = series[what];
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  return names;
+  return verify::each_once(
+      mapped(all_series, [&](const auto& series) { return series[what].template get<std::string>(); }));
 }
 
 /// A part of the plot command: `data` drawn with a mark, in the style of the label of that number.

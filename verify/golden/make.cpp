@@ -27,13 +27,12 @@ std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& g
   Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
   const std::vector<Point> points = random_points(quantity, {}, audited, random);
   const auto used = parallel_mapped(points.size(), [&](std::size_t i) {
-    try {
+    const auto ulps = [&] {
       return deviation(fast_value(quantity, points[i], {}),
                        ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i]))
           .ulps;
-    } catch (const data::BadInput&) {
-      return 0.0;
-    }
+    };
+    return unless_refused(ulps).value_or(0);
   });
   std::vector<std::size_t> order(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -80,10 +79,6 @@ class Candidates {
   std::vector<Candidate> fresh_;
 };
 
-Assignments exact_arguments(const Quantity& quantity, const Point& point) {
-  return written_point(quantity, point, [](double x) { return fmt::format("{:a}", x); });
-}
-
 /// A confirmed golden value, or the reason why there is none; neither of a row that stays as it is.
 struct MadeRow {
   std::optional<GoldenRow> row = {};
@@ -97,7 +92,8 @@ template <class Why>
 MadeRow made_row(const Quantity& quantity, const Point& point, const std::string& origin, int digits,
                  const Why& why_of) {
   const auto refused = [&](std::string reason, bool has_reference) -> MadeRow {
-    return {{}, RefusedRow{exact_arguments(quantity, point), std::move(reason)}, has_reference};
+    const auto exact = [](double x) { return fmt::format("{:a}", x); };
+    return {{}, RefusedRow{written_point(quantity, point, exact), std::move(reason)}, has_reference};
   };
   std::optional<ref::Estimate> reference;
   try {

@@ -99,9 +99,8 @@ const std::vector<Quantity>& contact_quantities(const std::string& kind) {
 }
 
 std::vector<Point> contact_points(const std::string& kind, const AxesProduct& contacts) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < contacts.size(); ++i) points.push_back(kind_of(kind).point_of(contacts, i));
-  return points;
+  return mapped(std::views::iota(std::size_t{0}, contacts.size()),
+                [&](std::size_t i) { return kind_of(kind).point_of(contacts, i); });
 }
 
 }  // namespace nipref::verify

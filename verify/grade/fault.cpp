@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include <nipref/verify/audit/audit.hpp>
@@ -7,20 +8,9 @@
 namespace nipref::verify {
 namespace {
 
-constexpr std::string_view fault_names[] = {"crash",
-                                            "exit",
-                                            "hang",
-                                            "refused",
-                                            "not finite",
-                                            "unwritten",
-                                            "overrun",
-                                            "arguments changed",
-                                            "environment changed",
-                                            "output",
-                                            "order matters",
-                                            "threads matter",
-                                            "protocol",
-                                            "given up"};
+constexpr auto fault_names = std::to_array<std::string_view>(
+    {"crash", "exit", "hang", "refused", "not finite", "unwritten", "overrun", "arguments changed",
+     "environment changed", "output", "order matters", "threads matter", "protocol", "given up"});
 constexpr std::size_t shown = 4;
 
 void widen(FaultGroup& group, const Point& point) {

@@ -5,10 +5,6 @@
 namespace nipref::verify {
 namespace {
 
-std::string exponent_text(const Decade& decade) {
-  return decade.exponent ? fmt::format("1e{:+03}", *decade.exponent) : "0";
-}
-
 /// The worst few, in the order of magnitude: a domain may have six hundred.
 std::vector<Decade> worst_decades(std::vector<Decade> decades) {
   constexpr std::size_t few = 12;
@@ -25,7 +21,7 @@ Json decade_json(const Decade& decade) {
           {"above_promise", decade.above},
           {"max_error_ulp", decade.max_ulp},
           {"median_error_ulp", decade.median_ulp},
-          {"_from", exponent_text(decade)}};
+          {"_from", decade.exponent ? fmt::format("1e{:+03}", *decade.exponent) : "0"}};
 }
 
 Json wrong_json(const Quantity& quantity, const WrongRegion& wrong) {

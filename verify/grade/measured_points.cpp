@@ -79,8 +79,6 @@ std::size_t value_column(const CsvFile& file, const Quantity& quantity,
                            quantity.name));
 }
 
-bool is_hexadecimal(const std::string& text) { return text.find_first_of("xX") != std::string::npos; }
-
 /// The number of significant digits of a decimal number.
 int significant_digits(const std::string& text) {
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
@@ -102,7 +100,8 @@ void add_row(MeasuredPoints& read, const CsvFile& file, const std::vector<Argume
     point.push_back(argument_of(file.path, *argument, field));
     if (argument->kind == ArgumentKind::choice) continue;
     const std::string text = trimmed(field.text);
-    is_short |= place && !is_hexadecimal(text) && significant_digits(text) < exact_digits;
+    const bool is_hexadecimal = text.find_first_of("xX") != std::string::npos;
+    is_short |= place && !is_hexadecimal && significant_digits(text) < exact_digits;
     contradicts |= exact && decimal && double_of(file.path, record[*decimal]) != point.back();
   }
   read.points.push_back(std::move(point));

@@ -9,8 +9,6 @@ namespace {
 
 constexpr double largest_proof = 0.01, largest_likely = 0.2;
 
-bool is_digit(char character) { return std::isdigit(static_cast<unsigned char>(character)) != 0; }
-
 Verdict verdict_of(double chance) {
   return chance < largest_proof     ? Verdict::misprint
          : chance <= largest_likely ? Verdict::likely_misprint
@@ -24,7 +22,8 @@ std::string note_of(const std::string& reading, double chance, const std::string
 /// How many digits stand behind the highest one that was changed.
 std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
   std::string printed = cell.printed, read_as = cell.read_as;
-  for (std::string* text : {&printed, &read_as}) std::erase_if(*text, [](char c) { return !is_digit(c); });
+  for (std::string* text : {&printed, &read_as})
+    std::erase_if(*text, [](unsigned char c) { return std::isdigit(c) == 0; });
   const auto [differs, other] = std::ranges::mismatch(printed, read_as);
   return std::ssize(read_as) - 1 - (other - read_as.begin());
 }

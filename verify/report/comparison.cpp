@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include <nipref/data/directory.hpp>
 #include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
@@ -134,9 +133,8 @@ ReportComparison compare_reports(const std::string& older, const std::string& ne
   const json before = json::parse(older), now = json::parse(newer);
   ReportComparison comparison{version_of(before), "", {}};
   std::size_t of_other_points = 0;
-  const TomlTable parts = read_toml(data::statements_directory() / "comparison.toml", "statements file");
-  for (const TomlTable& part : parts.list("part", {"path", "name"}, {"keys", "column"}))
-    of_other_points += compare(part, before, now, comparison.items);
+  const auto& parts = statements_file("comparison.toml").list("part", {"path", "name"}, {"keys", "column"});
+  for (const TomlTable& part : parts) of_other_points += compare(part, before, now, comparison.items);
   std::ranges::stable_sort(comparison.items, {}, &ChangedItem::change);
   if (of_other_points > 0)
     comparison.note = fmt::format(

@@ -89,13 +89,11 @@ Json table_counts_json(const Replay& replay) {
 
 /// The promised ratios of fast's times to those of other libraries.
 Json headline_ratios_json(const BenchReport& speed) {
-  std::vector<Json> headline;
-  for (const BenchRatio& ratio : speed.ratios) {
-    if (ratio.what.find("against Boost") != std::string::npos ||
-        ratio.what.find("against GSL") != std::string::npos)
-      headline.push_back(ratio_json(ratio));
-  }
-  return headline;
+  const auto is_headline = [](const BenchRatio& ratio) {
+    return ratio.what.find("against Boost") != std::string::npos ||
+           ratio.what.find("against GSL") != std::string::npos;
+  };
+  return json_list(speed.ratios | std::views::filter(is_headline), ratio_json);
 }
 
 }  // namespace

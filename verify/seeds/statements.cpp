@@ -1,4 +1,3 @@
-#include <nipref/data/directory.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -22,10 +21,6 @@ void set_number(Json& row, std::string_view key, std::string_view error_key,
   row.set(error_key, number ? Json::number(decimals.error) : Json());
 }
 
-TomlTable file_of(const char* name) {
-  return read_toml(data::statements_directory() / name, "statements file");
-}
-
 /// In the order of the enumeration.
 constexpr std::string_view claim_verdicts[] = {"holds", "false", "holds in a range"};
 
@@ -34,21 +29,6 @@ std::string with_values(const std::string& text, StatementFormulas& formulas) {
   return with_fields(text, [&](const std::string& formula, const std::string& format) {
     return fmt::format(fmt::runtime("{" + format + "}"), formulas.value(formula).value());
   });
-}
-
-const TomlTable& claims_file() {
-  static const TomlTable file = file_of("claims.toml");
-  return file;
-}
-
-const TomlTable& limits_file() {
-  static const TomlTable file = file_of("limits.toml");
-  return file;
-}
-
-const TomlTable& errata_file() {
-  static const TomlTable file = file_of("errata.toml");
-  return file;
 }
 
 Json number_json(const ClaimNumber& one) {
@@ -71,13 +51,14 @@ std::string_view ClaimNumber::origin() const {
 }
 
 std::vector<Statement> claims() {
-  return statements_in(claims_file().list("claim", {"id", "seed", "place", "statement"},
-                                          {"setting", "given", "number", "verdict"}));
+  return statements_in(
+      statements_file("claims.toml")
+          .list("claim", {"id", "seed", "place", "statement"}, {"setting", "given", "number", "verdict"}));
 }
 
 CheckedClaim check(const Statement& claim) {
   const TomlTable& entry = *claim.entry;
-  StatementFormulas formulas(claims_file(), entry);
+  StatementFormulas formulas(statements_file("claims.toml"), entry);
   CheckedClaim checked{claim};
   for (const TomlTable& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
     const Propagated number = formulas.value(one.text("is"));
@@ -136,8 +117,9 @@ bool LimitRow::approached() const {
 }
 
 std::vector<Statement> limits() {
-  return statements_in(limits_file().list("limit", {"id", "statement", "source", "size", "found", "limit"},
-                                          {"order", "first", "setting", "given"}));
+  return statements_in(statements_file("limits.toml")
+                           .list("limit", {"id", "statement", "source", "size", "found", "limit"},
+                                 {"order", "first", "setting", "given"}));
 }
 
 LimitRow approach(const Statement& limit) {
@@ -145,7 +127,7 @@ LimitRow approach(const Statement& limit) {
   const TomlTable& entry = *limit.entry;
   LimitRow row{limit.id, entry.text("statement"), entry.text("source"), entry.text("size"),
                entry.number("order")};
-  StatementFormulas formulas(limits_file(), entry);
+  StatementFormulas formulas(statements_file("limits.toml"), entry);
   for (int k = 0; k < sizes; ++k) {
     const double size = std::ldexp(entry.number("first"), -k);
     formulas.define("s", Propagated::exact(size));
@@ -192,13 +174,14 @@ bool Settlement::settled() const {
 
 std::vector<Statement> formula_errata() {
   return statements_in(
-      errata_file().list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
-                         {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}));
+      statements_file("errata.toml")
+          .list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
+                {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}));
 }
 
 Settlement settle(const Statement& erratum) {
   const TomlTable& entry = *erratum.entry;
-  StatementFormulas formulas(errata_file(), entry);
+  StatementFormulas formulas(statements_file("errata.toml"), entry);
   if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
     const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
     return {quantity, by("printed"), by("fast"), by("ref"), erratum};

@@ -7,7 +7,6 @@
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/internal/paths.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {

@@ -65,10 +65,8 @@ struct LikelySeconds {
 
 }  // namespace
 
-double likely_seconds_by_ref(const data::Scene& scene, int digits) try {
-  return std::visit(LikelySeconds{scene, digits}, scene.system);
-} catch (const data::BadInput&) {
-  return 0;
+double likely_seconds_by_ref(const data::Scene& scene, int digits) {
+  return unless_refused([&] { return std::visit(LikelySeconds{scene, digits}, scene.system); }).value_or(0);
 }
 
 std::string warning_of_time(double seconds) {

@@ -12,7 +12,6 @@
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/internal/paths.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {

@@ -87,7 +87,7 @@ class Json {
 
 /// The list of to_json(item), or of the items themselves.
 template <class Items, class ToJson = std::identity>
-Json json_list(const Items& items, ToJson to_json = {}) {
+Json json_list(Items&& items, ToJson to_json = {}) {
   return mapped<Json>(items, to_json);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <ranges>
 #include <type_traits>
 #include <vector>
@@ -15,6 +16,15 @@ auto mapped(Items&& items, const Function& function) {
   std::vector<std::conditional_t<std::is_void_v<Result>, std::remove_cvref_t<Found>, Result>> results;
   for (auto&& item : items) results.push_back(std::invoke(function, item));
   return results;
+}
+
+/// The items without repetitions, in their order.
+template <class Item>
+std::vector<Item> each_once(const std::vector<Item>& items) {
+  std::vector<Item> kept;
+  std::ranges::copy_if(items, std::back_inserter(kept),
+                       [&](const Item& item) { return std::ranges::find(kept, item) == kept.end(); });
+  return kept;
 }
 
 /// The first item of a range whose `member` is `value`; null if there is none.

@@ -58,8 +58,8 @@ TEST_CASE("a contact without an independent truth gets no verdict, what is not k
   CHECK_FALSE(alone.kept());
   CHECK(kept.kept() == true);
   for (const auto& fallen : {broken, no_number}) CHECK(fallen.kept() == false);
-  CHECK(verify::all_kept({alone, kept}));
-  CHECK_FALSE(verify::all_kept({alone, kept, broken}));
+  CHECK(verify::all_kept(std::vector{alone, kept}));
+  CHECK_FALSE(verify::all_kept(std::vector{alone, kept, broken}));
   const auto json = nlohmann::json::parse(verify::contact_audit_json({alone, kept, broken}).text());
   REQUIRE(json.size() == 3);
   for (const char* unknown : {"condition", "error", "kernel_error", "discretisation_error", "passed"})

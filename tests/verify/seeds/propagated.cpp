@@ -1,7 +1,7 @@
 // Numbers of claims, limits and errata: each has an error, which covers, and no more digits than that bears out.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
 
 #include "support/test.hpp"

@@ -11,12 +11,10 @@ namespace {
 constexpr std::size_t most_starts = 8;
 constexpr std::size_t least_steps = 200;  // for each start, unless there is only one
 
-/// The points of a batch: few enough to divide the work evenly between threads, and enough for vector instructions.
-std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
-
 Compared compare(std::vector<Point> points, const Comparator& comparator, const OnProgress& on_progress) {
   std::vector<std::optional<Finding>> findings(points.size());
-  const std::size_t batch = batch_of(points.size());
+  // Few enough points to divide the work evenly between threads, and enough for vector instructions.
+  const std::size_t batch = std::clamp<std::size_t>(points.size() / 64, 16, 64);
   const auto of_batch = [&](std::size_t i) {
     const std::size_t first = i * batch, count = std::min(batch, points.size() - first);
     comparator(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));

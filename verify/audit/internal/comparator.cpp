@@ -52,11 +52,7 @@ std::optional<Finding> Comparator::operator()(const Point& point, double value) 
 }
 
 std::optional<ref::Estimate> Comparator::truth(const Point& point) const {
-  try {
-    return ref_value(quantity_, point, digits_beyond_double);
-  } catch (const data::BadInput&) {
-    return std::nullopt;
-  }
+  return unless_refused([&] { return ref_value(quantity_, point, digits_beyond_double); });
 }
 
 Finding Comparator::finding(double value, const ref::Estimate& truth, const Point& point) const {

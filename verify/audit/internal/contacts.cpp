@@ -149,8 +149,4 @@ Json contact_audit_json(const std::vector<ContactAudit>& audits) {
   });
 }
 
-bool all_kept(const std::vector<ContactAudit>& audits) {
-  return std::ranges::all_of(audits, [](const ContactAudit& audit) { return audit.kept().value_or(true); });
-}
-
 }  // namespace nipref::verify

@@ -1,4 +1,3 @@
-#include <nipref/data/directory.hpp>
 #include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/material/functions.hpp>
@@ -29,12 +28,10 @@ struct TomlText {
 };
 
 const TomlTable& drawn_file() {
-  static const TomlTable file = [] {
-    TomlTable read = read_toml(data::statements_directory() / "drawn_scenes.toml", "statements file");
-    static_cast<void>(
-        read.list("part", {"id"}, {"if", "given", "keys", "without", "wanted", "unwanted", "stiffness"}));
-    return read;
-  }();
+  static const auto& file = statements_file("drawn_scenes.toml");
+  static const auto& checked =
+      file.list("part", {"id"}, {"if", "given", "keys", "without", "wanted", "unwanted", "stiffness"});
+  static_cast<void>(checked);
   return file;
 }
 

@@ -26,9 +26,6 @@ struct Units {
   }
 };
 
-bool is_prony(const DrawnScene& drawn) {
-  return drawn.has("material.model") && drawn.text("material.model") == "prony";
-}
 bool is_half_space(const DrawnScene& drawn) { return drawn.has("half_space.model"); }
 
 /// Units for which every key's factor is a whole number: stress or compliance, time or rate, as the kind of scene has.
@@ -36,7 +33,7 @@ Units draw_units(const DrawnScene& drawn, Random& random) {
   const auto odd = [&] { return 3 + 2 * static_cast<double>(random.index(4)); };
   const double a = odd(), b = odd(), c = odd();
   if (is_half_space(drawn)) return {a, b * c * c, a / c};
-  if (is_prony(drawn)) return {a * b, 1 / b, 1 / c};
+  if (drawn.has("material.model") && drawn.text("material.model") == "prony") return {a * b, 1 / b, 1 / c};
   return {a * c, b, c};
 }
 
@@ -147,11 +144,10 @@ std::optional<Variant> mirrored(const DrawnScene& drawn) {
                     return Estimate{is_odd ? -number.value : number.value, number.error};
                   }};
   const bool on_line = drawn.has("profile.direction");
-  if (on_line) variant.scene.set("profile.direction", -drawn.number("profile.direction"));
+  for (const char* const angle : {"profile.direction", "sliding.direction"})
+    if (drawn.has(angle)) variant.scene.set(angle, -drawn.number(angle));
   for (const char* const places : {"profile.positions", "field.positions"})
     if (drawn.has(places) && !on_line) variant.scene.set(places, negated(drawn.numbers(places)));
-  if (drawn.has("sliding.direction"))
-    variant.scene.set("sliding.direction", -drawn.number("sliding.direction"));
   if (drawn.has("half_space.stiffness"))
     variant.scene.set("half_space.stiffness", mirrored_stiffness(drawn.numbers("half_space.stiffness")));
   return variant;
@@ -184,11 +180,9 @@ std::optional<Variant> as_transversely_isotropic(const DrawnScene& drawn, Random
   variant.scene.remove("half_space.poisson");
   variant.scene.set("half_space.model", "transversely-isotropic");
   variant.scene.set("half_space.axis", random.chance(0.5) ? "normal" : "in-plane");
-  variant.scene.set("half_space.c11", stiff);
-  variant.scene.set("half_space.c33", stiff);
-  variant.scene.set("half_space.c13", lame);
-  variant.scene.set("half_space.c44", shear);
-  variant.scene.set("half_space.c66", shear);
+  for (const auto& [key, modulus] :
+       {std::pair("c11", stiff), {"c33", stiff}, {"c13", lame}, {"c44", shear}, {"c66", shear}})
+    variant.scene.set(fmt::format("half_space.{}", key), modulus);
   return variant;
 }
 

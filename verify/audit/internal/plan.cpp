@@ -24,10 +24,6 @@ void append(std::vector<Point>& points, std::vector<Point> more) {
   points.insert(points.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-std::size_t most_in_block(const Quantity& quantity, const AuditOptions& options) {
-  return quantity.audit_points < points_of_block ? std::min(slow_block, options.block) : options.block;
-}
-
 /// The listed points, which do not depend on the block.
 std::vector<Point> listed(const Quantity& quantity, const AuditOptions& options) {
   const std::size_t wanted = options.points_of(quantity);
@@ -44,7 +40,8 @@ std::vector<Point> listed(const Quantity& quantity, const AuditOptions& options)
 AuditPlan::AuditPlan(const Quantity& quantity, const AuditOptions& options)
     : quantity_(quantity),
       options_(options),
-      blocks_(options.points_of(quantity), most_in_block(quantity, options)),
+      blocks_(options.points_of(quantity),
+              quantity.audit_points < points_of_block ? std::min(slow_block, options.block) : options.block),
       dense_(share(share_of_dense, blocks_.items)),
       listed_(listed(quantity, options)) {}
 

@@ -185,13 +185,12 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
     if (is_too_costly(problem, surface, id, critical_speed) ||
         (!includes_costly && is_costly(problem, surface, id)))
       return std::optional<RefNumber>();
-    try {
+    // Nothing where no proof is found, or the digits are not reached.
+    return unless_refused([&] {
       const bool is_profile = result.what->shape == data::Shape::profile;
       const auto& numbers = contact->get(id, is_profile ? Places{{solved.positions[i]}} : Places{});
-      return std::optional(ref_number(numbers.front()));
-    } catch (const data::BadInput&) {
-      return std::optional<RefNumber>();  // no proof is found, or the digits are not reached
-    }
+      return ref_number(numbers.front());
+    });
   });
 }
 

@@ -147,6 +147,4 @@ std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, co
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies);
 
-bool all_kept(const std::vector<SceneTally>& tallies);
-
 }  // namespace nipref::verify

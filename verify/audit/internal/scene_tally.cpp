@@ -76,10 +76,6 @@ std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, co
       count, [&](std::size_t i) { return audit_scene(seed, first + i, solvers); }, on_progress);
 }
 
-bool all_kept(const std::vector<SceneTally>& tallies) {
-  return std::ranges::all_of(tallies, &SceneTally::kept);
-}
-
 Json scene_tally_json(const std::vector<SceneTally>& tallies) {
   return json_list(tallies, [](const SceneTally& tally) {
     return Json{

@@ -44,9 +44,6 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group);
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits);
 
-/// True if no audit has found an error above the allowed one.
-bool all_kept(const std::vector<ContactAudit>& audits);
-
 /// What audits have found.
 struct Audited {
   std::vector<AuditResult> quantities;

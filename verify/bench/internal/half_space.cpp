@@ -29,10 +29,9 @@ fast::SurfaceResponse epoxy_surface(double axis) {
 }
 
 std::vector<Direction> directions() {
-  std::vector<Direction> all;
-  for (std::size_t i = 0; i < direction_count; ++i)
-    all.push_back(Direction::of_degrees(-90 + 180 * (static_cast<double>(i) + 0.5) / direction_count));
-  return all;
+  return mapped(std::views::iota(std::size_t{0}, direction_count), [](std::size_t i) {
+    return Direction::of_degrees(-90 + 180 * (static_cast<double>(i) + 0.5) / direction_count);
+  });
 }
 
 /// The largest relative error of fast's compliance K at a few angles.

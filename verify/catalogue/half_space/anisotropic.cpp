@@ -64,11 +64,7 @@ data::Stiffness draw_stiffness(Random& random) {
 
 /// Replaces a solid that does not exist, to which a step of the audit's search may lead.
 void keep_physical_stiffness(const NamedNumbers& x) {
-  try {
-    stiffness_of(x).check();
-  } catch (const data::BadInput&) {
-    put_stiffness(x, epoxy());
-  }
+  if (is_refused([&] { stiffness_of(x).check(); })) put_stiffness(x, epoxy());
 }
 
 /// The speed at which the line is critical, but no more than 1e12, as it is infinite across the motion.

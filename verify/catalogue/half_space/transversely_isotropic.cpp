@@ -31,11 +31,7 @@ double draw_solid(Random& random, const NamedNumbers& x) {
 
 /// Replaces a solid that does not exist, to which a step of the audit's search may lead.
 void keep_physical(const NamedNumbers& x) {
-  try {
-    transverse_of(x).check();
-  } catch (const data::BadInput&) {
-    put_epoxy(x);
-  }
+  if (is_refused([&] { transverse_of(x).check(); })) put_epoxy(x);
 }
 
 void draw_line_of_solid(Random& random, const NamedNumbers& x) {

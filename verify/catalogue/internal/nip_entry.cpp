@@ -100,11 +100,8 @@ double likely_seconds(const data::ViscoelasticNip& nip, double length, int digit
 
 int most_digits_in_time(const std::function<double(int digits)>& seconds) {
   for (int digits = 50; digits >= 16; --digits) {
-    try {
-      if (seconds(digits) <= long_time) return digits;
-    } catch (const data::BadInput&) {
-      continue;
-    }
+    const auto taken = unless_refused([&] { return seconds(digits); });
+    if (taken && *taken <= long_time) return digits;
   }
   return 0;
 }

@@ -97,24 +97,7 @@ double remembered(Magnitude magnitude, double rate, double rounded, double from,
   return sum;
 }
 
-/// A material function, and whether its rates are rounded results of a division or of a search for roots.
-struct Rounded {
-  data::MaterialFunction theta;
-  bool rates_are_rounded;
-};
-
-/// The size of the convolution of theta and a kernel at the distance `from`, if the load started at the distance `to`.
-template <class Magnitude>
-double convolved(const Rounded& of, double way_per_time, Magnitude magnitude, double from, double to) {
-  double sum = of.theta.instantaneous * magnitude(from);
-  for (const data::RelaxationTerm& term : of.theta.terms) {
-    const double rounded = of.rates_are_rounded ? std::abs(term.rate) / way_per_time : 0;
-    sum += std::abs(term.amplitude) / way_per_time *
-           remembered(magnitude, term.rate.real() / way_per_time, rounded, from, to);
-  }
-  return sum;
-}
-
+/// The distances at which a load is and at which it started.
 struct LoadPath {
   double from, to;
 };
@@ -139,13 +122,20 @@ class Sizes {
   }
 
  private:
+  /// The size of the convolution of theta and a kernel.
   template <class Magnitude>
   [[nodiscard]] double of(const data::MaterialFunction& theta, Magnitude magnitude, LoadPath way) const {
-    return convolved({theta, rounded_}, way_per_time_, magnitude, way.from, way.to);
+    double sum = theta.instantaneous * magnitude(way.from);
+    for (const data::RelaxationTerm& term : theta.terms) {
+      const double rounded = rounded_ ? std::abs(term.rate) / way_per_time_ : 0;
+      sum += std::abs(term.amplitude) / way_per_time_ *
+             remembered(magnitude, term.rate.real() / way_per_time_, rounded, way.from, way.to);
+    }
+    return sum;
   }
 
   data::MaterialFunctions material_;
-  bool rounded_;
+  bool rounded_;  ///< the rates are results of a division or of a search for roots
   double way_per_time_;
 };
 
@@ -171,14 +161,10 @@ void keep_passive(const NamedNumbers& x) {
 /// minutes.
 bool is_soon_confirmed(const NamedPoint& x) {
   constexpr double most_turns = 30;
-  try {
-    const data::MaterialFunctions material = fast::material_functions(material_of(x));
-    return std::ranges::all_of(material.normal_compliance().terms, [](const data::RelaxationTerm& term) {
-      return std::fabs(term.rate.imag()) <= most_turns * term.rate.real();
-    });
-  } catch (const data::BadInput&) {
-    return false;
-  }
+  const auto material = unless_refused([&] { return fast::material_functions(material_of(x)); });
+  return material && std::ranges::all_of(material->normal_compliance().terms, [](const auto& term) {
+           return std::fabs(term.rate.imag()) <= most_turns * term.rate.real();
+         });
 }
 
 /// Relaxation rates from 1e-12 to 1e12 speed/half_thickness, or 0.
@@ -215,11 +201,6 @@ double farthest_load(const NamedPoint& x, const std::vector<const char*>& names)
   for (const char* name : names)
     farthest = std::max({farthest, std::fabs(x[name]), std::fabs(x[name] - x[names.front()])});
   return farthest;
-}
-
-double draw_distance(Random& random) {
-  return (random.chance(0.5) ? 1 : -1) *
-         (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
 }
 
 /// The load, which is cached: a search along one argument asks for the same sheet many times, and the check that a material
@@ -272,7 +253,9 @@ Quantity steady_entry(const char* quantity, auto by_ref, auto by_fast, auto size
   const std::vector<const char*> names{distances...};
   const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
-    for (const char* name : names) x[name] = draw_distance(random);
+    for (const char* name : names)
+      x[name] = (random.chance(0.5) ? 1 : -1) *
+                (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
   };
   const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(steady(x[distances])...); };
   return sampled(load_entry(quantity, by_ref, by_fast, size_at, distances...), draw,

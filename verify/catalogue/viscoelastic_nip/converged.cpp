@@ -85,8 +85,6 @@ NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
                             mpq_class(x["L_over_B"]));
 }
 
-bool is_standard(const NamedPoint& x) { return x["material"] == 0; }
-
 /// The misprinted solid is passive for the thesis's constants; for others it may gain energy.
 void keep_rolling_in_domain(const NamedNumbers& x) {
   const auto keep = [&](const char* name, double least, double most) {
@@ -94,7 +92,7 @@ void keep_rolling_in_domain(const NamedNumbers& x) {
   };
   keep("L_over_B", shortest_rolling, longest_rolling);
   keep("memory_over_L", shortest_memory, longest_memory);
-  if (is_standard(x)) {
+  if (x["material"] == 0) {
     keep("poisson", -0.9, 0.5 - 1e-9);
     keep("softening", 1.001, most_softening(x["memory_over_L"]));
   } else {

@@ -187,11 +187,6 @@ std::vector<double> FigureRow::numbers(const std::string& name) const {
   return all;
 }
 
-const TomlTable& drawings_file() {
-  static const TomlTable file = read_toml(data::statements_directory() / "drawings.toml", "statements file");
-  return file;
-}
-
 std::vector<FigurePlan> figures() {
   const data::CsvFile file = data::read_csv(data::statements_directory() / "figures.csv");
   std::vector<FigurePlan> all;

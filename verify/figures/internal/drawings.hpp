@@ -84,7 +84,7 @@ DrawnSeries slip_zones;
 Contours stress_contours(FigureFormulas& formulas);
 
 /// data/statements/drawings.toml
-const TomlTable& drawings_file();
+inline const TomlTable& drawings_file() { return statements_file("drawings.toml"); }
 
 std::optional<Mark> mark_named(const std::string& name);
 

@@ -8,7 +8,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -305,10 +305,6 @@ Confirmation sphere_axis_ratio(Arguments x) {
   return by_trapezoidal_rule(add, [&](int) { return Float(exp(-ContactEllipse(lines, 1).eta)); });
 }
 
-Confirmation sphere_exponent(Arguments x) {
-  return by_stroh(-sphere_shape(transverse_solid(x), x, x["phi_deg"]).ahead, 1);
-}
-
 Confirmation sphere_force(Arguments x) {
   const StrohSolid solid = transverse_solid(x);
   const SlidingShape along = sphere_shape(solid, x, 0);
@@ -327,25 +323,27 @@ Confirmation sphere_force(Arguments x) {
 }  // namespace
 
 Methods anisotropic_methods() {
-  return {{"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
-          {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
-          {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
-          {"ti.condition", condition_by_difference},
-          {"ti.rayleigh", rayleigh},
-          {"ti.branch", branch},
-          {"ti.critical", critical},
-          {"ti.span_ratio", span_ratio},
-          {"ti.axis_ratio", sphere_axis_ratio},
-          {"ti.exponent", sphere_exponent},
-          {"ti.force", sphere_force},
-          {"anisotropic.compliance", entry_of(any_solid, 2, 2, Part::re)},
-          {"anisotropic.coupling", entry_of(any_solid, 2, 0, Part::minus_im)},
-          {"anisotropic.coupling_across", entry_of(any_solid, 2, 1, Part::minus_im)},
-          {"anisotropic.shear_compliance", entry_of(any_solid, 2, 0, Part::re)},
-          {"anisotropic.shear_compliance_across", entry_of(any_solid, 2, 1, Part::re)},
-          {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
-          {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
-          {"anisotropic.critical", critical_of_any}};
+  return {
+      {"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
+      {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
+      {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
+      {"ti.condition", condition_by_difference},
+      {"ti.rayleigh", rayleigh},
+      {"ti.branch", branch},
+      {"ti.critical", critical},
+      {"ti.span_ratio", span_ratio},
+      {"ti.axis_ratio", sphere_axis_ratio},
+      {"ti.exponent",
+       [](Arguments x) { return by_stroh(-sphere_shape(transverse_solid(x), x, x["phi_deg"]).ahead, 1); }},
+      {"ti.force", sphere_force},
+      {"anisotropic.compliance", entry_of(any_solid, 2, 2, Part::re)},
+      {"anisotropic.coupling", entry_of(any_solid, 2, 0, Part::minus_im)},
+      {"anisotropic.coupling_across", entry_of(any_solid, 2, 1, Part::minus_im)},
+      {"anisotropic.shear_compliance", entry_of(any_solid, 2, 0, Part::re)},
+      {"anisotropic.shear_compliance_across", entry_of(any_solid, 2, 1, Part::re)},
+      {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
+      {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
+      {"anisotropic.critical", critical_of_any}};
 }
 
 }  // namespace nipref::verify::confirm

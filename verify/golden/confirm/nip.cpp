@@ -104,8 +104,6 @@ RollingSheet rolling_sheet(Arguments x) {
   return sheet;
 }
 
-Numbers rolling_nip_numbers(Arguments x) { return rolling_numbers(rolling_sheet(x)); }
-
 /// The quantities of a family, in the order of their numbers.
 void add_family(Methods& methods, std::string_view family, Numbers (*solve)(Arguments)) {
   std::size_t next = 0;
@@ -128,7 +126,7 @@ Numbers rolling_numbers(const RollingSheet& sheet) {
 Methods nip_methods() {
   Methods all;
   add_family(all, "nip", elastic_numbers);
-  add_family(all, "rolling_nip", rolling_nip_numbers);
+  add_family(all, "rolling_nip", [](Arguments x) { return rolling_numbers(rolling_sheet(x)); });
   return all;
 }
 

@@ -3,7 +3,6 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 namespace nipref::verify {
@@ -84,13 +83,6 @@ const Range& range_of() {
 constexpr const data::TransverselyIsotropicSolid& epoxy = data::seed::graphite_epoxy;
 constexpr const data::IsotropicSolid& steel = data::seed::steel;
 
-Propagated speed_scale() { return sqrt(Propagated(epoxy.density) / steel.density); }
-
-Propagated branch_radicand_at_45_degrees() {
-  return printed_form(
-      branch_radicand_as_printed(scaled_moduli(epoxy, steel), fast::Direction::of_degrees(45)));
-}
-
 }  // namespace
 
 Propagated printed_form(double value) { return {value, 1e-8 * std::fabs(value)}; }
@@ -120,8 +112,11 @@ const std::map<std::string, std::function<Propagated()>>& computed_numbers() {
       {"last_falling_ratio", [] { return range_of<ratio_falls>().last; }},
       {"graphite_epoxy_c11", [] { return Propagated(epoxy.c11); }},
       {"steel_shear", [] { return Propagated(steel.shear); }},
-      {"graphite_epoxy_speed_scale", speed_scale},
-      {"branch_radicand_as_printed", branch_radicand_at_45_degrees}};
+      {"graphite_epoxy_speed_scale", [] { return sqrt(Propagated(epoxy.density) / steel.density); }},
+      {"branch_radicand_as_printed", [] {
+         return printed_form(
+             branch_radicand_as_printed(scaled_moduli(epoxy, steel), fast::Direction::of_degrees(45)));
+       }}};
   return all;
 }
 

@@ -1,6 +1,5 @@
 #include <charconv>
 
-#include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 namespace nipref::verify {

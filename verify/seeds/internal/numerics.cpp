@@ -4,7 +4,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 
-#include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {

@@ -42,4 +42,15 @@ template <class Value, class... Args>
   throw data::BadInput(argument, value, fmt::format(allowed, std::forward<Args>(args)...));
 }
 
+/// What `work` returns; nothing if it refuses its input.
+template <class Work>
+std::optional<std::invoke_result_t<const Work&>> unless_refused(const Work& work) try {
+  return work();
+} catch (const data::BadInput&) {
+  return std::nullopt;
+}
+bool is_refused(const auto& work) {
+  return !unless_refused([&] { return work(), true; });
+}
+
 }  // namespace nipref::verify

@@ -19,15 +19,14 @@ bool can_overwrite() {
   return isatty(STDERR_FILENO) == 1 && term != nullptr && *term != '\0' && std::string_view(term) != "dumb";
 }
 
-double seconds_of_steady_clock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 ProgressOutput standard_error(bool quiet) {
   if (quiet) return {};
-  return {[](const std::string& text) { fmt::print(stderr, "{}", text); }, seconds_of_steady_clock,
+  return {[](const std::string& text) { fmt::print(stderr, "{}", text); },
+          [] {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+          },
           [overwrites = can_overwrite()] { return overwrites ? columns_of(STDERR_FILENO) : 0; }};
 }
 

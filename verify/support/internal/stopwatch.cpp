@@ -55,16 +55,13 @@ std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, i
                                      double seconds_per_round) {
   const auto plans = mapped(contenders, [&](const Contender& one) { return plan(one, seconds_per_round); });
   std::vector<std::vector<double>> samples(contenders.size());
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < contenders.size(); ++i)
       samples[i].push_back(seconds_per_evaluation(contenders[i], plans[i]));
-  }
-  std::vector<Timing> timings;
-  for (std::size_t i = 0; i < contenders.size(); ++i) {
-    timings.push_back({quantile(samples[i], 0.5), quantile(samples[i], 0.25), quantile(samples[i], 0.75),
-                       plans[i].count, samples[i]});
-  }
-  return timings;
+  return mapped(std::views::iota(std::size_t{0}, samples.size()), [&](std::size_t i) -> Timing {
+    const std::vector<double>& all = samples[i];
+    return {quantile(all, 0.5), quantile(all, 0.25), quantile(all, 0.75), plans[i].count, all};
+  });
 }
 
 }  // namespace nipref::verify

@@ -1,6 +1,9 @@
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
+#include <mutex>
+
+#include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/toml_obstacle.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
@@ -111,6 +114,15 @@ TomlTable parse_toml(const std::string& text, const std::string& what, const std
 
 TomlTable read_toml(const std::filesystem::path& path, const std::string& what) {
   return parse_toml(data::text_of_input_file(path, what), what, path.string());
+}
+
+const TomlTable& statements_file(const std::string& name) {
+  static std::mutex mutex;
+  static std::map<std::filesystem::path, TomlTable> files;
+  const auto path = data::statements_directory() / name;
+  const std::scoped_lock lock(mutex);
+  if (!files.contains(path)) files.emplace(path, read_toml(path, "statements file"));
+  return files.at(path);
 }
 
 }  // namespace nipref::verify

@@ -46,5 +46,7 @@ struct TomlTable {
 [[nodiscard]] TomlTable parse_toml(const std::string& text, const std::string& what, const std::string& path);
 /// Reads a file.
 [[nodiscard]] TomlTable read_toml(const std::filesystem::path& path, const std::string& what);
+/// A file of data/statements, which is read once.
+[[nodiscard]] const TomlTable& statements_file(const std::string& name);
 
 }  // namespace nipref::verify
