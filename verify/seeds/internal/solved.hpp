@@ -12,7 +12,7 @@ namespace nipref::verify {
 ///   - sqrt(x) and the other functions of Propagated, min(x, ...) and max(x, ...) by value,
 ///   - certain(x): 1 if x is positive beyond its error, otherwise 0; within(e): 0 with the error e; exactly(x): x without
 ///     its error; if(condition, x, y), of which only one is evaluated,
-///   - integral(t, a, b, f(t)) and the other functions of numerics.hpp, whose first argument names the variable,
+///   - integral(t, a, b, f(t)) and the other functions of a Function below, whose first argument names the variable,
 ///   - [WORDS]: a number that the program computes, as StatementFormulas describes.
 class Formulas {
  public:
