@@ -2,7 +2,7 @@
 
 #include <nipref/ref/half_space/bulk_wave.hpp>
 #include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
+#include <nipref/ref/half_space/internal/complex_matrix.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {

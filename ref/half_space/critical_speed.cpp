@@ -11,7 +11,6 @@
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
 #include <nipref/ref/half_space/internal/critical_lines.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 
 namespace nipref::ref {

@@ -191,11 +191,11 @@ void check_ratio(const Exact& curvature_ratio) {
 Estimate of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits,
                     Float (Level::*value)() const) {
   check_ratio(curvature_ratio);
-  return with_digits(digits, [&](int working) {
-    const auto [coarse, fine] =
-        solve_levels(surface, WorkingSurface(surface, working), curvature_ratio, digits);
-    return estimated((fine.*value)(), abs((fine.*value)() - (coarse.*value)()), digits);
-  });
+  const int working = working_digits(digits);
+  const WorkingDigits scope(working);
+  const auto [coarse, fine] =
+      solve_levels(surface, WorkingSurface(surface, working), curvature_ratio, digits);
+  return estimated((fine.*value)(), abs((fine.*value)() - (coarse.*value)()), digits);
 }
 
 }  // namespace

@@ -76,18 +76,11 @@ SurfaceAnswer JointResponse::answer() const {
   };
 }
 
-Enclosure JointResponse::compliance(double degrees) const {
-  const Enclosure below = along(half_space_, Exact(degrees), digits_).compliance;
+Enclosure JointResponse::joint(double degrees, Enclosure LineResponse::*of, long sign) const {
+  const Enclosure below = along(half_space_, Exact(degrees), digits_).*of;
   if (!body_) return below;
-  const Enclosure above = along(*body_, Exact(degrees), digits_).compliance;
-  return enclosure_of(interval_of(below) + interval_of(above), digits_);
-}
-
-Enclosure JointResponse::coupling(double degrees) const {
-  const Enclosure below = along(half_space_, Exact(degrees), digits_).coupling;
-  if (!body_) return below;
-  const Enclosure above = along(*body_, Exact(degrees), digits_).coupling;
-  return enclosure_of(interval_of(below) - interval_of(above), digits_);
+  return enclosure_of(interval_of(below) + sign * interval_of(along(*body_, Exact(degrees), digits_).*of),
+                      digits_);
 }
 
 Estimate JointResponse::critical(const Surface& surface) const {

@@ -24,8 +24,12 @@ class JointResponse {
   [[nodiscard]] SurfaceAnswer answer() const;
   [[nodiscard]] SurfaceAnswer of_half_space(const Exact& depth = Exact(0.0)) const;
   /// The error bounds are proven.
-  [[nodiscard]] Enclosure compliance(double degrees) const;
-  [[nodiscard]] Enclosure coupling(double degrees) const;
+  [[nodiscard]] Enclosure compliance(double degrees) const {
+    return joint(degrees, &LineResponse::compliance, 1);
+  }
+  [[nodiscard]] Enclosure coupling(double degrees) const {
+    return joint(degrees, &LineResponse::coupling, -1);
+  }
   /// The smallest critical speed of this motion, unit of speed. Its error is proven where all lines are alike;
   /// otherwise it is estimated, and the computation takes seconds.
   [[nodiscard]] Estimate critical_speed() const;
@@ -43,6 +47,8 @@ class JointResponse {
   struct SurfaceOf;
   [[nodiscard]] LineResponse along(const Surface& surface, const Exact& degrees, int digits,
                                    bool with_decay = false) const;
+  /// Of the half-space, plus `sign` times that of the body.
+  [[nodiscard]] Enclosure joint(double degrees, Enclosure LineResponse::*of, long sign) const;
   [[nodiscard]] Estimate critical(const Surface& surface) const;
 
   int digits_;

@@ -8,8 +8,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -38,14 +38,12 @@ Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance
   const Interval zero(0L, impedance.precision()), one(1L, impedance.precision());
   const std::array<Interval, 9> entries{n.cosine, n.sine, zero, -n.sine, n.cosine, zero, zero, zero, one};
   const auto axes = IntervalMatrix::real([&](std::size_t i, std::size_t k) { return entries[3 * i + k]; });
-  const ComplexMatrix found = middle(
-      axes * (hermitian_inverse(matrices.t) * (impedance + times_i(matrices.r.adjoint()))) * axes.adjoint());
+  const IntervalMatrix found =
+      axes * (hermitian_inverse(matrices.t) * (impedance + times_i(matrices.r.adjoint()))) * axes.adjoint();
   Decay decay;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      decay.re[i][k] = found.re(static_cast<Matrix::Index>(i), static_cast<Matrix::Index>(k));
-      decay.im[i][k] = found.im(static_cast<Matrix::Index>(i), static_cast<Matrix::Index>(k));
-    }
+  for (std::size_t k = 0; k < 9; ++k) {
+    decay.re[k] = middle_of(found(k / 3, k % 3).real);
+    decay.im[k] = middle_of(found(k / 3, k % 3).imag);
   }
   return decay;
 }

@@ -13,7 +13,7 @@ namespace nipref::ref {
 
 /// G: a wave e^{ikx} along a line, k > 0, falls with depth as e^{-Gkz}. In the axes n, t and e3 below, by rows.
 struct Decay {
-  std::array<std::array<Float, 3>, 3> re, im;
+  std::array<Float, 9> re, im;
 };
 
 /// The response of the surface of an anisotropic half-space x3 > 0 to steadily moving tractions sigma33, tau =

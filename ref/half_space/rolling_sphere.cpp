@@ -19,7 +19,7 @@ struct RollingLine {
   Float stiffness;  ///< sqrt(K_nn/K/(K K_nn - S^2)); amplitudes are proportional to this times the span
 
   RollingLine(const WorkingSurface& surface, const Exact& degrees) {
-    const WorkingAnswer line = surface.at(degrees);
+    const LineAnswer line = surface.at(degrees);
     const Float product = line.compliance * line.in_line;
     index = atanh(line.coupling / sqrt(product)) / pi();
     slowness = sqrt(line.in_line / line.compliance);
@@ -67,7 +67,7 @@ Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int d
 
 Estimate rolling_index_beyond(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return of_rolling_lines(surface, digits, [&](const WorkingSurface& lines) -> Float {
-    const WorkingAnswer line = lines.at(degrees);
+    const LineAnswer line = lines.at(degrees);
     return atanh(sqrt(line.compliance * line.in_line) / abs(line.coupling)) / pi();
   });
 }

@@ -45,7 +45,7 @@ struct SlidingLine {
       h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2), K with what friction adds of shear compliances
 
   SlidingLine(const WorkingSurface& surface, const Exact& friction, const Exact& degrees) {
-    const WorkingAnswer answer = surface.at(degrees);
+    const LineAnswer answer = surface.at(degrees);
     const auto of_friction = [&](const Float& along, const Float& across) -> Float {
       return to_float(friction) * (cosine(degrees) * along - sine(degrees) * across);
     };

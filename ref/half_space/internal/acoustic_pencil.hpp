@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
-#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/half_space/internal/complex_matrix.hpp>
 
 namespace nipref::ref {
 
@@ -28,6 +28,12 @@ struct AcousticPencil {
  private:
   using Square = Eigen::Matrix<Scalar, 3, 3>;
 };
+
+/// From the middles.
+template <class Scalar>
+AcousticPencil<Scalar> pencil_of(const AcousticMatrices& x) {
+  return {middle(x.q).re.cast<Scalar>(), middle(x.r).re.cast<Scalar>(), middle(x.t).re.cast<Scalar>()};
+}
 
 /// The s = tan(phi), in a scan of half a turn, for which the smallest eigenvalue is smallest, and its neighbours; in double.
 struct Valley {

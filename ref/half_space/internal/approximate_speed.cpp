@@ -14,17 +14,6 @@ namespace {
 using Square = DenseMatrix<double>;
 using Pencil = AcousticPencil<double>;
 
-Pencil pencil_of(const AcousticMatrices& x) {
-  const auto approximate = [](const IntervalMatrix& entries) {
-    Square result(3, 3);
-    for (std::size_t k = 0; k < 9; ++k)
-      result(static_cast<Square::Index>(k / 3), static_cast<Square::Index>(k % 3)) =
-          mpfi_get_d(entries(k / 3, k % 3).real.get());
-    return result;
-  };
-  return {approximate(x.q), approximate(x.r), approximate(x.t)};
-}
-
 Valley scan(const Pencil& pencil) {
   constexpr int steps = 360;
   const auto s_at = [](int k) { return std::tan(std::numbers::pi * (k / double{steps} - 0.5)); };
@@ -48,10 +37,10 @@ double determinant(const Pencil& pencil, double inertia) {
 
 }  // namespace
 
-Valley lowest_valley(const AcousticMatrices& matrices) { return scan(pencil_of(matrices)); }
+Valley lowest_valley(const AcousticMatrices& matrices) { return scan(pencil_of<double>(matrices)); }
 
 double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi) {
-  const Pencil pencil = pencil_of(acoustic_matrices(solid, psi, Interval(64)));
+  const Pencil pencil = pencil_of<double>(acoustic_matrices(solid, psi, Interval(64)));
   const Valley valley = scan(pencil);
   const double limit = pencil.lowest_value(
       lowest_point([&](double at) { return pencil.half_slope(at); }, valley.left, valley.right, 40));

@@ -1,15 +1,9 @@
 #pragma once
 #include <optional>
 
-#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/half_space/internal/complex_matrix.hpp>
 
 namespace nipref::ref {
-
-/// The impedance re + i im.
-template <class Scalar>
-struct Impedance {
-  DenseMatrix<Scalar> re, im;
-};
 
 /// The impedance M of a half-space, traction = -|q| M displacement, from the Barnett-Lothe integrals
 ///
@@ -19,10 +13,10 @@ struct Impedance {
 /// is k steps of Z <- (Z - Z^{-1})/2 from Z = N. They end when the relative change of Z is below `small`, and the error is then
 /// about the square of `small`; nothing if that takes more than `most_doublings`, near the limiting speed and beyond.
 template <class Scalar>
-std::optional<Impedance<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scalar>& q,
-                                                         const DenseMatrix<Scalar>& r,
-                                                         const DenseMatrix<Scalar>& t, const Scalar& small,
-                                                         int most_doublings) {
+std::optional<ComplexMatrix<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scalar>& q,
+                                                             const DenseMatrix<Scalar>& r,
+                                                             const DenseMatrix<Scalar>& t,
+                                                             const Scalar& small, int most_doublings) {
   using Square = DenseMatrix<Scalar>;
   const Square compliance = t.inverse();
   Square z(6, 6);
@@ -37,7 +31,7 @@ std::optional<Impedance<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scala
     if (!(change < small * small * z.squaredNorm())) continue;
     const Square re = z.topRightCorner(3, 3).inverse();
     const Square im = re * z.topLeftCorner(3, 3);
-    return Impedance<Scalar>{(re + re.transpose()) / Scalar(2), (im - im.transpose()) / Scalar(2)};
+    return ComplexMatrix<Scalar>{(re + re.transpose()) / Scalar(2), (im - im.transpose()) / Scalar(2)};
   }
   return std::nullopt;
 }

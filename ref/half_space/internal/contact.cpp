@@ -59,16 +59,12 @@ std::size_t size_of_nodes(const UnitNodes& nodes) {
 
 }  // namespace
 
-WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
-  const LineAnswer line = answer_(degrees, digits_);
-  const auto in_unit = [&](const Float& real) { return ldexp(number(real), exponent_); };
-  return {in_unit(line.compliance),
-          in_unit(line.coupling),
-          in_unit(line.coupling_across),
-          in_unit(line.in_line),
-          in_unit(line.shear_compliance),
-          in_unit(line.shear_compliance_across),
-          line.decay};
+LineAnswer WorkingSurface::at(const Exact& degrees) const {
+  LineAnswer line = answer_(degrees, digits_);
+  for (Float* real : {&line.compliance, &line.coupling, &line.coupling_across, &line.in_line,
+                      &line.shear_compliance, &line.shear_compliance_across})
+    *real = ldexp(number(*real), exponent_);
+  return line;
 }
 
 long stress_exponent(const SurfaceAnswer& surface) {
@@ -84,12 +80,6 @@ int working_digits(int digits, int cancelled) {
     throw data::BadInput("digits", std::to_string(digits),
                          "must be from 16 to " + std::to_string(most_digits));
   return digits + guard_digits + cancelled;
-}
-
-Estimate with_digits(int digits, const std::function<Estimate(int working)>& compute, int cancelled) {
-  const int digits_here = working_digits(digits, cancelled);
-  const WorkingDigits working(digits_here);
-  return compute(digits_here);
 }
 
 Estimate estimated(const Float& value, const Float& error, int digits) {
@@ -168,12 +158,6 @@ Estimate ScaledContact::span(const Exact& degrees) const {
 
 Estimate ScaledContact::force() const {
   return function_of_factor([&](const Float& found) { return force_of(load, found); });
-}
-
-Estimate closed(const Float& value, int digits) { return estimated(value, 0, digits); }
-
-bool is_settled(const Float& change, const Float& value, int digits) {
-  return change <= tolerance(digits) * at_most_1(value) / 10;
 }
 
 std::shared_ptr<const UnitNodes> unit_nodes(int digits) {

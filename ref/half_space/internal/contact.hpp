@@ -17,12 +17,6 @@ namespace nipref::ref {
 // double-exponential rule, those over the directions the trapezoidal rule, with twice as many points until two
 // results agree. The error is the difference of these results; it is estimated, not proven.
 
-/// LineAnswer at working digits.
-struct WorkingAnswer {
-  Float compliance, coupling, coupling_across, in_line, shear_compliance, shear_compliance_across;
-  std::optional<Decay> decay;
-};
-
 /// The surface at working digits.
 class WorkingSurface {
  public:
@@ -31,7 +25,7 @@ class WorkingSurface {
       : answer_(answer), digits_(digits), exponent_(exponent) {}
 
   /// BadInput "surface" where its response is not finite.
-  [[nodiscard]] WorkingAnswer at(const Exact& degrees) const;
+  [[nodiscard]] LineAnswer at(const Exact& degrees) const;
 
  private:
   const SurfaceAnswer& answer_;
@@ -45,30 +39,26 @@ long stress_exponent(const SurfaceAnswer& surface);
 /// 10^-digits.
 Float tolerance(int digits);
 
-/// The working digits for a result that has `digits` correct digits, if `cancelled` digits are lost by cancellation.
+/// The working digits for a result that has `digits` correct digits, if `cancelled` digits are lost by cancellation. The guard
+/// digits are for the roundings of thousands of terms and for small factors of results that are computed from the integrals.
 /// BadInput unless 16 <= digits <= 100.
 int working_digits(int digits, int cancelled = 0);
-
-/// compute(working_digits(digits, cancelled)) in that precision. The guard digits are for the roundings of thousands of
-/// terms and for small factors of results that are computed from the integrals. BadInput unless 16 <= digits <= 100.
-Estimate with_digits(int digits, const std::function<Estimate(int working)>& compute, int cancelled = 0);
 
 /// The value with its error, to which the errors by rounding and by the surface's digits are added; BadInput "digits"
 /// where the sum exceeds 10^-digits min(1, |value|).
 Estimate estimated(const Float& value, const Float& error, int digits);
 
-/// A value without quadrature, whose error is that of rounding and of the surface's digits.
-Estimate closed(const Float& value, int digits);
-
 /// The finer of two levels of a quadrature. The error is their difference, plus the errors by rounding and by the
 /// surface's digits; it may be of any size.
 Estimate of_levels(const Float& fine, const Float& coarse, int digits);
 
-/// A number of the lines that takes no quadrature: of(surface at working digits).
+/// A number of the lines that takes no quadrature, of(surface at working digits): the error is that of rounding and of the
+/// surface's digits.
 template <class Of>
 Estimate of_lines(const SurfaceAnswer& surface, int digits, const Of& of, int cancelled = 0) {
-  return with_digits(
-      digits, [&](int working) { return closed(of(WorkingSurface(surface, working)), digits); }, cancelled);
+  const int working = working_digits(digits, cancelled);
+  const WorkingDigits scope(working);
+  return estimated(of(WorkingSurface(surface, working)), 0, digits);
 }
 
 /// A traction on a line, whose error includes that of the line's ends, which dominates close to them. at(change of both ends
@@ -80,9 +70,6 @@ Float span_along_of(const HalfSpaceLoad& load, const Float& factor);
 
 /// The force of the contact; a given force is returned exactly.
 Float force_of(const HalfSpaceLoad& load, const Float& factor);
-
-/// Whether a quadrature may end after a change of this size of its value.
-bool is_settled(const Float& change, const Float& value, int digits);
 
 /// A value at one direction of the surface.
 struct DirectionValue {

@@ -1,6 +1,5 @@
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -9,7 +8,7 @@ using Index = Matrix::Index;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
 
-IntervalMatrix points(const Impedance<Float>& x, mpfr_prec_t precision) {
+IntervalMatrix points(const ComplexMatrix<Float>& x, mpfr_prec_t precision) {
   return {[&](std::size_t i, std::size_t k) {
     return ComplexInterval{interval_of(x.re(index(i), index(k)), precision),
                            interval_of(x.im(index(i), index(k)), precision)};
@@ -17,7 +16,7 @@ IntervalMatrix points(const Impedance<Float>& x, mpfr_prec_t precision) {
 }
 
 template <class To, class From>
-Impedance<To> cast(const Impedance<From>& x) {
+ComplexMatrix<To> cast(const ComplexMatrix<From>& x) {
   return {x.re.template cast<To>(), x.im.template cast<To>()};
 }
 
@@ -28,7 +27,7 @@ IntervalMatrix identity(mpfr_prec_t precision) {
 
 /// The Lyapunov operator x g + (x g)*.
 template <class Scalar>
-Impedance<Scalar> lyapunov(const Impedance<Scalar>& x, const Impedance<Scalar>& g) {
+ComplexMatrix<Scalar> lyapunov(const ComplexMatrix<Scalar>& x, const ComplexMatrix<Scalar>& g) {
   const DenseMatrix<Scalar> re = x.re * g.re - x.im * g.im;
   const DenseMatrix<Scalar> im = x.re * g.im + x.im * g.re;
   return {re + re.transpose(), im - im.transpose()};
@@ -36,7 +35,7 @@ Impedance<Scalar> lyapunov(const Impedance<Scalar>& x, const Impedance<Scalar>& 
 
 /// A Hermitian matrix as nine real numbers: the real part on and above the diagonal, the imaginary part below it.
 template <class Scalar>
-DenseMatrix<Scalar> packed(const Impedance<Scalar>& x) {
+DenseMatrix<Scalar> packed(const ComplexMatrix<Scalar>& x) {
   DenseMatrix<Scalar> result(9);
   for (Index k = 0; k < 9; ++k) {
     result(k) = k / 3 <= k % 3 ? x.re(k / 3, k % 3) : x.im(k / 3, k % 3);
@@ -45,8 +44,8 @@ DenseMatrix<Scalar> packed(const Impedance<Scalar>& x) {
 }
 
 template <class Scalar>
-Impedance<Scalar> unpacked(const DenseMatrix<Scalar>& x) {
-  Impedance<Scalar> result{DenseMatrix<Scalar>(3, 3), DenseMatrix<Scalar>(3, 3)};
+ComplexMatrix<Scalar> unpacked(const DenseMatrix<Scalar>& x) {
+  ComplexMatrix<Scalar> result{DenseMatrix<Scalar>(3, 3), DenseMatrix<Scalar>(3, 3)};
   for (Index i = 0; i < 3; ++i) {
     for (Index k = i; k < 3; ++k) {
       result.re(i, k) = result.re(k, i) = x(3 * i + k);
@@ -60,7 +59,7 @@ Impedance<Scalar> unpacked(const DenseMatrix<Scalar>& x) {
 
 /// The Lyapunov operator of g on packed matrices.
 template <class Scalar>
-DenseMatrix<Scalar> lyapunov_matrix(const Impedance<Scalar>& g) {
+DenseMatrix<Scalar> lyapunov_matrix(const ComplexMatrix<Scalar>& g) {
   DenseMatrix<Scalar> result(9, 9);
   for (Index k = 0; k < 9; ++k) {
     DenseMatrix<Scalar> unit(9);
@@ -72,9 +71,9 @@ DenseMatrix<Scalar> lyapunov_matrix(const Impedance<Scalar>& g) {
 
 /// The matrix x with g* x + x g = I.
 template <class Scalar>
-Impedance<Scalar> lyapunov_solution(const Impedance<Scalar>& g) {
+ComplexMatrix<Scalar> lyapunov_solution(const ComplexMatrix<Scalar>& g) {
   const DenseMatrix<Scalar> identity = DenseMatrix<Scalar>::Identity(3, 3), zero(3, 3);
-  return unpacked(solve(lyapunov_matrix(g), packed(Impedance<Scalar>{identity, zero})));
+  return unpacked(solve(lyapunov_matrix(g), packed(ComplexMatrix<Scalar>{identity, zero})));
 }
 
 bool is_below(const Interval& x, long bound) { return mpfi_cmp_si(x.get(), bound) < 0; }
@@ -86,8 +85,7 @@ std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const In
   const IntervalMatrix compliance = hermitian_inverse(matrices.t);
   const IntervalMatrix right = impedance + times_i(matrices.r.adjoint());
   const IntervalMatrix generator = compliance * right;
-  const ComplexMatrix approximate = middle(generator);
-  const auto solution = lyapunov_solution(cast<Scalar>(Impedance<Float>{approximate.re, approximate.im}));
+  const auto solution = lyapunov_solution(cast<Scalar>(middle(generator)));
   const IntervalMatrix x = points(cast<Float>(solution), precision);
   const IntervalMatrix product = x * generator;
   const Interval defect = norm_bound(product + product.adjoint() - identity(precision));
@@ -100,7 +98,7 @@ std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const In
 
 template <class Scalar>
 std::optional<IntervalMatrix> proven(const AcousticMatrices& matrices,
-                                     const std::optional<Impedance<Float>>& approximate) {
+                                     const std::optional<ComplexMatrix<Float>>& approximate) {
   if (!approximate) return std::nullopt;
   const IntervalMatrix centre = points(*approximate, matrices.q.precision());
   const auto radius = proven_radius<Scalar>(matrices, centre);
@@ -113,23 +111,23 @@ std::optional<IntervalMatrix> proven(const AcousticMatrices& matrices,
 
 /// By Newton's method for F(M) = 0 from the impedance in double, whose Lyapunov operator serves for all steps: each gains
 /// about as many digits as a double has. Nothing where a step gains less than four bits, as next to the limiting speed.
-std::optional<Impedance<Float>> refined(const Matrix& q, const Matrix& r, const Matrix& t, int bits) {
+std::optional<ComplexMatrix<Float>> refined(const Matrix& q, const Matrix& r, const Matrix& t, int bits) {
   const auto start =
       barnett_lothe_impedance<double>(q.cast<double>(), r.cast<double>(), t.cast<double>(), 1e-8, 30);
   if (!start) return std::nullopt;
   const Matrix compliance = t.inverse();
-  Impedance<Float> m = cast<Float>(*start);
+  ComplexMatrix<Float> m = cast<Float>(*start);
   DenseMatrix<double> inverse;
   // The last step is the first whose change is within the last 40 bits; it leaves an error at least 16 times less.
   for (Float last = start->re.norm(), enough = ldexp(last, 40 - bits); last > enough;) {
     const Matrix right = m.im + r.transpose(), left = right.transpose();
-    const Impedance<Float> g{compliance * m.re, compliance * right};
-    const Impedance<Float> f{m.re * g.re + left * g.im - q, m.re * g.im - left * g.re};
+    const ComplexMatrix<Float> g{compliance * m.re, compliance * right};
+    const ComplexMatrix<Float> f{m.re * g.re + left * g.im - q, m.re * g.im - left * g.re};
     if (inverse.size() == 0) inverse = lyapunov_matrix(cast<double>(g)).inverse();
     const Float unit = std::max(largest_entry(f.re), largest_entry(f.im));
     if (unit == Float(0)) break;
     const auto change =
-        unpacked<double>(inverse * packed(cast<double>(Impedance<Float>{f.re / unit, f.im / unit})));
+        unpacked<double>(inverse * packed(cast<double>(ComplexMatrix<Float>{f.re / unit, f.im / unit})));
     const Float size = unit * std::hypot(change.re.norm(), change.im.norm());
     if (!(size < last / 16)) return std::nullopt;
     m.re -= unit * change.re.cast<Float>();

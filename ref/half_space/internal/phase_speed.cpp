@@ -5,16 +5,11 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
-#include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 namespace nipref::ref {
 namespace {
-
-AcousticPencil<Float> middle_pencil(const AcousticMatrices& x) {
-  return {middle(x.q).re, middle(x.r).re, middle(x.t).re};
-}
 
 AcousticMatrices at_rest(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t precision) {
   return acoustic_matrices(solid, psi, Interval(precision));
@@ -72,7 +67,7 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
     const WorkingDigits working(digits_of(precision));
     const AcousticMatrices matrices = at_rest(solid, psi, precision);
-    const AcousticPencil<Float> pencil = middle_pencil(matrices);
+    const AcousticPencil<Float> pencil = pencil_of<Float>(matrices);
     const Float s = lowest_point([&](const Float& at) { return pencil.half_slope(at); }, Float(valley.left),
                                  Float(valley.right), static_cast<int>(bits) + 16);
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));

@@ -30,13 +30,12 @@ SmoothLines::SmoothLines(const WorkingSurface& surface, const PeakOfCompliance& 
     : centre_(peak.degrees * pi() / 180), width_(peak.width), last_(asinh(Float(pi() / 2 / width_))) {
   const auto line = [&](const Float& v) {
     const Exact off = to_exact(Float(width_ * sinh(v) * 180 / pi()));
-    const WorkingAnswer y = surface.at(Exact(mpq_class(Exact(peak.degrees).value() + off.value())));
+    const LineAnswer y = surface.at(Exact(mpq_class(Exact(peak.degrees).value() + off.value())));
     Line found{
         {y.shear_compliance, y.coupling}, {y.shear_compliance_across, y.coupling_across}, y.compliance};
     if (!with_decay) return found;
     const Decay& decay = y.decay.value();
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k) found.emplace_back(decay.re[i][k], decay.im[i][k]);
+    for (std::size_t k = 0; k < 9; ++k) found.emplace_back(decay.re[k], decay.im[k]);
     return found;
   };
   const auto panels = static_cast<long>(ceil(Float(2 * last_)));

@@ -3,20 +3,20 @@
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
-// Conversions between interval matrices and floating point.
-
 namespace nipref::ref {
 
+/// A complex matrix by its parts.
+template <class Scalar>
 struct ComplexMatrix {
-  Matrix re, im;
+  DenseMatrix<Scalar> re, im;
 };
 
-inline ComplexMatrix middle(const IntervalMatrix& x) {
-  ComplexMatrix result{Matrix(3, 3), Matrix(3, 3)};
+/// The middle of an interval matrix, to the working precision.
+inline ComplexMatrix<Float> middle(const IntervalMatrix& x) {
+  ComplexMatrix<Float> result{Matrix(3, 3), Matrix(3, 3)};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto row = static_cast<Matrix::Index>(i);
-      const auto column = static_cast<Matrix::Index>(k);
+      const auto row = static_cast<Matrix::Index>(i), column = static_cast<Matrix::Index>(k);
       result.re(row, column) = middle_of(x(i, k).real);
       result.im(row, column) = middle_of(x(i, k).imag);
     }
