@@ -86,24 +86,14 @@ struct HistoryRate {
   std::optional<mpq_class> exact = {};
 };
 
-/// The key of a memory from infinity.
-struct HistoryKey {
-  Kernel kernel;
-  mpq_class alpha, rate;
-  double nats;
-  int residue_terms;
-
-  friend bool operator<(const HistoryKey& a, const HistoryKey& b) {
-    return std::tie(a.kernel, a.nats, a.residue_terms, a.alpha, a.rate) <
-           std::tie(b.kernel, b.nats, b.residue_terms, b.alpha, b.rate);
-  }
-};
+/// Of a memory from infinity the kernel, nats, number of residues, alpha and rate.
+using HistoryKey = std::tuple<Kernel, double, int, mpq_class, mpq_class>;
 
 Interval make_history(const HistoryKey& key) {
-  const Exact alpha(key.alpha), rate(key.rate);
-  return key.residue_terms > 0 ? plain_memory(plain_kernel(key.kernel), alpha, rate, key.residue_terms,
-                                              nats_over_rate(key.rate, key.nats))
-                               : steady_memory(symbol_of(key.kernel), alpha, rate, key.nats);
+  const auto& [kernel, nats, residue_terms, alpha, rate] = key;
+  return residue_terms > 0 ? plain_memory(plain_kernel(kernel), Exact(alpha), Exact(rate), residue_terms,
+                                          nats_over_rate(rate, nats))
+                           : steady_memory(symbol_of(kernel), Exact(alpha), Exact(rate), nats);
 }
 
 std::size_t size_of_history(const Interval& history) {
@@ -118,7 +108,7 @@ ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRa
   if (kernel == Kernel::I2) return sign_history(alpha, rate.interval);
   if (!rate.exact) return steady_memory(symbol_of(kernel), alpha, rate.interval, nats);
   const double rounded_up = std::ceil(nats / nats_grain) * nats_grain;
-  return {*kept.at({kernel, alpha.value(), *rate.exact, rounded_up, residue_terms}), Interval(64)};
+  return {*kept.at({kernel, rounded_up, residue_terms, alpha.value(), *rate.exact}), Interval(64)};
 }
 
 /// The nats for a number that is multiplied by e^{-faded} and is then to have an error of e^{-nats}. They are one of

@@ -26,64 +26,27 @@ void check_place(const Exact& alpha, const Exact& depth) {
 
 bool on_a_face(const Exact& depth) { return abs(depth.value()) == 1; }
 
-FieldIntegrand across(SheetLoad load, const mpq_class& s) {
-  if (load == SheetLoad::normal) {
-    return {
-        false, false, {{-1, 0, sinh_over_S, false}, {-1, 1, cosh_over_S, false}, {s, 1, sinh_over_S, true}}};
-  }
-  return {true, false, {{-1, 1, sinh_over_S, false}, {s, 1, cosh_over_S, true}}};
-}
+/// The form of all stresses and displacements: with G = 2 sinh z/S under a normal load, 2 cosh z/S under a shear load, and H the
+/// other of these, [first z^(power - 1) G + second z^power H] C + third s z^power G D, where C is cosh sz, or sinh sz where it
+/// is odd in the depth, and D the other. A normal load has its sine or cosine, a shear load its cosine or minus its sine.
+struct FieldForm {
+  bool sine, odd_in_depth;
+  int power;
+  mpq_class first_normal, first_shear, second, third;
 
-FieldIntegrand along(SheetLoad load, const mpq_class& s) {
-  if (load == SheetLoad::normal) {
-    return {false,
-            false,
-            {{1, 1, cosh_over_S, false}, {-1, 0, sinh_over_S, false}, {mpq_class(-s), 1, sinh_over_S, true}}};
+  [[nodiscard]] FieldIntegrand at(SheetLoad load, const Exact& depth) const {
+    const bool is_normal = load == SheetLoad::normal;
+    const FieldSymbol G = is_normal ? sinh_over_S : cosh_over_S, H = is_normal ? cosh_over_S : sinh_over_S;
+    const int sign = sine && !is_normal ? -1 : 1;
+    const mpq_class first = sign * (is_normal ? first_normal : first_shear), s = depth.magnitude().value();
+    FieldIntegrand result{
+        sine == is_normal,
+        odd_in_depth,
+        {{sign * second, power, H, odd_in_depth}, {sign * third * s, power, G, !odd_in_depth}}};
+    if (first != 0) result.terms.push_back({first, power - 1, G, odd_in_depth});
+    return result;
   }
-  return {true,
-          false,
-          {{1, 1, sinh_over_S, false}, {-2, 0, cosh_over_S, false}, {mpq_class(-s), 1, cosh_over_S, true}}};
-}
-
-FieldIntegrand shear(SheetLoad load, const mpq_class& s) {
-  if (load == SheetLoad::normal) {
-    return {true, true, {{1, 1, cosh_over_S, true}, {mpq_class(-s), 1, sinh_over_S, false}}};
-  }
-  return {false, true, {{-1, 1, sinh_over_S, true}, {1, 0, cosh_over_S, true}, {s, 1, cosh_over_S, false}}};
-}
-
-FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const ThetaShares& shares) {
-  const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
-  if (load == SheetLoad::normal) {
-    return {false,
-            true,
-            {{-1, -1, sinh_over_S, true},
-             {mpq_class(-t1), 0, cosh_over_S, true},
-             {mpq_class(t1 * s), 0, sinh_over_S, false}}};
-  }
-  return {true,
-          true,
-          {{mpq_class(-t2), -1, cosh_over_S, true},
-           {mpq_class(-t1), 0, sinh_over_S, true},
-           {mpq_class(t1 * s), 0, cosh_over_S, false}}};
-}
-
-/// The integrand of v without the part that depends on eta.
-FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const ThetaShares& shares) {
-  const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
-  if (load == SheetLoad::normal) {
-    return {true,
-            false,
-            {{mpq_class(-t2), -1, sinh_over_S, false},
-             {t1, 0, cosh_over_S, false},
-             {mpq_class(-t1 * s), 0, sinh_over_S, true}}};
-  }
-  return {false,
-          false,
-          {{1, -1, cosh_over_S, false},
-           {mpq_class(-t1), 0, sinh_over_S, false},
-           {mpq_class(t1 * s), 0, cosh_over_S, true}}};
-}
+};
 
 /// About -ln of the size of the field far from the load.
 double decay_nats(const Exact& alpha) { return slowest_decay * std::abs(alpha.approximate()); }
@@ -122,19 +85,22 @@ Enclosure on_face(const FieldTerm& first, bool sine, const Exact& alpha, Derivat
 Enclosure sheet_across(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   if (on_a_face(depth)) return exact_zero(digits);
-  return by_parity(across(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
+  const FieldForm form{false, false, 1, -1, 0, -1, 1};
+  return by_parity(form.at(load, depth), alpha, depth, digits, decay_nats(alpha));
 }
 
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
-  return by_parity(along(load, depth.magnitude().value()), alpha, depth, digits, first_nats);
+  const FieldForm form{false, false, 1, -1, -2, 1, -1};
+  return by_parity(form.at(load, depth), alpha, depth, digits, first_nats);
 }
 
 Enclosure sheet_shear(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
   check_place(alpha, depth);
   if (on_a_face(depth)) return exact_zero(digits);
-  return by_parity(shear(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
+  const FieldForm form{true, true, 1, 0, -1, 1, -1};
+  return by_parity(form.at(load, depth), alpha, depth, digits, decay_nats(alpha));
 }
 
 Enclosure un_slope(const Exact& alpha, Derivative order, int digits) {
@@ -154,8 +120,9 @@ Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const 
   check_place(alpha, depth);
   check_poisson(poisson);
   const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
-  return by_parity(displacement_across(load, depth.magnitude().value(), ThetaShares(poisson)), alpha, depth,
-                   digits, first_nats);
+  const auto& [t1, t2] = ThetaShares(poisson);
+  const FieldForm form{false, true, 0, -1, -t2, -t1, t1};
+  return by_parity(form.at(load, depth), alpha, depth, digits, first_nats);
 }
 
 Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, SheetLoad load,
@@ -170,7 +137,9 @@ Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, Shee
     return exact_zero(digits);
   }
   const ThetaShares shares(poisson);
-  const FieldIntegrand integrand = displacement_along(load, depth.magnitude().value(), shares);
+  // Without the part that depends on eta.
+  const FieldForm form{true, false, 0, -shares.theta2, -1, shares.theta1, -shares.theta1};
+  const FieldIntegrand integrand = form.at(load, depth);
   const FieldPoint at{alpha.magnitude(), depth.magnitude()};
   // Far from the load, on the side of the fixed point, the parts that do not decay cancel.
   const bool same_side = !odd || alpha.sign() * eta.sign() > 0;

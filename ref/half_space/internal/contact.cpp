@@ -30,20 +30,16 @@ Float number(const Float& real) {
   return at_working_precision(real);
 }
 
-struct UnitKey {
-  int digits;
-  mpfr_prec_t precision;
-
-  auto operator<=>(const UnitKey&) const = default;
-};
+/// Digits and the working precision, to which the nodes are made.
+using UnitKey = std::pair<int, mpfr_prec_t>;
 using UnitNodes = std::vector<UnitNode>;
 
-/// The nodes and weights to the working precision, which is part of the key.
 UnitNodes made_nodes(const UnitKey& key) {
-  const Float step = Float(1) / (key.digits + 20) * 2;
+  const int digits = key.first;
+  const Float step = Float(1) / (digits + 20) * 2;
   // The last node: from here on the weights are below 10^-digits even times an algebraic singularity at the end.
   const int last =
-      static_cast<int>((std::asinh(2.3026 * (key.digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
+      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
   UnitNodes nodes;
   for (int i = -last; i <= last; ++i) {
     const UnitPoint at(i * step);

@@ -58,8 +58,9 @@ ComplexInterval nearly_one(mpfr_prec_t k) {
 ///   I1: (1 - E^2)^2/(z D), I3: 4 E^2/D, I4: 2 E (1 - E^2)/(z D), I5: 2 E (1 + E^2)/D
 ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
   const mpfr_prec_t precision = z.real.precision();
-  // (1 - E^2)^2/D differs from 1 by less than 5 (|z| + 1) e^{-2x} < e^{-x}, as |z| < 2x and x > 32.
-  if (kernel == Symbol::normal && mpfr_cmp_si(z.real.lower(), precision) > 0)
+  // (1 - E^2)^2/D differs from 1 by less than 5 (|z| + 1) e^{-2x} < e^{-x}, if |z| < 2x and x > 32.
+  if (kernel == Symbol::normal && mpfr_cmp_si(z.real.lower(), precision) > 0 &&
+      sign_of(2 * z.real - abs(z)) > 0)
     return nearly_one(precision) * inverse(z);
   const ComplexInterval e = exp(-z), square = e * e;
   const ComplexInterval over_d = inverse(one_minus(square * square) + scaled(4, z * square));
@@ -157,51 +158,15 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   return {integral.real.widened(left_out), integral.imag.widened(left_out)};
 }
 
-/// P/e^{-L A}, with S(i r) = i (sin 2r + 2r).
-ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate) {
-  const ComplexInterval sine = sin(rate), cosine = cos(rate);
-  const ComplexInterval size = Interval::pi(rate.real.precision()) * inverse(sine * cosine + rate);
-  switch (kernel) {
-    case Symbol::I3:
-      return size;
-    case Symbol::I4:
-      return size * sine * inverse(rate);
-    case Symbol::I5:
-      return size * cosine;
-    default:
-      return size * sine * sine * inverse(rate);
-  }
-}
-
-/// The same for so large an Im L > 0 that sine and cosine overflow, by r = e^{i L}: sin L = (r - 1/r)/(2i) and
-/// cos L = (r + 1/r)/2, with numerator and denominator multiplied by r or r^2.
-ComplexInterval whole_line_of_fast_oscillation(Symbol kernel, const ComplexInterval& rate) {
-  const mpfr_prec_t bits = rate.real.precision();
-  const ComplexInterval one{Interval(1L, bits), Interval(bits)}, r = exp(times_i(rate)), square = r * r;
-  const Interval half(0.5, bits);
-  const ComplexInterval sine = half * over_i(square - one), cosine = half * (square + one);
-  const ComplexInterval size = Interval::pi(bits) * inverse(sine * cosine + rate * square);
-  switch (kernel) {
-    case Symbol::I3:
-      return size * square;
-    case Symbol::I4:
-      return size * sine * r * inverse(rate);
-    case Symbol::I5:
-      return size * cosine * r;
-    default:
-      return size * sine * sine * inverse(rate);
-  }
-}
-
-/// P
+/// P = pi G(i L) e^{-L A}, for odd kernels times i; by the parity of G on the side of Re z >= 0, where e^{-z} is small.
 ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
-  constexpr double fast_oscillation = 64;
-  const ComplexInterval faded = exp(-(Interval(distance, rate.real.precision()) * rate));
-  const double frequency = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
-  if (frequency > fast_oscillation) return whole_line_of_fast_oscillation(kernel, rate) * faded;
-  // For a real rate the result is real.
-  if (frequency < -fast_oscillation) return conj(whole_line_of_fast_oscillation(kernel, conj(rate))) * faded;
-  return whole_line_from_load(kernel, rate) * faded;
+  const mpfr_prec_t bits = rate.real.precision();
+  const bool is_mirrored = mpfr_sgn(rate.imag.upper()) > 0;
+  const ComplexInterval z = is_mirrored ? over_i(rate) : times_i(rate),
+                        symbol = Interval::pi(bits) *
+                                 (whole_symbol(kernel, z) * exp(-(Interval(distance, bits) * rate)));
+  if (!is_odd(kernel)) return symbol;
+  return is_mirrored ? over_i(symbol) : times_i(symbol);
 }
 
 /// psi of the pole at i rate, reflected to Re z >= 0.

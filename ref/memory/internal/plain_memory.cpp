@@ -1,4 +1,3 @@
-#include <memory>
 #include <tuple>
 #include <vector>
 
@@ -19,56 +18,35 @@ std::size_t size_of_waves(const Waves& waves) {
   return waves.empty() ? 0 : waves.size() * (sizeof(ComplexInterval) + waves.size());
 }
 
-/// The key of the waves e^{i z_n x} at x >= 0 that are not negligible.
-struct WaveKey {
-  mpq_class x;
-  int terms;
-  mpfr_prec_t precision;
+/// Number of terms, precision and x.
+using WaveKey = std::tuple<int, mpfr_prec_t, mpq_class>;
 
-  friend bool operator<(const WaveKey& a, const WaveKey& b) {
-    return std::tie(a.terms, a.precision, a.x) < std::tie(b.terms, b.precision, b.x);
-  }
-};
-
+/// The waves e^{i z_n x} at x >= 0 that are not negligible.
 Waves make_waves(const WaveKey& key) {
-  const mpfr_prec_t more = key.precision + spare_bits;
-  const Interval place(Exact(key.x), more);
-  Interval rest(key.precision);
+  const auto& [terms, precision, x] = key;
+  const mpfr_prec_t more = precision + spare_bits;
+  const Interval place(x, more);
+  Interval rest(precision);
   Waves waves;
-  for (int n = 1; n <= key.terms && !is_negligible(n, place, key.precision, rest); ++n) {
+  for (int n = 1; n <= terms && !is_negligible(n, place, precision, rest); ++n) {
     const ComplexInterval z = rounded(sheet_pole(n, more)->z, more);
-    waves.push_back(rounded(exp(ComplexInterval{-(place * z.imag), place * z.real}), key.precision));
+    waves.push_back(rounded(exp(ComplexInterval{-(place * z.imag), place * z.real}), precision));
   }
   return waves;
 }
 
-std::shared_ptr<const Waves> waves_at(const Exact& x, int terms, mpfr_prec_t precision) {
-  static Cache<WaveKey, Waves> kept(make_waves, size_of_waves, std::size_t{1} << 27);
-  return kept.at({x.value(), terms, precision});
-}
-
-struct FadeKey {
-  PlainKernel kernel;
-  int side;  ///< 1 ahead of the load, -1 behind it; 0: no memory
-  mpq_class rate;
-  int terms;
-  mpfr_prec_t precision;
-
-  friend bool operator<(const FadeKey& a, const FadeKey& b) {
-    return std::tie(a.kernel, a.side, a.terms, a.precision, a.rate) <
-           std::tie(b.kernel, b.side, b.terms, b.precision, b.rate);
-  }
-};
+/// The kernel, the side (1 ahead of the load, -1 behind it; 0: no memory), number of terms, precision and rate.
+using FadeKey = std::tuple<PlainKernel, long, int, mpfr_prec_t, mpq_class>;
 
 /// C/(rate - i z), behind the load C/(rate + i z), without memory C, over pi: C is i pi c of an even kernel, pi c of an odd one.
 Waves make_fades(const FadeKey& key) {
-  const Interval rate(Exact(key.rate), key.precision);
+  const auto& [kernel, side, terms, precision, exact_rate] = key;
+  const Interval rate(exact_rate, precision);
   Waves fades;
-  for (int n = 1; n <= key.terms; ++n) {
-    const auto pole = sheet_pole(n, key.precision + spare_bits);
-    const ComplexInterval c = plain_coefficient(key.kernel, *pole);
-    fades.push_back(is_odd(key.kernel) ? c : ComplexInterval{-c.imag, c.real});
-    const auto side = static_cast<long>(key.side);
+  for (int n = 1; n <= terms; ++n) {
+    const auto pole = sheet_pole(n, precision + spare_bits);
+    const ComplexInterval c = plain_coefficient(kernel, *pole);
+    fades.push_back(is_odd(kernel) ? c : ComplexInterval{-c.imag, c.real});
     if (side != 0)
       fades.back() = fades.back() * inverse({rate + side * pole->z.imag, -(side * pole->z.real)});
   }
@@ -76,11 +54,12 @@ Waves make_fades(const FadeKey& key) {
 }
 
 /// The sum at x >= 0, without the kernel's constant.
-Interval wave_sum(PlainKernel kernel, const Exact& x, int side, const Exact& rate, int terms,
+Interval wave_sum(PlainKernel kernel, const Exact& x, long side, const Exact& rate, int terms,
                   mpfr_prec_t precision) {
-  static Cache<FadeKey, Waves> kept(make_fades, size_of_waves, std::size_t{1} << 26);
-  const auto waves = waves_at(x, terms, precision);
-  const auto fades = kept.at({kernel, side, rate.value(), terms, precision});
+  static Cache<WaveKey, Waves> kept_waves(make_waves, size_of_waves, std::size_t{1} << 27);
+  static Cache<FadeKey, Waves> kept_fades(make_fades, size_of_waves, std::size_t{1} << 26);
+  const auto waves = kept_waves.at({terms, precision, x.value()});
+  const auto fades = kept_fades.at({kernel, side, terms, precision, rate.value()});
   Interval sum(precision);
   for (std::size_t n = 0; n < waves->size(); ++n) {
     const ComplexInterval &wave = (*waves)[n], &by = (*fades)[n];
@@ -114,7 +93,7 @@ Interval plain_memory(PlainKernel kernel, const Exact& alpha, const Exact& exact
   check_residue_terms(terms);
   const mpfr_prec_t precision = precision_of(nats);
   const Interval rate(exact_rate, precision), constant = constant_of(kernel, precision);
-  const auto sum = [&](const Exact& x, int side) {
+  const auto sum = [&](const Exact& x, long side) {
     return wave_sum(kernel, x, side, exact_rate, terms, precision);
   };
   const Exact x = alpha.magnitude(), at_load(0.0);

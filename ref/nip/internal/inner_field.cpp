@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <nipref/ref/nip/internal/inner_field.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -98,22 +97,23 @@ InnerField::InnerField(const Float& middle, const Float& half_length, Tractions 
       tractions_(std::move(tractions)),
       fineness_(std::move(fineness)) {}
 
-const std::vector<InnerField::UnitNode>& InnerField::level(int number) const {
+const std::vector<UnitPoint>& InnerField::level(int number) const {
   while (std::ssize(levels_) <= number) {
     const auto made = static_cast<int>(levels_.size());
-    auto nodes = std::make_unique<std::vector<UnitNode>>();
+    std::vector<UnitPoint>& nodes = levels_.emplace_back();
     const double step = std::ldexp(1 / fineness_.fineness, -made);
     // Enough for a point at the contact's end on a face, where the integrand is singular like 1/sqrt.
     const double last = std::asinh(2 * (nats_of(fineness_.digits) + 4) / std::numbers::pi);
     const int stride = made == 0 ? 1 : 2;
     for (int i = made == 0 ? 0 : 1; i * step < last; i += stride) {
       const UnitPoint at(Float(step) * i);
-      nodes->push_back({at.from_left, at.from_right, at.slope});
-      if (i > 0) nodes->push_back({at.from_right, at.from_left, at.slope});
+      nodes.push_back(at);
+      if (i == 0) continue;
+      nodes.push_back(at);
+      std::swap(nodes.back().from_left, nodes.back().from_right);
     }
-    levels_.push_back(std::move(nodes));
   }
-  return *levels_[static_cast<std::size_t>(number)];
+  return levels_[static_cast<std::size_t>(number)];
 }
 
 /// Adds the integral over a segment, with finer and finer levels until it has converged.
@@ -125,7 +125,7 @@ void InnerField::add_segment(const Segment& segment, const FacePoint& point,
   const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits);
   std::array<Float, Parts> total, before;
   for (int number = 0; number < most_levels; ++number) {
-    for (const UnitNode& node : level(number)) {
+    for (const UnitPoint& node : level(number)) {
       const Substitution::Point at = segment.range.at(node.from_left, node.from_right);
       const Float gap = segment.range.start() + at.from_start, weight = node.slope * at.slope;
       if (segment.left) {
@@ -236,84 +236,65 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
   return made;
 }
 
-/// The tractions' transforms with cos and sin of z (alpha - alpha').
-struct InnerField::Transforms {
-  Float p_even, p_odd, q_even, q_odd;
-
-  Transforms(const Wave& wave, const Float& from_middle) {
-    const SineAndCosine at(wave.z * from_middle);
-    const FaceTraction &c = wave.cosine, &i = wave.sine;
-    p_even = at.cosine * c.pressure + at.sine * i.pressure;
-    p_odd = at.sine * c.pressure - at.cosine * i.pressure;
-    q_even = at.cosine * c.shear + at.sine * i.shear;
-    q_odd = at.sine * c.shear - at.cosine * i.shear;
-  }
+/// With a = 2 sinh z/D and b = 2 cosh z/D the rest is [first a + second z b] C + third s z a E under the pressure, and
+/// [first b + second z a] C + third s z b E under the shear, where C is cosh sz, or sinh sz where it is odd in the depth, and E
+/// the other, each product less what it is far from the middle plane, by both half-planes. The pressure has its sine or cosine
+/// of z (alpha - alpha'), the shear its cosine, the sign changed, or sine.
+struct InnerField::Form {
+  bool sine, odd_in_depth;
+  Float first_pressure, first_shear, second, third;
 };
 
-/// What depends on the depth s: cosh sz, sinh sz, and e^-zd of both half-planes, d = 1 - s and 1 + s, as sum and difference,
-/// and times zd.
-struct InnerField::Across {
-  Float C, S, even, odd, z_even, z_odd;
-
-  Across(const Wave& wave, const Float& s) {
-    const Float growth = exp(s * wave.z), inverse = 1 / growth;
-    C = (growth + inverse) / 2, S = (growth - inverse) / 2;
+template <std::size_t Parts>
+void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, Parts>& forms,
+                                std::array<Float, Parts>& sum) const {
+  const auto& [alpha, s] = point;
+  for (const Wave& wave : waves(alpha)) {
+    const Float &z = wave.z, growth = exp(s * z), inverse = 1 / growth;
     const Float near = wave.fall * growth, far = wave.fall * inverse;
-    const Float z_near = wave.z * (1 - s) * near, z_far = wave.z * (1 + s) * far;
-    even = near + far, odd = near - far, z_even = z_near + z_far, z_odd = z_near - z_far;
-  }
-};
-
-void InnerField::add_sheet_rest(const SheetPoint& point, const FloatShares&, Stresses& sum) const {
-  const auto& [alpha, s] = point;
-  for (const Wave& wave : waves(alpha)) {
-    const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
-    const Across at(wave, s);
-    const Float zaC = z * a * at.C, zbC = z * b * at.C, szaS = s * z * a * at.S, szbS = s * z * b * at.S;
-    const Float zaS = z * a * at.S, zbS = z * b * at.S, szaC = s * zaC, szbC = s * zbC;
-    const Transforms of(wave, alpha - middle_);
-    sum[0] += wave.weight * ((at.even + at.z_even - a * at.C - zbC + szaS) * of.p_even +
-                             (at.z_even - zaC + szbS) * of.q_odd);
-    sum[1] += wave.weight * ((zbC - a * at.C - szaS + at.even - at.z_even) * of.p_even +
-                             (zaC - 2 * (b * at.C) - szbS + 2 * at.even - at.z_even) * of.q_odd);
-    sum[2] += wave.weight *
-              ((zbS - szaC - at.z_odd) * of.p_odd + (b * at.S - zaS + szbC - at.odd + at.z_odd) * of.q_even);
-  }
-}
-
-void InnerField::add_sheet_rest(const SheetPoint& point, const FloatShares& shares,
-                                Displacements& sum) const {
-  const auto& [alpha, s] = point;
-  const auto& [t1, t2] = shares;
-  for (const Wave& wave : waves(alpha)) {
-    const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
-    const Across at(wave, s);
-    const Transforms of(wave, alpha - middle_);
-    const Float over = wave.weight / z, t1z = t1 * z;
-    sum[0] +=
-        over * ((at.odd - a * at.S + t1 * at.z_odd - t1z * (b * at.S - s * a * at.C)) * of.p_even +
-                (t2 * (at.odd - b * at.S) + t1 * at.z_odd - t1z * (a * at.S - s * b * at.C)) * of.q_odd);
-    sum[1] +=
-        over * ((t2 * (at.even - a * at.C) - t1 * at.z_even + t1z * (b * at.C - s * a * at.S)) * of.p_odd +
-                (b * at.C - at.even + t1 * at.z_even - t1z * (a * at.C - s * b * at.S)) * of.q_even);
+    const std::array<Float, 2> depth{(growth + inverse) / 2, (growth - inverse) / 2},
+        planes{near + far, near - far};
+    std::array<Float, 2> a, b;  // of even and of odd functions of the depth
+    for (std::size_t i = 0; i < 2; ++i) {
+      a[i] = wave.sinh_part * depth[i] - planes[i];
+      b[i] = wave.cosh_part * depth[i] - planes[i];
+    }
+    const SineAndCosine at(z * (alpha - middle_));
+    const FaceTraction &c = wave.cosine, &i = wave.sine;
+    for (std::size_t part = 0; part < Parts; ++part) {
+      const auto& [sine, odd_in_depth, first_pressure, first_shear, second, third] = forms[part];
+      const std::size_t C = odd_in_depth ? 1 : 0, E = 1 - C;
+      const Float second_z = second * z, third_z = third * s * z,
+                  pressed = first_pressure * a[C] + second_z * b[C] + third_z * a[E],
+                  sheared = first_shear * b[C] + second_z * a[C] + third_z * b[E];
+      const Float waved = sine ? pressed * (at.sine * c.pressure - at.cosine * i.pressure) -
+                                     sheared * (at.cosine * c.shear + at.sine * i.shear)
+                               : pressed * (at.cosine * c.pressure + at.sine * i.pressure) +
+                                     sheared * (at.sine * c.shear - at.cosine * i.shear);
+      sum[part] += (Parts == 3 ? wave.weight : Float(wave.weight / z)) * waved;
+    }
   }
 }
 
 template <std::size_t Parts>
-std::array<Float, Parts> InnerField::sums(const SheetPoint& point, const FloatShares& shares) const {
+std::array<Float, Parts> InnerField::sums(const SheetPoint& point, const FloatShares& shares,
+                                          const std::array<Form, Parts>& forms) const {
   std::array<Float, Parts> sum;
   for (const int face : {1, -1}) add_half_plane(point, face, shares, sum);
-  add_sheet_rest(point, shares, sum);
+  add_sheet_rest(point, forms, sum);
   return sum;
 }
 
 FloatStresses InnerField::at(const SheetPoint& point) const {
-  const auto [across, along, shear] = sums<3>(point, {});
+  const auto [across, along, shear] = sums<3>(
+      point, {}, {{{false, false, -1, 0, -1, 1}, {false, false, -1, -2, 1, -1}, {true, true, 0, -1, 1, -1}}});
   return {across, along, shear};
 }
 
 FloatDisplacements InnerField::displacements(const SheetPoint& point, const FloatShares& shares) const {
-  const auto [across, along] = sums<2>(point, shares);
+  const auto& [t1, t2] = shares;
+  const auto [across, along] =
+      sums<2>(point, shares, {{{false, true, -1, -t2, -t1, t1}, {true, false, -t2, -1, t1, -t1}}});
   return {across, along};
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 #include <array>
+#include <deque>
 #include <functional>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include <nipref/ref/nip/internal/tractions.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 
@@ -59,10 +60,6 @@ class InnerField {
   [[nodiscard]] FloatDisplacements displacements(const SheetPoint& point, const FloatShares& shares) const;
 
  private:
-  /// A node of the double exponential rule on (0, 1). Each level has only the nodes that the levels before it lack.
-  struct UnitNode {
-    Float from_left, from_right, slope;
-  };
   /// A point relative to one of the faces.
   struct FacePoint;
   /// A range of |alpha - alpha'|, with tractions on both sides of the point or on one side.
@@ -77,30 +74,33 @@ class InnerField {
     Float z, weight, sinh_part, cosh_part, fall;
     FaceTraction cosine, sine;
   };
-  struct Transforms;
-  struct Across;
+  /// The form of a stress or a displacement.
+  struct Form;
   /// across, along and shear; across and along.
   using Stresses = std::array<Float, 3>;
   using Displacements = std::array<Float, 2>;
 
-  [[nodiscard]] const std::vector<UnitNode>& level(int number) const;
+  /// Nodes of the double exponential rule that the levels before this one lack.
+  [[nodiscard]] const std::vector<UnitPoint>& level(int number) const;
   /// Of stresses or displacements.
   template <std::size_t Parts>
-  [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares) const;
+  [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares,
+                                              const std::array<Form, Parts>& forms) const;
   template <std::size_t Parts>
   void add_segment(const Segment& segment, const FacePoint& point, std::array<Float, Parts>& sum) const;
   template <std::size_t Parts>
   void add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
                       std::array<Float, Parts>& sum) const;
-  void add_sheet_rest(const SheetPoint& point, const FloatShares& shares, Stresses& sum) const;
-  void add_sheet_rest(const SheetPoint& point, const FloatShares& shares, Displacements& sum) const;
+  template <std::size_t Parts>
+  void add_sheet_rest(const SheetPoint& point, const std::array<Form, Parts>& forms,
+                      std::array<Float, Parts>& sum) const;
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 
   Float middle_, half_length_;
   Tractions tractions_;
   FieldFineness fineness_;
-  mutable std::vector<std::unique_ptr<std::vector<UnitNode>>> levels_;
+  mutable std::deque<std::vector<UnitPoint>> levels_;
   mutable std::vector<Charge> charges_;
   mutable std::map<int, std::vector<Wave>> waves_;  ///< by the distance up to which they suffice, see waves()
 };

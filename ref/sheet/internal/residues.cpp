@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -20,15 +21,11 @@ long terms_needed(double x, double nats) {
   return std::max(0L, static_cast<long>(std::ceil(needed)));
 }
 
-struct PoleKey {
-  long n;
-  mpfr_prec_t precision;
-
-  auto operator<=>(const PoleKey&) const = default;
-};
+/// n and precision.
+using PoleKey = std::pair<long, mpfr_prec_t>;
 
 SheetPole make_pole(const PoleKey& key) {
-  const ComplexInterval z = sheet_root_interval(key.n, key.precision);
+  const ComplexInterval z = sheet_root_interval(key.first, key.second);
   return {z, inverse({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)})};
 }
 
