@@ -31,10 +31,6 @@ struct Problem {
   [[nodiscard]] int elements() const { return method.elements_per_side; }
 };
 
-Interval interval_over(const Lengths& lengths) {
-  return interval_of(lengths.length).widened(interval_of(abs(lengths.length) * lengths.spread));
-}
-
 /// theta2/N I2 of a positive distance.
 Interval theta2_part(const data::ElasticNip& nip) {
   const Interval share(ThetaShares(Exact(nip.material.poisson)).theta2, working_bits());
@@ -70,7 +66,7 @@ Interval kernel_over(PlainKernel kernel, const Interval& alpha, int residue_term
 /// A kernel at the odd multiples 1, 3 .. 4m - 1 of half an element over half a sheet.
 std::vector<Interval> evaluate(const Problem& problem, const Lengths& lengths, PlainKernel kernel,
                                int digits) {
-  const Interval half_element = interval_over(lengths) / (4L * problem.elements()),
+  const Interval half_element = lengths.interval() / (4L * problem.elements()),
                  unit = 2 * half_element / Interval(problem.nip.sheet_thickness, working_bits());
   std::vector<Interval> values;
   for (int q = 0; q < 2 * problem.elements(); ++q)
@@ -85,7 +81,7 @@ const Interval& at(const std::vector<Interval>& values, int odd_multiple) {
 
 /// Where the displacements are equated, 2 i a, i = 0 .. m.
 Interval place_of(const Problem& problem, const Lengths& lengths, int i) {
-  return i * interval_over(lengths) / (2L * problem.elements());
+  return i * lengths.interval() / (2L * problem.elements());
 }
 
 /// Unknowns: d0, then the normal loads, and further ones that are not set. Rows: the normal displacement at all i.
@@ -161,7 +157,7 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
   return {.roller_radius = problem.nip.roller_radius,
           .leading_elements = problem.elements(),
           .is_symmetric = true,
-          .contact_length = interval_over(lengths),
+          .contact_length = lengths.interval(),
           .indentation = unknowns.front(),
           .normal = both_sides(unit, loads.first(m), 1),
           .shear = both_sides(unit, loads.subspan(m), -1),
@@ -250,7 +246,7 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
   const Problem problem{nip, method, grip}, frictionless{nip, method, {}};
   check_digits_and_elements(problem, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  LengthSearch search{load, longest_length * Float(nip.sheet_thickness), Float(nip.sheet_thickness)};
+  LengthSearch search{Exact(load), Float(nip.sheet_thickness), longest_length * Float(nip.sheet_thickness)};
   const auto by = [](const Problem& given, int kernel_digits) {
     return [&given, kernel_digits](const Lengths& lengths) { return solve(given, lengths, kernel_digits); };
   };

@@ -55,8 +55,8 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const data::ViscoelasticL
 
 LengthSearch search_of(const RollingLoads& problem, double load) {
   const Float leading_length = sqrt(Float(load) * Float(problem.nip.roller_radius) * problem.instantaneous());
-  return {load, to_float(Exact(problem.half_element(mpq_class(problem.nip.roller_radius)))),
-          leading_length / (2 * problem.leading * to_float(Exact(problem.half_thickness())))};
+  return {Exact(load), leading_length / (2 * problem.leading * to_float(Exact(problem.half_thickness()))),
+          to_float(Exact(problem.half_element(mpq_class(problem.nip.roller_radius))))};
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {
 
-constexpr int most_steps = 30;    ///< of the search for a length
 constexpr int first_digits = 12;  ///< of a length before it is checked
 
 /// How many digits each part of a solution is computed to.
@@ -42,13 +42,12 @@ struct SolvedSystem {
         right(SlopeSeries::line(size)),
         c(system.solution(right)) {}
 
-  /// Newton's step for ln W as a function of ln A, as a factor of A: W = pi A^2 c_1 and d ln W/d ln A = 2 (sum m c_m)^2/c_1,
-  /// as dW/dA goes with the square of how p' grows at the ends.
-  [[nodiscard]] Float length_factor(const Float& load) const {
+  [[nodiscard]] Float load() const { return pi() * system.half_length() * system.half_length() * c[1]; }
+  /// d ln W/d ln A = 2 (sum m c_m)^2/c_1, as dW/dA goes with the square of how p' grows at the ends.
+  [[nodiscard]] Float growth() const {
     Float sum = 0;
     for (std::size_t m = 1; m < c.size(); m += 2) sum += m * c[m];
-    const Float growth = 2 * sum * sum / c[1];
-    return exp(log(load / (pi() * system.half_length() * system.half_length() * c[1])) / growth);
+    return 2 * sum * sum / c[1];
   }
   [[nodiscard]] Proof proven(const Interval& half_length, const Exact& beta,
                              const std::shared_ptr<SmoothKernel>& kernel,
@@ -59,20 +58,13 @@ struct SolvedSystem {
   }
 };
 
-/// The half length that carries a load, to about so many digits, from one good to `known`: half of them
-/// first. Nothing is proven.
-Float improved_half_length(const Float& load, double near, int known, int digits, SmoothKernel& kernel) {
-  Float half_length =
-      digits <= 2 * known ? Float(near) : improved_half_length(load, near, known, digits / 2 + 1, kernel);
-  const Float enough = pow(Float(10), -digits);
-  Float change = 1;
-  for (int step = 0; step < most_steps && change * change > enough; ++step) {
-    const int size = size_for(static_cast<double>(half_length), digits);
-    const Float factor = SolvedSystem(half_length, size, kernel).length_factor(load);
-    half_length *= factor;
-    change = factor - 1;
-  }
-  return half_length;
+/// Seeks the half length to about so many digits from one good to `known`: half of them first. Nothing is proven.
+void seek(LengthSearch& search, int known, int digits, SmoothKernel& kernel) {
+  if (digits > 2 * known) seek(search, known, digits / 2 + 1, kernel);
+  search.seek(digits, [&](const Lengths& at) {
+    return std::make_optional<SolvedSystem>(at.length, size_for(static_cast<double>(at.length), digits),
+                                            kernel);
+  });
 }
 
 }  // namespace
@@ -100,12 +92,13 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
   const ContactPrecision precision = precision_for(guess, digits, true);
   const WorkingDigits working(precision.working);
   const auto smooth = std::make_shared<SmoothKernel>(kernel, precision.kernel);
-  const Float wanted = to_float(load);
-  const auto near = static_cast<double>(improved_half_length(wanted, guess, 1, first_digits, *smooth));
+  LengthSearch search{load, Float(guess)};
+  seek(search, 1, first_digits, *smooth);
+  const auto near = static_cast<double>(search.length);
   const int size = size_for(near, precision.expansion);
   if (!is_allowed(near) || size > most_terms) return std::nullopt;
-  const SolvedSystem solved(
-      improved_half_length(wanted, near, first_digits - 1, precision.expansion, *smooth), size, *smooth);
+  seek(search, first_digits - 1, precision.expansion, *smooth);
+  const SolvedSystem solved(search.length, size, *smooth);
   // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
   const Interval here = interval_of(solved.system.half_length());
   const Interval found = solved.proven(here, beta, smooth, precision).contact->load();

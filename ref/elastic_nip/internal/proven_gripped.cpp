@@ -6,6 +6,7 @@
 #include <nipref/ref/elastic_nip/internal/gripped_system.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
@@ -336,36 +337,19 @@ std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
                                              const std::function<bool(double half_length)>& is_allowed,
                                              const Exact& beta, int digits, const GrippedKernels& kernels,
                                              int most_terms) {
-  constexpr int most_steps = 30;
   // A length that is off changes the contact as kernel values that are off do.
   const int known = plan_of(guess, beta.approximate(), digits).kernel_digits;
   const GrippedPlan plan = plan_of(1.5 * guess, beta.approximate(), known);
   if (plan.size > most_terms) return std::nullopt;
   const WorkingDigits working(plan.working_digits);
   const auto smooth = smooth_kernels(kernels, plan);
-  const auto contact = [&](const Interval& half_length) {
-    return std::make_shared<const GrippedContact>(half_length, beta, plan.size, smooth);
-  };
-  const Float wanted = log(to_float(load)), enough = pow(Float(10), -known);
-  const auto excess = [&](const Float& log_length) -> Float {
-    return log(middle_of(contact(interval_of(Float(exp(log_length))))->load())) - wanted;
-  };
-  // By secants, of ln W as a function of ln A.
-  Float here = log(Float(guess)), above = excess(here), last = here - above / 2, before = excess(last);
-  std::swap(here, last);
-  std::swap(above, before);
-  for (int step = 0; step < most_steps && abs(above) > enough / 8; ++step) {
-    if (!is_allowed(std::exp(static_cast<double>(here)))) return std::nullopt;
-    const Float next = here - above * (here - last) / (above - before);
-    last = std::exchange(here, next);
-    before = std::exchange(above, excess(here));
-  }
-  const Float length = exp(here);
-  const Interval low = interval_of(Float(length * (1 - enough))),
-                 high = interval_of(Float(length * (1 + enough))), asked(load, working_bits());
-  if (sign_of(contact(low)->load() - asked) >= 0 || sign_of(contact(high)->load() - asked) <= 0)
-    return std::nullopt;
-  return Proof{contact(hull(low, high)), plan.working_digits};
+  LengthSearch search{load, Float(guess)};
+  const auto contact = search.contact_carrying(
+      known, [&](const Lengths& half_lengths) -> std::shared_ptr<const GrippedContact> {
+        if (!is_allowed(static_cast<double>(half_lengths.length))) return nullptr;
+        return std::make_shared<const GrippedContact>(half_lengths.interval(), beta, plan.size, smooth);
+      });
+  return contact ? std::optional(Proof{contact, plan.working_digits}) : std::nullopt;
 }
 
 int proven_gripped_terms(double half_length, double beta, int digits) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/line_loads.hpp>
 #include <nipref/ref/number/interval.hpp>
 
@@ -32,12 +33,6 @@ struct LineLoadPlace {
 /// if `is_normal`, otherwise along Y from a point that is the same for all places.
 using UnderLoad = std::function<Interval(const SolvedLineLoads& loads, std::size_t load,
                                          const LineLoadPlace& place, bool is_normal)>;
-
-/// All lengths within `spread` of a length, relative.
-struct Lengths {
-  Float length;
-  Float spread = 0;
-};
 
 /// The contacts of all lengths in an interval: what is so for each of them.
 struct SolvedLineLoads {
@@ -74,24 +69,6 @@ struct SolvedLineLoads {
   [[nodiscard]] Interval displacement(const LineLoadPlace& place, bool is_normal) const;
   /// No normal load is negative; nothing where the bounds do not tell.
   [[nodiscard]] std::optional<bool> presses_everywhere() const;
-};
-
-using ContactOf = std::function<std::optional<SolvedLineLoads>(const Lengths&)>;
-
-/// A search for the length that carries a load: where it begins, and then where it has come to.
-struct LengthSearch {
-  double load;
-  Float longest;       ///< not gone beyond
-  Float length;        ///< in any unit that contact_of takes
-  Float exponent = 3;  ///< d ln W/d ln L
-  int systems = 0;     ///< solved
-
-  /// By secants of ln W over ln L until W is within 10^-digits of the load; false where the precision does not
-  /// suffice to solve a contact. BadInput "load" if no length is found.
-  bool seek(int digits, const ContactOf& contact_of);
-  /// All contacts of lengths within 10^-digits, one of which carries the load, as those at the ends carry less and
-  /// more. Nothing where the precision does not suffice for the proof.
-  std::optional<SolvedLineLoads> contact_carrying(int digits, const ContactOf& contact_of);
 };
 
 /// Digits beyond those asked for, with which to begin and to end; arithmetic has some more.

@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/internal/solved_nip.hpp>
 
 namespace nipref::ref {
 namespace {
 
 constexpr int most_unknowns = 1400;
-constexpr int most_search_steps = 40;
 constexpr int kernel_guard = 8, quadrature_guard = 6;  ///< digits
 constexpr int search_digits = 10;
 
@@ -34,11 +33,6 @@ int checked_unknowns(const NipSheet& sheet, const std::vector<TractionPanel>& pa
   return unknowns;
 }
 
-/// Of ln A, to a load.
-Float newton_step(const Float& load, const NipSolution& here) {
-  return log(load / here.load()) / here.growth();
-}
-
 }  // namespace
 
 SolvedNip::SolvedNip(Sheet sheet, int digits)
@@ -54,19 +48,28 @@ SolvedNip SolvedNip::of_half_length(const Sheet& sheet, const Float& half_length
 
 SolvedNip SolvedNip::of_load(const Sheet& sheet, const Float& load, double guess, int digits,
                              const Check& check) {
-  Float length = searched(sheet, load, guess, digits, check);
+  LengthSearch search{.load = to_exact(load), .length = guess, .longest_step = 1};
+  {  // with few digits
+    const WorkingDigits working(working_digits(search_digits, sheet->lost_digits()));
+    const SolvedNip few(sheet, search_digits);
+    search.seek(search_digits, [&](const Lengths& at) {
+      check(static_cast<double>(at.length));
+      first_unknowns(*sheet, at.length, digits);
+      return few.solution(at.length, fineness_of(false, first_nats(search_digits)));
+    });
+  }
+  check(static_cast<double>(search.length));
+  search.length = at_working_precision(search.length);
   SolvedNip nip(sheet, digits);
-  const Float enough = pow(Float(10), -digits) / 1000;
   const auto solve_at = [&](const Fineness& fineness) {
-    for (int step = 0; step < most_search_steps; ++step) {
-      auto here = nip.solution(length, fineness);
-      const Float change = newton_step(load, *here);
-      length *= exp(change);
-      if (abs(change) <= enough) return here;
-    }
-    throw std::logic_error("a length for a load that is not found");
+    std::unique_ptr<NipSolution> here;
+    search.seek(digits + 3, [&](const Lengths& at) {
+      here = nip.solution(at.length, fineness);
+      return here.get();
+    });
+    return here->half_length() == search.length ? std::move(here) : nip.solution(search.length, fineness);
   };
-  nip.solve(solve_at, length);
+  nip.solve(solve_at, search.length);
   return nip;
 }
 
@@ -90,28 +93,6 @@ std::unique_ptr<NipSolution> SolvedNip::solution(const Float& half_length, const
   checked_unknowns(*sheet_, panels, digits_);
   return sheet_->solved(half_length, std::move(panels), (digits_ + quadrature_guard) * std::numbers::ln10,
                         *kernels_);
-}
-
-/// By Newton's steps with few digits.
-Float SolvedNip::searched(const Sheet& sheet, const Float& load, double guess, int digits,
-                          const Check& check) {
-  Float length = guess;
-  {
-    const WorkingDigits working(working_digits(search_digits, sheet->lost_digits()));
-    const SolvedNip few(sheet, search_digits);
-    Float here = guess;
-    for (int step = 0; step < most_search_steps; ++step) {
-      check(static_cast<double>(here));
-      first_unknowns(*sheet, here, digits);
-      const auto solution = few.solution(here, fineness_of(false, first_nats(search_digits)));
-      const Float change = newton_step(load, *solution);
-      here *= exp(std::clamp(change, Float(-1), Float(1)));
-      if (abs(change) < pow(Float(10), -search_digits / 2)) break;
-    }
-    check(static_cast<double>(here));
-    mpfr_set(raw(length), raw(here), MPFR_RNDN);
-  }
-  return length;
 }
 
 void SolvedNip::solve(const std::function<std::unique_ptr<NipSolution>(const Fineness&)>& solve_at,

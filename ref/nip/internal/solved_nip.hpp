@@ -43,7 +43,6 @@ class SolvedNip {
   /// Solves by solve_at(fineness), about the half length `near`.
   void solve(const std::function<std::unique_ptr<NipSolution>(const Fineness&)>& solve_at, const Float& near);
   void measure();
-  static Float searched(const Sheet& sheet, const Float& load, double guess, int digits, const Check& check);
 
   Sheet sheet_;
   int digits_;

@@ -8,6 +8,7 @@
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -391,20 +392,11 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
 std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
                                                      const Float& near, const Float& growth, int digits) {
   constexpr int spare_digits = 10;  // of the half length
-  const Interval wanted(load, working_bits());
-  const auto at = [&](const Float& half_length) {
-    return proven_rolling(memories, interval_of(half_length), digits + spare_digits / 2);
-  };
-  const auto first = at(near);
-  if (!first) return std::nullopt;
-  const Float found = near * exp(log(middle_of(wanted / first->load())) / growth);
-  const Float apart = found * pow(Float(10), -(digits + spare_digits));
-  const Float lower = found - apart, higher = found + apart;
-  const auto carries_less = at(lower), carries_more = at(higher);
-  if (!carries_less || !carries_more || sign_of(carries_less->load() - wanted) >= 0 ||
-      sign_of(carries_more->load() - wanted) <= 0)
-    return std::nullopt;
-  return proven_rolling(memories, Interval(lower, higher, working_bits()), digits + spare_digits / 2);
+  LengthSearch search{
+      .load = load, .length = near, .exponent = growth, .exponent_error = pow(Float(10), -digits)};
+  return search.contact_carrying(digits + spare_digits, [&](const Lengths& half_lengths) {
+    return proven_rolling(memories, half_lengths.interval(), digits + spare_digits / 2);
+  });
 }
 
 }  // namespace nipref::ref

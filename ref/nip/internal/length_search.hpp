@@ -1,0 +1,96 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+namespace nipref::ref {
+
+/// All lengths within `spread` of a length, relative.
+struct Lengths {
+  Float length;
+  Float spread = 0;
+
+  [[nodiscard]] Interval interval() const {
+    return interval_of(length).widened(interval_of(abs(length) * spread));
+  }
+};
+
+inline Float middle_of(const Float& x) { return x; }
+
+/// A search for the length that carries a load: where it begins, and then where it has come to. contact_of(Lengths) points to the
+/// contacts of these lengths, which have a load() and perhaps its growth(); to nothing where the precision does not suffice.
+struct LengthSearch {
+  Exact load;
+  Float length;              ///< in any unit that contact_of takes
+  Float longest = HUGE_VAL;  ///< not gone beyond
+  double longest_step = 2;   ///< of ln L
+  Float exponent = 3;        ///< d ln W/d ln L
+  Float exponent_error = 1;  ///< about what that is off by
+  int systems = 0;           ///< solved
+
+  /// By the growth, or else secants, of ln W over ln L until W is, or is to be expected after the last step, within 10^-digits of
+  /// the load; false where the precision does not suffice to solve a contact. BadInput "load" if no length is found.
+  template <class ContactOf>
+  bool seek(int digits, const ContactOf& contact_of) {
+    constexpr int most_steps = 60;
+    constexpr double least_exponent = 1;
+    const Float tolerance = pow(Float(10), -digits);
+    std::optional<std::pair<Float, Float>> last;  // ln L and ln W - ln load
+    for (int step = 0; step < most_steps; ++step) {
+      ++systems;
+      const auto tried = contact_of(Lengths{length});
+      if (!tried) return false;
+      const Float found = middle_of(tried->load());
+      if (!(found > Float(0))) {
+        length = length / 3;
+        continue;
+      }
+      const Float excess = log(found / to_float(load)), log_length = log(length);
+      if (abs(excess) <= tolerance) return true;
+      if constexpr (requires { tried->growth(); }) {
+        exponent = tried->growth();
+        exponent_error = abs(excess);
+      } else if (last && log_length != last->first) {
+        exponent = std::max<Float>((excess - last->second) / (log_length - last->first), least_exponent);
+        exponent_error = abs(last->second);
+      }
+      last = {log_length, excess};
+      const Float change = std::clamp<Float>(-excess / exponent, -longest_step, longest_step);
+      length = std::min<Float>(exp(log_length + change), longest);
+      // What the step leaves, to a factor.
+      if (100 * abs(excess) * exponent_error <= tolerance) return true;
+    }
+    throw data::BadInput("load", load.approximate(), "no contact length was found that carries it");
+  }
+
+  /// All contacts of lengths within 10^-digits, one of which carries the load, as those at the ends carry less and
+  /// more. Nothing where the precision does not suffice for the proof.
+  template <class ContactOf>
+  auto contact_carrying(int digits, const ContactOf& contact_of) -> decltype(contact_of(Lengths{})) {
+    constexpr int beyond = 3;
+    if (!seek(digits + beyond, contact_of)) return {};
+    const Interval wanted(load, working_bits());
+    // The sign of W - load, 0 where the bounds do not tell.
+    const auto sign_at = [&](const Float& at) {
+      ++systems;
+      const auto contact = contact_of(Lengths{at});
+      return contact ? sign_of(contact->load() - wanted) : 0;
+    };
+    const Lengths lengths{length, pow(Float(10), -digits)};
+    // A thousandth within the lengths, so that rounding puts neither outside; the load still changes far more than its error.
+    const Float change = length * lengths.spread * (1 - Float(1e-3));
+    if (sign_at(length - change) * sign_at(length + change) >= 0) return {};
+    ++systems;
+    auto contact = contact_of(lengths);
+    if constexpr (requires { contact->systems; })
+      if (contact) contact->systems = systems;
+    return contact;
+  }
+};
+
+}  // namespace nipref::ref
