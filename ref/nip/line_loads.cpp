@@ -36,22 +36,6 @@ Peak peak_of(const SolvedLineLoads& nip, const std::vector<Interval>& loads) {
   return {largest, *place};
 }
 
-/// d0 - Y^2/(2R)
-Interval displacement_at(const SolvedLineLoads& nip, long half_elements) {
-  return nip.indentation -
-         square(nip.length(half_elements)) / (2 * Interval(nip.roller_radius, working_bits()));
-}
-
-/// Of the loads on the side of this sign.
-Interval moment(const SolvedLineLoads& nip, int side) {
-  Interval total(working_bits());
-  for (std::size_t j = 0; j < nip.normal.size(); ++j) {
-    const long place = nip.half_elements_to(j);
-    if (side * place > 0) total = total + nip.normal[j] * nip.length(place);
-  }
-  return total;
-}
-
 /// The load of the element around y over its width; nothing outside the contact.
 std::optional<Interval> density_at(const SolvedLineLoads& nip, const std::vector<Interval>& loads, double y) {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
@@ -88,21 +72,14 @@ Enclosure LineLoadNip::enclosed(const auto& function) const {
 }
 
 Enclosure LineLoadNip::contact_length() const { return enclosed(&SolvedLineLoads::contact_length); }
-Enclosure LineLoadNip::leading_length() const {
-  return enclosed([&](const SolvedLineLoads& of) { return of.length(2L * of.leading_elements); });
-}
-Enclosure LineLoadNip::trailing_length() const {
-  return enclosed(
-      [&](const SolvedLineLoads& of) { return of.length(2L * (of.elements() - of.leading_elements)); });
-}
+Enclosure LineLoadNip::leading_length() const { return enclosed(&SolvedLineLoads::leading_length); }
+Enclosure LineLoadNip::trailing_length() const { return enclosed(&SolvedLineLoads::trailing_length); }
 Enclosure LineLoadNip::indentation() const { return enclosed(&SolvedLineLoads::indentation); }
 Enclosure LineLoadNip::leading_displacement() const {
-  return enclosed([&](const SolvedLineLoads& of) { return displacement_at(of, 2L * of.leading_elements); });
+  return enclosed([](const SolvedLineLoads& of) { return of.on_roller(of.leading_length()); });
 }
 Enclosure LineLoadNip::trailing_displacement() const {
-  return enclosed([](const SolvedLineLoads& of) {
-    return displacement_at(of, 2L * (of.elements() - of.leading_elements));
-  });
+  return enclosed([](const SolvedLineLoads& of) { return of.on_roller(of.trailing_length()); });
 }
 Enclosure LineLoadNip::load() const { return enclosed(&SolvedLineLoads::load); }
 
@@ -122,15 +99,15 @@ Enclosure LineLoadNip::peak_shear_position() const {
 }
 
 Enclosure LineLoadNip::leading_moment() const {
-  return enclosed([&](const SolvedLineLoads& of) { return moment(of, 1); });
+  return enclosed([&](const SolvedLineLoads& of) { return of.moment(1); });
 }
 Enclosure LineLoadNip::trailing_moment() const {
-  return enclosed([&](const SolvedLineLoads& of) { return moment(of, -1); });
+  return enclosed([&](const SolvedLineLoads& of) { return of.moment(-1); });
 }
 Enclosure LineLoadNip::rolling_resistance() const {
   if (solved_->is_symmetric) return exact_zero(digits_);
   return enclosed([&](const SolvedLineLoads& of) {
-    return (moment(of, 1) + moment(of, -1)) / (of.load() * Interval(of.roller_radius, working_bits()));
+    return (of.moment(1) + of.moment(-1)) / (of.load() * Interval(of.roller_radius, working_bits()));
   });
 }
 

@@ -1,15 +1,70 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
+#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 namespace nipref::ref {
 namespace {
+
+/// q + s (r + r^T) + s^2 t at rest, in floating point.
+template <class Scalar>
+struct AcousticPencil {
+  using Square = DenseMatrix<Scalar>;
+  using EigenSolver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Scalar, 3, 3>>;
+  Square q, r, t;
+
+  explicit AcousticPencil(const AcousticMatrices& x)
+      : q(middle(x.q).re.cast<Scalar>()),
+        r(middle(x.r).re.cast<Scalar>()),
+        t(middle(x.t).re.cast<Scalar>()) {}
+
+  [[nodiscard]] Square at(const Scalar& s) const { return q + s * (r + r.transpose()) + s * s * t; }
+  [[nodiscard]] Scalar lowest_value(const Scalar& s) const {
+    return EigenSolver(at(s), Eigen::EigenvaluesOnly).eigenvalues()(0);
+  }
+  /// The eigenvector of the smallest eigenvalue.
+  [[nodiscard]] Square lowest_vector(const Scalar& s) const {
+    return EigenSolver(at(s)).eigenvectors().col(0);
+  }
+  /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2.
+  [[nodiscard]] Scalar half_slope(const Scalar& s) const {
+    const Eigen::Matrix<Scalar, 3, 1> x = lowest_vector(s);
+    return x.dot(r * x) + s * x.dot(t * x);
+  }
+};
+using RoughPencil = AcousticPencil<double>;
+
+/// The s = tan(phi), in a scan of half a turn, for which the smallest eigenvalue is smallest lies between these.
+struct Valley {
+  double left, right;
+
+  explicit Valley(const RoughPencil& pencil) {
+    constexpr int steps = 360;
+    const auto s_at = [](int k) { return std::tan(std::numbers::pi * (k / double{steps} - 0.5)); };
+    double lowest = HUGE_VAL;
+    for (int k = 2; k <= steps - 2; ++k) {
+      const double eigenvalue = pencil.lowest_value(s_at(k));
+      if (eigenvalue < lowest) lowest = eigenvalue, left = s_at(k - 1), right = s_at(k + 1);
+    }
+  }
+  /// The minimum between them, by bisection with the sign of the slope.
+  template <class Scalar>
+  [[nodiscard]] Scalar lowest_point(const AcousticPencil<Scalar>& pencil, int bisections) const {
+    Scalar low = left, high = right;
+    for (int step = 0; step < bisections; ++step) {
+      const Scalar middle = (low + high) / 2;
+      (pencil.half_slope(middle) < 0 ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+};
 
 AcousticMatrices at_rest(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t precision) {
   return acoustic_matrices(solid, psi, Interval(precision));
@@ -31,6 +86,29 @@ Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, con
     }
   }
   return numerator / denominator;
+}
+
+double determinant(const RoughPencil& pencil, double inertia) {
+  const auto impedance = barnett_lothe_impedance<double>(
+      pencil.q - inertia * RoughPencil::Square::Identity(3, 3), pencil.r, pencil.t, 1e-7, 60);
+  if (!impedance) return -1;
+  Eigen::Matrix3cd hermitian;
+  hermitian.real() = impedance->re;
+  hermitian.imag() = impedance->im;
+  return hermitian.determinant().real();
+}
+
+/// The inertia limit (1 - w^2), nearest < w < 1, at which a determinant is 0; nothing if it is not below 0 at `nearest`.
+template <class Scalar, class Determinant>
+std::optional<Scalar> wave_inertia(const SurfaceDirection& psi, const Scalar& limit,
+                                   const Determinant& determinant_at, const Scalar& nearest,
+                                   const Scalar& tolerance) {
+  const auto inertia = [&](const Scalar& w) -> Scalar { return limit * (1 - w * w); };
+  const auto f = [&](const Scalar& w) { return determinant_at(inertia(w)); };
+  if (!(f(nearest) < 0)) return std::nullopt;
+  const auto w = bracketed_root(f, Scalar(1), nearest, tolerance);
+  if (!w) refuse_proof(psi, surface_wave);
+  return inertia(*w);
 }
 
 Float power_of_two(mpfr_prec_t exponent) { return ldexp(Float(1), exponent); }
@@ -60,16 +138,15 @@ void refuse_proof(const SurfaceDirection& psi, const char* what) {
 }
 
 Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t bits) {
-  const Valley valley = lowest_valley(at_rest(solid, psi, 64));
+  const Valley valley(RoughPencil(at_rest(solid, psi, 64)));
   constexpr int most_attempts = 3;
   // The proof below contains powers of Im s, which is of the order of the square root of the distance to the limit.
   mpfr_prec_t precision = 3 * bits + 64;
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
     const WorkingDigits working(digits_of(precision));
     const AcousticMatrices matrices = at_rest(solid, psi, precision);
-    const AcousticPencil<Float> pencil = pencil_of<Float>(matrices);
-    const Float s = lowest_point([&](const Float& at) { return pencil.half_slope(at); }, Float(valley.left),
-                                 Float(valley.right), static_cast<int>(bits) + 16);
+    const AcousticPencil<Float> pencil(matrices);
+    const Float s = valley.lowest_point(pencil, static_cast<int>(bits) + 16);
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));
     const Float below = middle_of(quotient) * (1 - power_of_two(-bits));
     if (surface_impedance(acoustic_matrices(solid, psi, interval_of(below, precision)))) {
@@ -88,24 +165,29 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
   const Float limit = middle_of(limiting_inertia(solid, psi, bits + 24));
   // Close to a direction in which the limiting wave has a traction-free surface, the surface wave is arbitrarily
   // close to the limiting speed.
-  const Float nearest_w = power_of_two(-bits / 2 - 4);
-  const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };
-  const auto f = [&](const Float& w) {
-    const auto value = determinant(solid, psi, inertia(w), precision);
-    if (!value) refuse_proof(psi, surface_wave);
-    return middle_of(*value);
-  };
-  if (!(f(nearest_w) < 0)) return std::nullopt;
-  const auto w = bracketed_root(f, Float(1), nearest_w, power_of_two(-bits - 8));
-  if (!w) refuse_proof(psi, surface_wave);
-  const Float root = inertia(*w);
-  const auto proven = proven_bracket(root, root * power_of_two(-bits), root * power_of_two(-bits / 2), 16, 1,
-                                     [&](const Float& at) {
+  const auto root = wave_inertia<Float>(
+      psi, limit,
+      [&](const Float& inertia) {
+        const auto value = determinant(solid, psi, inertia, precision);
+        if (!value) refuse_proof(psi, surface_wave);
+        return middle_of(*value);
+      },
+      power_of_two(-bits / 2 - 4), power_of_two(-bits - 8));
+  if (!root) return std::nullopt;
+  const auto proven = proven_bracket(*root, *root * power_of_two(-bits), *root * power_of_two(-bits / 2), 16,
+                                     1, [&](const Float& at) {
                                        const auto value = determinant(solid, psi, at, precision);
                                        return value ? sign_of(*value) : 0;
                                      });
   if (!proven) refuse_proof(psi, surface_wave);
   return proven;
+}
+
+double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi) {
+  const RoughPencil pencil(at_rest(solid, psi, 64));
+  const double limit = pencil.lowest_value(Valley(pencil).lowest_point(pencil, 40));
+  const auto determinant_at = [&](double inertia) { return determinant(pencil, inertia); };
+  return wave_inertia<double>(psi, limit, determinant_at, 1e-4, 1e-13).value_or(limit);
 }
 
 bool is_subcritical(const ExactStiffness& solid, const SurfaceDirection& psi,

@@ -51,7 +51,6 @@ struct LengthSearch {
         continue;
       }
       const Float excess = log(found / to_float(load)), log_length = log(length);
-      if (abs(excess) <= tolerance) return true;
       if constexpr (requires { tried->growth(); }) {
         exponent = tried->growth();
         exponent_error = abs(excess);
@@ -62,8 +61,8 @@ struct LengthSearch {
       last = {log_length, excess};
       const Float change = std::clamp<Float>(-excess / exponent, -longest_step, longest_step);
       length = std::min<Float>(exp(log_length + change), longest);
-      // What the step leaves, to a factor.
-      if (100 * abs(excess) * exponent_error <= tolerance) return true;
+      // What the step leaves is this, to a factor.
+      if (abs(excess) * std::min<Float>(100 * exponent_error, 1) <= tolerance) return true;
     }
     throw data::BadInput("load", load.approximate(), "no contact length was found that carries it");
   }

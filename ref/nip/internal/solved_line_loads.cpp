@@ -8,6 +8,19 @@ Interval SolvedLineLoads::distance(std::size_t load, const LineLoadPlace& place)
   return Interval(place.distance, working_bits()) + length(place.half_elements - half_elements_to(load));
 }
 
+Interval SolvedLineLoads::on_roller(const Interval& y) const {
+  return indentation - square(y) / (2 * Interval(roller_radius, working_bits()));
+}
+
+Interval SolvedLineLoads::moment(int side) const {
+  Interval total(working_bits());
+  for (std::size_t j = 0; j < normal.size(); ++j) {
+    const long place = half_elements_to(j);
+    if (side * place > 0) total = total + normal[j] * length(place);
+  }
+  return total;
+}
+
 Interval SolvedLineLoads::load() const {
   Interval sum(working_bits());
   for (const Interval& force : normal) sum = sum + force;

@@ -62,6 +62,12 @@ struct SolvedLineLoads {
   [[nodiscard]] Interval length(long half_elements) const {
     return half_elements * contact_length / (2L * elements());
   }
+  [[nodiscard]] Interval leading_length() const { return length(2L * leading_elements); }
+  [[nodiscard]] Interval trailing_length() const { return length(2L * (elements() - leading_elements)); }
+  /// d0 - Y^2/(2R)
+  [[nodiscard]] Interval on_roller(const Interval& y) const;
+  /// Of the loads on the side of this sign.
+  [[nodiscard]] Interval moment(int side) const;
   /// From a load's place to another, unit of length.
   [[nodiscard]] Interval distance(std::size_t load, const LineLoadPlace& place) const;
   [[nodiscard]] Interval load() const;

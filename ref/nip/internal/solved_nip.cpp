@@ -61,13 +61,15 @@ SolvedNip SolvedNip::of_load(const Sheet& sheet, const Float& load, double guess
   check(static_cast<double>(search.length));
   search.length = at_working_precision(search.length);
   SolvedNip nip(sheet, digits);
+  const Float enough = pow(Float(10), -digits) / 1000;
   const auto solve_at = [&](const Fineness& fineness) {
     std::unique_ptr<NipSolution> here;
     search.seek(digits + 3, [&](const Lengths& at) {
       here = nip.solution(at.length, fineness);
       return here.get();
     });
-    return here->half_length() == search.length ? std::move(here) : nip.solution(search.length, fineness);
+    const bool is_there = abs(search.length - here->half_length()) <= enough * search.length;
+    return is_there ? std::move(here) : nip.solution(search.length, fineness);
   };
   nip.solve(solve_at, search.length);
   return nip;
