@@ -26,6 +26,7 @@ struct Problem {
   const data::ElasticNip& nip;
   LineLoadMethod method;
   Grip grip;
+  std::span<const double> given_I1 = {};  ///< at odd multiples, where it is not to be computed
 
   [[nodiscard]] bool grips() const { return grip.kind != Grip::Creep::none; }
   [[nodiscard]] int elements() const { return method.elements_per_side; }
@@ -69,7 +70,8 @@ std::vector<Interval> evaluate(const Problem& problem, const Lengths& lengths, P
   const Interval half_element = lengths.interval() / (4L * problem.elements()),
                  unit = 2 * half_element / Interval(problem.nip.sheet_thickness, working_bits());
   std::vector<Interval> values;
-  for (int q = 0; q < 2 * problem.elements(); ++q)
+  for (const double value : problem.given_I1) values.emplace_back(value, working_bits());
+  for (int q = 0; q < 2 * problem.elements() && problem.given_I1.empty(); ++q)
     values.push_back(kernel_over(kernel, (2L * q + 1) * unit, problem.method.residue_terms, digits));
   return values;
 }
@@ -224,16 +226,18 @@ void check(const Problem& problem, double contact_length, int digits) {
   }
 }
 
+std::optional<LineLoadNip> solution_of_length(const Problem& problem, double contact_length, int digits) {
+  return solved_to(digits, extra_digits,
+                   [&](int kernel_digits) { return solve(problem, {Float(contact_length)}, kernel_digits); });
+}
+
 }  // namespace
 
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, int digits, const data::Grip& grip) {
   const Problem problem{nip, method, grip};
   check(problem, contact_length, digits);
-  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) {
-    return solve(problem, {Float(contact_length)}, kernel_digits);
-  });
-  if (solution) return *std::move(solution);
+  if (auto solution = solution_of_length(problem, contact_length, digits)) return *std::move(solution);
   throw BadInput("contact_length", contact_length,
                  grip.kind == Grip::Creep::thesis
                      ? "must be one for which some creep meets the thesis's conditions: or give a creep"
@@ -262,27 +266,14 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
 
 LineLoadNip line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
                                           double contact_length, int digits) {
-  const Problem problem{nip, static_cast<int>(kernel.size() / 2), {}};
+  const Problem problem{nip, static_cast<int>(kernel.size() / 2), {}, kernel};
   check(problem, contact_length, digits);
-  if (kernel.size() % 2 != 0) {
+  if (kernel.size() % 2 != 0)
     throw BadInput("kernel", std::to_string(kernel.size()) + " values", "must have 2m values");
-  }
-  for (const double value : kernel) {
+  for (const double value : kernel)
     if (!std::isfinite(value)) throw BadInput("kernel", value, "must be finite");
-  }
-  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
-    const Lengths lengths{Float(contact_length)};
-    std::vector<Interval> values;
-    for (const double value : kernel) values.emplace_back(value, working_bits());
-    const auto solved = enclosed_solutions(frictionless_system(problem, lengths, values));
-    if (!solved) return std::nullopt;
-    return contact_of(problem, lengths, *solved, solved->unknowns.front(), kernel_digits);
-  });
-  if (!solution) {
-    throw BadInput("kernel", kernel.front(),
-                   "must be values that make no singular system (this is the first)");
-  }
-  return *std::move(solution);
+  if (auto solution = solution_of_length(problem, contact_length, digits)) return *std::move(solution);
+  throw BadInput("kernel", kernel.front(), "must be values that make no singular system (this is the first)");
 }
 
 }  // namespace nipref::ref

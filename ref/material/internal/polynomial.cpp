@@ -21,10 +21,19 @@ Polynomial common_factor(Polynomial a, Polynomial b) {
 struct FloatPolynomial {
   std::vector<Float> coefficients;
 
-  explicit FloatPolynomial(const Polynomial& exact);
+  explicit FloatPolynomial(const Polynomial& exact) {
+    for (const mpq_class& c : exact) coefficients.push_back(to_float(c));
+  }
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) - 1; }
   /// Value and slope.
-  [[nodiscard]] std::pair<ComplexFloat, ComplexFloat> at(const ComplexFloat& z) const;
+  [[nodiscard]] std::pair<ComplexFloat, ComplexFloat> at(const ComplexFloat& z) const {
+    ComplexFloat value, slope;
+    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
+      slope = slope * z + value;
+      value = value * z + ComplexFloat(*c);
+    }
+    return {std::move(value), std::move(slope)};
+  }
 };
 
 /// Points on a circle that contains all zeros (Fujiwara), rotated a little so that no two are conjugate.
@@ -48,19 +57,6 @@ Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
   Float sum = 0;
   for (auto c = p.coefficients.rbegin(); c != p.coefficients.rend(); ++c) sum = sum * size + abs(*c);
   return sum;
-}
-
-FloatPolynomial::FloatPolynomial(const Polynomial& exact) {
-  for (const mpq_class& c : exact) coefficients.push_back(to_float(c));
-}
-
-std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z) const {
-  ComplexFloat value, slope;
-  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
-    slope = slope * z + value;
-    value = value * z + ComplexFloat(*c);
-  }
-  return {std::move(value), std::move(slope)};
 }
 
 /// A value is taken for 0 where it is a rounding error, or changes the zero by less than `unit`.

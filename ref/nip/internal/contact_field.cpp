@@ -19,7 +19,20 @@ Float largest_difference(const FloatStresses& a, const FloatStresses& b) {
   return std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)});
 }
 
+/// Of the middle and of the radius of Mohr's circle.
+Estimate of_circle(const InnerStresses& of, long middles, long radii) {
+  const Interval across = interval_of(of.across), along = interval_of(of.along);
+  const Interval radius = sqrt(square((across - along) / 2) + square(interval_of(of.shear)));
+  Estimate result = enclosure_of(middles * (across + along) / 2 + radii * radius, of.across.digits);
+  result.proven = of.across.proven && of.along.proven && of.shear.proven;
+  return result;
+}
+
 }  // namespace
+
+Estimate InnerStresses::maximum_shear() const { return of_circle(*this, 0, 1); }
+Estimate InnerStresses::highest() const { return of_circle(*this, 1, 1); }
+Estimate InnerStresses::lowest() const { return of_circle(*this, 1, -1); }
 
 /// A point where the gradient is 0.
 struct ContactField::Peak {

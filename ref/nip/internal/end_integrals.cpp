@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <nipref/ref/nip/internal/end_integrals.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -37,14 +38,6 @@ Float end_polynomial(const std::vector<Float>& chebyshev, int k) {
   return chebyshev[at + 1] / (k + 1) - chebyshev[at - 1] / (k - 1);
 }
 
-/// T_k(2t - 1)
-std::vector<Float> chebyshev_at(const Float& t, int count) {
-  const Float x = 2 * t - 1;
-  std::vector<Float> values{1, x};
-  for (int k = 2; k < count; ++k) values.push_back(2 * x * values.end()[-1] - values.end()[-2]);
-  return values;
-}
-
 Sequence plain_moments(const ComplexFloat& m, int count) {
   const ComplexFloat powers[]{inverse_of(m + ComplexFloat(1)), inverse_of(m + ComplexFloat(2)),
                               inverse_of(m + ComplexFloat(3))};
@@ -54,7 +47,8 @@ Sequence plain_moments(const ComplexFloat& m, int count) {
 
 /// int_0^x t^m T_k
 Sequence moments_up_to(const ComplexFloat& m, const Float& x, int count) {
-  const std::vector<Float> chebyshev = chebyshev_at(x, count + 1);
+  std::vector<Float> chebyshev(static_cast<std::size_t>(count) + 1);
+  chebyshev_values(2 * x - 1, chebyshev);
   const ComplexFloat end = power(x, m) * x;
   const ComplexFloat powers[]{end / (m + ComplexFloat(1)), end * x / (m + ComplexFloat(2)),
                               end * (x * x) / (m + ComplexFloat(3))};

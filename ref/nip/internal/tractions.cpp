@@ -20,19 +20,6 @@ constexpr double near = 0.5;
 /// no nearer than that or 2 beside.
 constexpr double nats_of_degree = 1.25;
 
-/// T_0 .. T_{count - 1} at x.
-void chebyshev_values(const Float& x, std::vector<Float>& values) {
-  const Float twofold = 2 * x;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k < 2) {
-      values[k] = k == 0 ? Float(1) : x;
-      continue;
-    }
-    mpfr_mul(raw(values[k]), raw(twofold), raw(values[k - 1]), MPFR_RNDN);
-    mpfr_sub(raw(values[k]), raw(values[k]), raw(values[k - 2]), MPFR_RNDN);
-  }
-}
-
 /// Gaps between a place and a piece, over the piece's width, from which on fewer nodes suffice.
 constexpr std::array<double, 2> distances{2, 8};
 

@@ -16,6 +16,18 @@ Float chebyshev_sum(std::span<const Float> coefficients, const Float& x) {
   return now;
 }
 
+void chebyshev_values(const Float& x, std::vector<Float>& values) {
+  const Float twofold = 2 * x;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (k < 2) {
+      values[k] = k == 0 ? Float(1) : x;
+      continue;
+    }
+    mpfr_mul(raw(values[k]), raw(twofold), raw(values[k - 1]), MPFR_RNDN);
+    mpfr_sub(raw(values[k]), raw(values[k]), raw(values[k - 2]), MPFR_RNDN);
+  }
+}
+
 std::vector<Float> chebyshev_points(int count) {
   std::vector<Float> points;
   for (int i = 0; i < count; ++i) {

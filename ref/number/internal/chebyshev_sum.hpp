@@ -11,6 +11,9 @@ namespace nipref::ref {
 /// the sum of all (k + 1) |c_k|.
 Float chebyshev_sum(std::span<const Float> coefficients, const Float& x);
 
+/// T_0 .. T_{values.size() - 1} at x.
+void chebyshev_values(const Float& x, std::vector<Float>& values);
+
 /// Chebyshev's points of 0 .. 1, rising: sin^2((2i + 1) pi/(4 count)).
 std::vector<Float> chebyshev_points(int count);
 

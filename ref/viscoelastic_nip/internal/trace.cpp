@@ -25,23 +25,6 @@ Float variable_at(const TracePanel& panel, const Float& place) {
   return sqrt(std::max(Float(0), panel.root == TracePanel::Root::left ? x : Float(1 - x)));
 }
 
-/// Coefficients of the polynomial with these values at chebyshev_points().
-std::vector<Float> chebyshev_coefficients(const std::vector<Float>& values) {
-  const std::size_t n = values.size();
-  std::vector<Float> cosine;
-  for (std::size_t k = 0; k < 4 * n; ++k) cosine.push_back(cos(static_cast<long>(k) * pi() / (2 * n)));
-  std::vector<Float> coefficients;
-  Float product;
-  for (std::size_t j = 0; j < n; ++j) {
-    Float sum = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      add_product(sum, product, values[i], cosine[j * (2 * i + 1) % (4 * n)]);
-    // The points are 1 - cos over 2, which changes the sign of odd polynomials.
-    coefficients.push_back((j == 0 ? 1 : j % 2 == 0 ? 2 : -2) * sum / n);
-  }
-  return coefficients;
-}
-
 }  // namespace
 
 Trace::Trace(std::vector<TracePanel> panels, Function function, double nats)
@@ -56,10 +39,17 @@ Trace::Trace(std::vector<TracePanel> panels, Function function, double nats)
 
 const std::vector<Float>& Trace::coefficients(const Panel& panel) const {
   if (panel.coefficients.empty()) {
-    std::vector<Float> values;
-    for (const Float& xi : chebyshev_points(panel.shape.terms))
-      values.push_back(function_(place_at(panel.shape, xi)));
-    panel.coefficients = chebyshev_coefficients(values);
+    // As T_k are orthogonal on their points.
+    std::vector<Float> chebyshev(static_cast<std::size_t>(panel.shape.terms));
+    panel.coefficients.resize(chebyshev.size());
+    Float product;
+    for (const Float& xi : chebyshev_points(panel.shape.terms)) {
+      const Float share = 2 * function_(place_at(panel.shape, xi)) / panel.shape.terms;
+      chebyshev_values(2 * xi - 1, chebyshev);
+      for (std::size_t k = 0; k < chebyshev.size(); ++k)
+        add_product(panel.coefficients[k], product, share, chebyshev[k]);
+    }
+    panel.coefficients[0] /= 2;
   }
   return panel.coefficients;
 }
