@@ -24,10 +24,10 @@ using Components = std::vector<Interval>;
 Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& n, const Interval& unit) {
   const ComplexInterval in_line = n.cosine * y(2, 0) + n.sine * y(2, 1);
   const ComplexInterval across = n.cosine * y(2, 1) - n.sine * y(2, 0);
-  const Interval mixed = 2 * (n.cosine * n.sine * y(0, 1).real);
-  const Interval nn = square(n.cosine) * y(0, 0).real + square(n.sine) * y(1, 1).real + mixed;
-  const Interval tt = square(n.sine) * y(0, 0).real + square(n.cosine) * y(1, 1).real - mixed;
-  Components result{y(2, 2).real, -in_line.imag, -across.imag, in_line.real, across.real, nn, tt};
+  const Interval mixed = 2 * (n.cosine * n.sine * y(0, 1).re);
+  const Interval nn = square(n.cosine) * y(0, 0).re + square(n.sine) * y(1, 1).re + mixed;
+  const Interval tt = square(n.sine) * y(0, 0).re + square(n.cosine) * y(1, 1).re - mixed;
+  Components result{y(2, 2).re, -in_line.im, -across.im, in_line.re, across.re, nn, tt};
   for (Interval& component : result) component = component / unit;
   return result;
 }
@@ -42,8 +42,8 @@ Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance
       axes * (hermitian_inverse(matrices.t) * (impedance + times_i(matrices.r.adjoint()))) * axes.adjoint();
   Decay decay;
   for (std::size_t k = 0; k < 9; ++k) {
-    decay.re[k] = middle_of(found(k / 3, k % 3).real);
-    decay.im[k] = middle_of(found(k / 3, k % 3).imag);
+    decay.re[k] = middle_of(found(k / 3, k % 3).re);
+    decay.im[k] = middle_of(found(k / 3, k % 3).im);
   }
   return decay;
 }

@@ -97,9 +97,9 @@ ExactFunction given_part(ExactFunction function) {
 
 /// The middle of a real number's interval; `error` becomes at least its share that the interval has beside it.
 mpq_class middle_and_error(const ComplexInterval& number, mpq_class& error) {
-  Float middle = zero_of_bits(number.real.precision());
-  mpfi_mid(raw(middle), number.real.get());
-  const ComplexInterval off{number.real - interval_of(middle), number.imag};
+  Float middle = zero_of_bits(number.re.precision());
+  mpfi_mid(raw(middle), number.re.get());
+  const ComplexInterval off{number.re - interval_of(middle), number.im};
   const Exact share = to_exact(upper_end(abs(off) / magnitude_of(interval_of(middle))));
   error = std::max(error, share.value());
   return to_exact(middle).value();
@@ -136,8 +136,8 @@ NearMaterial with_given_rates(const ExactMaterial& material, mpfr_prec_t bits) {
                                  std::pair(&material.theta2, &result.material.theta2)}) {
     for (const ExactRatio& fraction : from->fractions) {
       for (const OscillatingTerm& term : partial_fractions(fraction.numerator, fraction.denominator, bits)) {
-        if (mpfi_has_zero(term.rate.imag.get()) == 0)
-          throw data::BadInput("material rate", mpfi_get_d(term.rate.imag.get()),
+        if (mpfi_has_zero(term.rate.im.get()) == 0)
+          throw data::BadInput("material rate", mpfi_get_d(term.rate.im.get()),
                                "must be real on the reference path");
         to->terms.push_back({middle_and_error(term.amplitude, result.memory_error),
                              middle_and_error(term.rate, result.memory_error)});

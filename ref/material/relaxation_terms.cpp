@@ -19,7 +19,7 @@ bool meet(const Interval& a, const Interval& b) { return mpfi_has_zero((a - b).g
 
 /// Whether the conjugate of the first rate may be the second.
 bool may_be_pair(const OscillatingTerm& a, const OscillatingTerm& b) {
-  return meet(a.rate.real, b.rate.real) && meet(-a.rate.imag, b.rate.imag);
+  return meet(a.rate.re, b.rate.re) && meet(-a.rate.im, b.rate.im);
 }
 
 /// gamma_0 and the rest, a ratio without common factors.
@@ -43,12 +43,12 @@ struct Split {
   [[nodiscard]] Terms at(mpfr_prec_t bits) const {
     Terms all = partial_fractions(numerator, denominator, bits);
     std::ranges::sort(all, [](const OscillatingTerm& a, const OscillatingTerm& b) {
-      const bool together = meet(a.rate.real, b.rate.real);
-      return together ? middle(a.rate.imag) < middle(b.rate.imag) : middle(a.rate.real) < middle(b.rate.real);
+      const bool together = meet(a.rate.re, b.rate.re);
+      return together ? middle(a.rate.im) < middle(b.rate.im) : middle(a.rate.re) < middle(b.rate.re);
     });
     constexpr double apart = 1e-12;
     for (std::size_t i = 1; i < all.size(); ++i) {
-      const double first = middle(all[i - 1].rate.real), second = middle(all[i].rate.real);
+      const double first = middle(all[i - 1].rate.re), second = middle(all[i].rate.re);
       if (std::fabs(second - first) <= apart * std::fabs(second) && !may_be_pair(all[i - 1], all[i]))
         throw data::BadInput("material", "(its rates)",
                              "must have real parts that differ by more than 1e-12 of them, but for pairs");
@@ -62,7 +62,7 @@ struct Split {
 bool is_real(const Split& theta, std::size_t number) {
   for (mpfr_prec_t bits = 128;; bits *= 2) {
     const Terms all = theta.at(bits);
-    if (mpfi_has_zero(all[number].rate.imag.get()) <= 0) return false;
+    if (mpfi_has_zero(all[number].rate.im.get()) <= 0) return false;
     bool alone = true;
     for (std::size_t i = 0; i < all.size(); ++i)
       alone = alone && (i == number || !may_be_pair(all[number], all[i]));
@@ -84,7 +84,7 @@ Enclosure part_of(const Split& theta, int number, ComplexInterval OscillatingTer
   return enclose(digits, 0, [&](double nats) {
     const ComplexInterval value =
         theta.at(static_cast<mpfr_prec_t>(128 + nats / std::numbers::ln2))[index].*member;
-    return part == ComplexPart::re ? value.real : value.imag;
+    return part == ComplexPart::re ? value.re : value.im;
   });
 }
 

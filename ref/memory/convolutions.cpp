@@ -4,7 +4,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -86,7 +86,7 @@ Enclosure part(const DampedWave& wave, bool sine, long sign, int digits) {
   if (wave.decay > 700'000'000) return faded_away(digits);
   return enclose(digits, 0, [&](double nats) {
     const ComplexInterval integral = wave.integral(nats);
-    return sign * (sine ? integral.imag : integral.real);
+    return sign * (sine ? integral.im : integral.re);
   });
 }
 
@@ -101,7 +101,7 @@ Enclosure convolution(DampedWave (*side)(const Arguments&), bool sine, long sign
 
 /// e^{-decay} int_0^length e^{-rate v} dv
 Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& length, double nats) {
-  return DampedWave{decay, 0, rate, 0, length}.integral(nats).real;
+  return DampedWave{decay, 0, rate, 0, length}.integral(nats).re;
 }
 
 /// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, with an error of e^{-nats} times each of its two

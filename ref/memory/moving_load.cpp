@@ -71,13 +71,13 @@ double nats_over_rate(const mpq_class& rate, double nats) {
 
 /// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw; at the rate 0 the finite part.
 ComplexInterval sign_history(const Exact& alpha, const ComplexInterval& rate) {
-  const mpfr_prec_t bits = rate.real.precision();
+  const mpfr_prec_t bits = rate.re.precision();
   const Interval half_pi = Interval::pi(bits) / 2, way(alpha, bits);
   if (is_zero(rate)) return {-(half_pi * Interval(alpha.magnitude(), bits)), Interval(bits)};
   const ComplexInterval long_ago = half_pi * inverse(rate);
   if (alpha.sign() >= 0) return long_ago;
   const ComplexInterval faded = exp(way * rate);
-  return long_ago * ComplexInterval{2 * faded.real - 1, 2 * faded.imag};
+  return long_ago * ComplexInterval{2 * faded.re - 1, 2 * faded.im};
 }
 
 /// A rate of the memory over that of the way, and the number that it is where that is known exactly.
@@ -123,17 +123,17 @@ double nats_left(double nats, double faded) {
 ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& rate, double wanted_nats,
                         int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
-  const mpfr_prec_t bits = rate.interval.real.precision();
+  const mpfr_prec_t bits = rate.interval.re.precision();
   ComplexInterval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
   if (!path.start) {
     // The infinite part that is left out is counted from the point, not from 0, so that it is the same for all points.
     if (is_zero(rate.interval) && kernel != Kernel::I1)
-      whole.real = whole.real +
-                   (kernel == Kernel::I2 ? 2L : 1L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
+      whole.re =
+          whole.re + (kernel == Kernel::I2 ? 2L : 1L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
     return whole;
   }
   const Interval distance(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
-  const double faded = mpfr_get_d((rate.interval.real * distance).lower(), MPFR_RNDD);
+  const double faded = mpfr_get_d((rate.interval.re * distance).lower(), MPFR_RNDD);
   return whole - exp(-(distance * rate.interval)) *
                      whole_history(kernel, *path.start, rate, nats_left(nats, faded), residue_terms);
 }
@@ -158,10 +158,10 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
   }
   Interval sum(64);
   for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
-    const Interval unit = 1 / Interval(travel_rate, rate.real.precision());
+    const Interval unit = 1 / Interval(travel_rate, rate.re.precision());
     const ComplexInterval over_distance = unit * amplitude;
     const double needed = std::max(nats + ln_size(over_distance) + 4, 40.0);
-    sum = sum + (over_distance * history(kernel, path, {unit * rate}, needed, 0)).real;
+    sum = sum + (over_distance * history(kernel, path, {unit * rate}, needed, 0)).re;
   }
   return sum;
 }
@@ -212,7 +212,7 @@ struct Part {
       const double needed = nats + ln_magnitude(amplitude) + 3;
       const HistoryRate known{rate_interval(Exact(rate), needed + 8), rate};
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
-                      history(kernel, path, known, needed, residue_terms).real;
+                      history(kernel, path, known, needed, residue_terms).re;
     }
     for (const ExactRatio& fraction : theta.fractions) {
       if (!no_history) sum = sum + remembered(fraction, kernel, path, travel_rate, nats + 3);

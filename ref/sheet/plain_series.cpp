@@ -1,4 +1,4 @@
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
@@ -14,11 +14,11 @@ ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits) 
   };
   // Of a sine transform the term is Re C e^(i z x), of a cosine transform -Im C e^(i z x).
   if (is_odd(kernel)) {
-    return {coefficient([](const ComplexInterval& c) { return -c.imag; }),
-            coefficient([](const ComplexInterval& c) { return c.real; })};
+    return {coefficient([](const ComplexInterval& c) { return -c.im; }),
+            coefficient([](const ComplexInterval& c) { return c.re; })};
   }
-  return {coefficient([](const ComplexInterval& c) { return -c.real; }),
-          coefficient([](const ComplexInterval& c) { return -c.imag; })};
+  return {coefficient([](const ComplexInterval& c) { return -c.re; }),
+          coefficient([](const ComplexInterval& c) { return -c.im; })};
 }
 
 Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms) {
@@ -33,9 +33,9 @@ Interval plain_series(PlainKernel kernel, const Interval& alpha, int terms) {
       break;
     }
     const auto pole = sheet_pole(n, precision + 32);
-    const Interval size = exp(-(a * pole->z.imag)), angle = a * pole->z.real;
+    const Interval size = exp(-(a * pole->z.im)), angle = a * pole->z.re;
     const ComplexInterval wave = plain_coefficient(kernel, *pole) * ComplexInterval{cos(angle), sin(angle)};
-    sum = sum + size * (odd ? wave.real : wave.imag);
+    sum = sum + size * (odd ? wave.re : wave.im);
   }
   if (!odd) {
     const Interval series = -(pi * sum);

@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/roots.hpp>
@@ -78,8 +78,8 @@ void check_root_number(long n) {
 SheetRoot sheet_root(long n, int digits) {
   check_root_number(n);
   const auto root = [&](double nats) { return sheet_root_interval(n, working_precision(nats, 1)); };
-  return {enclose(digits, 0, [&](double nats) { return root(nats).real; }),
-          enclose(digits, 0, [&](double nats) { return root(nats).imag; })};
+  return {enclose(digits, 0, [&](double nats) { return root(nats).re; }),
+          enclose(digits, 0, [&](double nats) { return root(nats).im; })};
 }
 
 }  // namespace nipref::ref

@@ -1,7 +1,7 @@
 #pragma once
 #include <stdexcept>
 
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
 /// What the symbols of the sheet's kernels are made of in a cell of the complex plane, to 64 bits.

@@ -8,7 +8,7 @@
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/refined_solution.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -287,7 +287,7 @@ std::optional<Interval> GrippedContact::peak(bool shear) const {
                    turn = -(2 * (epsilon_ * log(sine / (cosine + 1))));
     ComplexInterval h = zero, slope = zero, curvature = zero;
     for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
-      const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.real : x.imag; };
+      const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.re : x.im; };
       const Interval alpha = with_sign_of(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
       part(h) = part(h) + wave;
       part(slope) = part(slope) - k * (alpha * sin(k * theta));
@@ -296,7 +296,7 @@ std::optional<Interval> GrippedContact::peak(bool shear) const {
     const ComplexInterval g{cos(turn), sin(turn)}, first = twist * h + cosine * h + sine * slope;
     const ComplexInterval second =
         1 / sine * (twist * first) + twist * slope + 2 * cosine * slope + sine * (curvature - h);
-    const auto part = [&](const ComplexInterval& x) { return shear ? (g * x).imag : (g * x).real; };
+    const auto part = [&](const ComplexInterval& x) { return shear ? (g * x).im : (g * x).re; };
     return {part(sine * h), part(first), part(second)};
   };
   const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));

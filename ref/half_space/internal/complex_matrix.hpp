@@ -17,8 +17,8 @@ inline ComplexMatrix<Float> middle(const IntervalMatrix& x) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = static_cast<Matrix::Index>(i), column = static_cast<Matrix::Index>(k);
-      result.re(row, column) = middle_of(x(i, k).real);
-      result.im(row, column) = middle_of(x(i, k).imag);
+      result.re(row, column) = middle_of(x(i, k).re);
+      result.im(row, column) = middle_of(x(i, k).im);
     }
   }
   return result;

@@ -91,7 +91,7 @@ class Landscape {
     double largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(mpfi_get_d(q(i, k).real.get()));
+      for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(mpfi_get_d(q(i, k).re.get()));
       largest = std::max(largest, sum);
     }
     return (1 + rounding) * std::sqrt(largest);

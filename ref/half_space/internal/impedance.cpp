@@ -90,7 +90,7 @@ std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const In
   const IntervalMatrix product = x * generator;
   const Interval defect = norm_bound(product + product.adjoint() - identity(precision));
   if (!is_below(defect, 1) || !is_positive_definite(x)) return std::nullopt;
-  const Interval inverse_norm = (x(0, 0).real + x(1, 1).real + x(2, 2).real) / (-defect + 1);
+  const Interval inverse_norm = (x(0, 0).re + x(1, 1).re + x(2, 2).re) / (-defect + 1);
   const Interval residual = norm_bound(right.adjoint() * generator - matrices.q);
   if (!is_below(4 * (square(inverse_norm) * norm_bound(compliance) * residual), 1)) return std::nullopt;
   return 2 * (inverse_norm * residual);
@@ -105,7 +105,7 @@ std::optional<IntervalMatrix> proven(const AcousticMatrices& matrices,
   if (!radius) return std::nullopt;
   return IntervalMatrix([&](std::size_t i, std::size_t k) {
     const ComplexInterval& entry = centre(i, k);
-    return ComplexInterval{entry.real.widened(*radius), i == k ? entry.imag : entry.imag.widened(*radius)};
+    return ComplexInterval{entry.re.widened(*radius), i == k ? entry.im : entry.im.widened(*radius)};
   });
 }
 

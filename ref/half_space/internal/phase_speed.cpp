@@ -81,7 +81,7 @@ Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, con
     denominator = denominator + square(xi);
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval entry =
-          matrices.q(i, k).real + 2 * (si * matrices.r(i, k).real) + square(si) * matrices.t(i, k).real;
+          matrices.q(i, k).re + 2 * (si * matrices.r(i, k).re) + square(si) * matrices.t(i, k).re;
       numerator = numerator + xi * interval_of(x(static_cast<Matrix::Index>(k)), precision) * entry;
     }
   }

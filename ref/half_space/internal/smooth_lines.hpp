@@ -2,7 +2,7 @@
 #include <vector>
 
 #include <nipref/ref/half_space/internal/contact.hpp>
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 

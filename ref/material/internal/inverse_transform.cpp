@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
@@ -14,26 +14,26 @@ namespace {
 
 using Points = std::vector<ComplexInterval>;
 
-ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
+ComplexInterval divided(const ComplexInterval& z, long by) { return {z.re / by, z.im / by}; }
 
 /// The divided difference of e^x for points within a distance of 1, by its series. The truncation error is below
 /// 2/(M! k!).
 ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   const auto count = static_cast<long>(x.size());
-  ComplexInterval mean{Interval(bits), Interval(bits)};
+  ComplexInterval mean{Interval(bits)};
   for (const ComplexInterval& point : x) mean = mean + point;
   mean = divided(mean, count);
   long terms = 4;
   for (double left = static_cast<double>(bits) + 8; left > 0; ++terms)
     left -= std::log2(static_cast<double>(terms - 3));
-  Points symmetric(static_cast<std::size_t>(terms), {Interval(bits), Interval(bits)});
-  symmetric[0].real = Interval(1L, bits);
+  Points symmetric(static_cast<std::size_t>(terms), ComplexInterval(Interval(bits)));
+  symmetric[0].re = Interval(1L, bits);
   for (const ComplexInterval& point : x) {
     for (std::size_t m = 1; m < symmetric.size(); ++m)
       symmetric[m] = symmetric[m] + (point - mean) * symmetric[m - 1];
   }
   // Nested from the last term on: (..(h_M/(M + k) + h_(M-1))/(M + k - 1) ..)
-  ComplexInterval sum{Interval(bits), Interval(bits)};
+  ComplexInterval sum{Interval(bits)};
   for (long m = terms - 1; m >= 0; --m) {
     sum = sum + symmetric[static_cast<std::size_t>(m)];
     if (m > 0) sum = divided(sum, m + count - 1);
@@ -41,7 +41,7 @@ ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   for (long k = 2; k < count; ++k) sum = divided(sum, k);
   Interval rest(1L, 64);
   mpfi_mul_2si(rest.get(), rest.get(), -bits);
-  return exp(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
+  return exp(mean) * ComplexInterval{sum.re.widened(rest), sum.im.widened(rest)};
 }
 
 /// The divided differences of e^x over some of the points, by the recurrence for the two that are farthest from each
@@ -124,7 +124,7 @@ Points over_last(const Polynomial& numerator, const mpq_class& last, mpfr_prec_t
 Points backward_error(const Polynomial& denominator, const Points& roots, mpfr_prec_t bits) {
   Points formed{{Interval(1L, bits), Interval(bits)}};
   for (const ComplexInterval& root : roots) {
-    formed.insert(formed.begin(), {Interval(bits), Interval(bits)});
+    formed.insert(formed.begin(), ComplexInterval(Interval(bits)));
     for (std::size_t k = 0; k + 1 < formed.size(); ++k) formed[k] = formed[k] - root * formed[k + 1];
   }
   Points error = over_last(denominator, denominator.back(), bits);
@@ -141,30 +141,30 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   Points roots, faded;
   Interval mu(bits);
   for (const ComplexInterval& root : roots_near(denominator, bits)) {
-    mu = roots.empty() ? root.real : larger_of(mu, root.real);
+    mu = roots.empty() ? root.re : larger_of(mu, root.re);
     roots.push_back(root);
-    faded.push_back({root.real * time, root.imag * time});
+    faded.push_back(time * root);
   }
   const Points differences = polynomial_differences(over_last(numerator, denominator.back(), bits), roots);
-  ComplexInterval value{Interval(bits), Interval(bits)};
+  ComplexInterval value{Interval(bits)};
   ExponentialDifferences exponential(std::move(faded), bits);
   ExponentialDifferences::Numbers left(roots.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
   for (const ComplexInterval& difference : differences) {
     ComplexInterval term = difference * exponential.over(left);
-    for (std::size_t m = 1; m < left.size(); ++m) term = {term.real * time, term.imag * time};
+    for (std::size_t m = 1; m < left.size(); ++m) term = time * term;
     value = value + term;
     left.erase(left.begin());
   }
   const Interval size = bound_of(differences, roots.size(), time) * exp(mu * time);
   const Points error = polynomial_differences(backward_error(denominator, roots, bits), roots);
-  return value.real.widened(size * expm1(bound_of(error, roots.size(), time) * time));
+  return value.re.widened(size * expm1(bound_of(error, roots.size(), time) * time));
 }
 
 double slowest_rate(const Polynomial& denominator) {
   double slowest = INFINITY;
   for (const ComplexInterval& root : roots_near(denominator, 200))
-    slowest = std::min(slowest, -mpfr_get_d(root.real.lower(), MPFR_RNDD));
+    slowest = std::min(slowest, -mpfr_get_d(root.re.lower(), MPFR_RNDD));
   return slowest;
 }
 

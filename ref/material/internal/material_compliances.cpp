@@ -19,7 +19,7 @@ Compliance as_given(const data::MaterialFunction& function) {
   return result;
 }
 
-ComplexFloat middle(const ComplexInterval& z) { return {middle_of(z.real), middle_of(z.imag)}; }
+ComplexFloat middle(const ComplexInterval& z) { return {middle_of(z.re), middle_of(z.im)}; }
 
 /// The compliance in double, for the check whether the material is physical.
 data::MaterialFunction in_double(const Compliance& compliance) {
@@ -48,9 +48,9 @@ Compliance compliance_of(const ExactFunction& theta) {
   for (const ExactRatio& fraction : theta.fractions) {
     for (const auto& [amplitude, rate] :
          partial_fractions(fraction.numerator, fraction.denominator, 2 * working_bits())) {
-      if (mpfi_has_zero(rate.imag.get()) > 0) {
-        result.terms.push_back({middle_of(amplitude.real), middle_of(rate.real)});
-      } else if (sign_of(rate.imag) > 0) {  // that of the conjugate rate stands with it
+      if (mpfi_has_zero(rate.im.get()) > 0) {
+        result.terms.push_back({middle_of(amplitude.re), middle_of(rate.re)});
+      } else if (sign_of(rate.im) > 0) {  // that of the conjugate rate stands with it
         result.terms.push_back({middle(amplitude) * Float(2), middle(rate)});
       }
     }

@@ -8,18 +8,18 @@ namespace {
 using Points = std::vector<ComplexInterval>;
 
 ComplexInterval at(const Polynomial& p, const ComplexInterval& z) {
-  const mpfr_prec_t bits = z.real.precision();
+  const mpfr_prec_t bits = z.re.precision();
   ComplexInterval value{Interval(bits), Interval(bits)};
   for (std::size_t k = p.size(); k-- > 0;) {
     value = value * z;
-    value.real = value.real + Interval(p[k], bits);
+    value.re = value.re + Interval(p[k], bits);
   }
   return value;
 }
 
 /// prod (z_i - z_j)
 ComplexInterval apart(const Points& points, std::size_t i) {
-  const mpfr_prec_t bits = points[i].real.precision();
+  const mpfr_prec_t bits = points[i].re.precision();
   ComplexInterval product{Interval(1L, bits), Interval(bits)};
   for (std::size_t j = 0; j < points.size(); ++j) {
     if (j != i) product = product * (points[i] - points[j]);
@@ -37,7 +37,7 @@ std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bi
     const Interval lead = abs(apart(near, i)) * Interval(mpq_class(abs(last.value())), bits);
     if (mpfi_has_zero(lead.get()) > 0) return {};
     radii.push_back(static_cast<long>(near.size()) * (abs(at(denominator, near[i])) / lead));
-    roots.push_back({near[i].real.widened(radii[i]), near[i].imag.widened(radii[i])});
+    roots.push_back({near[i].re.widened(radii[i]), near[i].im.widened(radii[i])});
   }
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include <nipref/ref/material/internal/polynomial.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 

@@ -5,8 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/ref/number/internal/complex_float.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 

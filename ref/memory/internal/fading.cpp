@@ -14,13 +14,6 @@
 namespace nipref::ref {
 namespace {
 
-/// The largest double of four significant bits that is at most `limit`, so that j h is exact.
-double contour_step(double limit) {
-  int exponent = 0;
-  const double fraction = std::frexp(limit, &exponent);
-  return std::ldexp(std::floor(fraction * 16), exponent - 4);
-}
-
 /// The parameters of a block of nodes t = j h of the path z = sinh(t + i angle). Blocks are cached, and shared by all load
 /// positions and rates with the same key.
 struct ContourKey {
@@ -44,9 +37,6 @@ using ContourNodes = std::vector<ContourNode>;
 
 constexpr mpfr_prec_t guard_bits = 32;
 
-ComplexInterval scaled(long factor, const ComplexInterval& z) { return {factor * z.real, factor * z.imag}; }
-ComplexInterval one_minus(const ComplexInterval& z) { return {1 - z.real, -z.imag}; }
-
 /// The complex interval around 1 whose real and imaginary parts have the half-width 2^-k.
 ComplexInterval nearly_one(mpfr_prec_t k) {
   Interval radius(1L, k);
@@ -57,22 +47,22 @@ ComplexInterval nearly_one(mpfr_prec_t k) {
 /// G(z) with E = e^{-z} and D = 1 - E^4 + 4 z E^2 = 2 E^2 S:
 ///   I1: (1 - E^2)^2/(z D), I3: 4 E^2/D, I4: 2 E (1 - E^2)/(z D), I5: 2 E (1 + E^2)/D
 ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
-  const mpfr_prec_t precision = z.real.precision();
+  const mpfr_prec_t precision = z.re.precision();
   // (1 - E^2)^2/D differs from 1 by less than 5 (|z| + 1) e^{-2x} < e^{-x}, if |z| < 2x and x > 32.
-  if (kernel == Symbol::normal && mpfr_cmp_si(z.real.lower(), precision) > 0 &&
-      sign_of(2 * z.real - abs(z)) > 0)
+  if (kernel == Symbol::normal && mpfr_cmp_si(z.re.lower(), precision) > 0 && sign_of(2 * z.re - abs(z)) > 0)
     return nearly_one(precision) * inverse(z);
-  const ComplexInterval e = exp(-z), square = e * e;
-  const ComplexInterval over_d = inverse(one_minus(square * square) + scaled(4, z * square));
+  const ComplexInterval e = exp(-z), square = e * e, one(Interval(1L, precision)), twice = e + e;
+  const ComplexInterval fourfold = Interval(4L, precision) * square,
+                        over_d = inverse(one - square * square + z * fourfold);
   switch (kernel) {
     case Symbol::I3:
-      return scaled(4, square) * over_d;
+      return fourfold * over_d;
     case Symbol::I4:
-      return scaled(2, e) * one_minus(square) * over_d * inverse(z);
+      return twice * (one - square) * over_d * inverse(z);
     case Symbol::I5:
-      return scaled(2, e) * one_minus(scaled(-1, square)) * over_d;
+      return twice * (one + square) * over_d;
     default:
-      return one_minus(square) * one_minus(square) * over_d * inverse(z);
+      return (one - square) * (one - square) * over_d * inverse(z);
   }
 }
 
@@ -90,7 +80,7 @@ ContourNodes make_contour_nodes(const ContourKey& key) {
 
 std::size_t size_in_bytes(const ContourNodes& nodes) {
   constexpr std::size_t numbers = 8;  // both ends of the parts of z and of the weight
-  const auto bits = static_cast<std::size_t>(nodes.front().z.real.precision());
+  const auto bits = static_cast<std::size_t>(nodes.front().z.re.precision());
   return nodes.size() * (sizeof(ContourNode) + numbers * bits / CHAR_BIT);
 }
 
@@ -120,15 +110,15 @@ long last_node(Symbol kernel, double distance, double angle, double step, double
   return last;
 }
 
-ComplexInterval times_i(const ComplexInterval& z) { return {-z.imag, z.real}; }
-ComplexInterval over_i(const ComplexInterval& z) { return {z.imag, -z.real}; }
+ComplexInterval times_i(const ComplexInterval& z) { return {-z.im, z.re}; }
+ComplexInterval over_i(const ComplexInterval& z) { return {z.im, -z.re}; }
 
-bool is_real(const ComplexInterval& z) { return mpfi_is_zero(z.imag.get()) > 0; }
+bool is_real(const ComplexInterval& z) { return mpfi_is_zero(z.im.get()) > 0; }
 
 /// U(A, m)
 ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexInterval& rate,
                            const MemoryStrip& strip, double nats) {
-  const double step = contour_step(2 * std::numbers::pi * strip.half_width / (nats + 10));
+  const double step = of_few_bits(2 * std::numbers::pi * strip.half_width / (nats + 10), 4);
   const long last = last_node(kernel, distance.approximate(), strip.angle, step, nats);
   const mpfr_prec_t bits = working_precision(nats + 12, distance.approximate());
   const Interval A(distance, bits);
@@ -155,13 +145,13 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   const ComplexInterval integral =
       Interval(step / 2, bits) * (is_odd(kernel) ? over_i(right - mirrored) : right + mirrored);
   const Interval left_out = exp(Interval(-nats, 64));
-  return {integral.real.widened(left_out), integral.imag.widened(left_out)};
+  return {integral.re.widened(left_out), integral.im.widened(left_out)};
 }
 
 /// P = pi G(i L) e^{-L A}, for odd kernels times i; by the parity of G on the side of Re z >= 0, where e^{-z} is small.
 ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
-  const mpfr_prec_t bits = rate.real.precision();
-  const bool is_mirrored = mpfr_sgn(rate.imag.upper()) > 0;
+  const mpfr_prec_t bits = rate.re.precision();
+  const bool is_mirrored = mpfr_sgn(rate.im.upper()) > 0;
   const ComplexInterval z = is_mirrored ? over_i(rate) : times_i(rate),
                         symbol = Interval::pi(bits) *
                                  (whole_symbol(kernel, z) * exp(-(Interval(distance, bits) * rate)));
@@ -171,14 +161,14 @@ ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exa
 
 /// psi of the pole at i rate, reflected to Re z >= 0.
 double angle_of_pole(const ComplexInterval& rate) {
-  const std::complex<double> pole(std::fabs(mpfr_get_d(rate.imag.lower(), MPFR_RNDN)),
-                                  mpfr_get_d(rate.real.lower(), MPFR_RNDN));
+  const std::complex<double> pole(std::fabs(mpfr_get_d(rate.im.lower(), MPFR_RNDN)),
+                                  mpfr_get_d(rate.re.lower(), MPFR_RNDN));
   return std::asinh(pole).imag();
 }
 
 }  // namespace
 
-bool is_zero(const ComplexInterval& rate) { return is_real(rate) && mpfi_is_zero(rate.real.get()) > 0; }
+bool is_zero(const ComplexInterval& rate) { return is_real(rate) && mpfi_is_zero(rate.re.get()) > 0; }
 
 ComplexInterval rate_interval(const Exact& rate, double nats) {
   const double of_rate = rate.sign() == 0 ? 0 : std::fabs(rate.log2_magnitude()) * std::numbers::ln2;
@@ -194,12 +184,12 @@ MemoryStrip strip_beside(double pole) {
 ComplexInterval steady_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate, double nats) {
   const bool odd = is_odd(kernel), ahead = alpha.sign() >= 0;
   const Exact distance = alpha.magnitude();
-  const mpfr_prec_t bits = std::max(rate.real.precision(), working_precision(nats, 1000));
+  const mpfr_prec_t bits = std::max(rate.re.precision(), working_precision(nats, 1000));
   const Interval quarter = Interval::pi(bits) / 4;
   ComplexInterval sum{Interval(bits), Interval(bits)};
   bool passes_pole = !ahead;
   if (is_real(rate) && distance.value() >= 1) {
-    sum.real = fading_residue_series(kernel, alpha, rate.real, nats);
+    sum.re = fading_residue_series(kernel, alpha, rate.re, nats);
   } else {
     const double pole = ahead ? 0 : angle_of_pole(rate);
     const MemoryStrip strip = strip_beside(pole);
@@ -210,7 +200,7 @@ ComplexInterval steady_memory(Symbol kernel, const Exact& alpha, const ComplexIn
   if (is_zero(rate)) {
     // What of P and of pi/(4 L) is left.
     const Interval rest = odd ? -(quarter * Interval(distance, bits)) : 2 * quarter;
-    return odd || passes_pole ? ComplexInterval{sum.real + rest, sum.imag} : sum;
+    return odd || passes_pole ? ComplexInterval{sum.re + rest, sum.im} : sum;
   }
   if (passes_pole) sum = sum + whole_line(kernel, rate, distance);
   if (!odd) return sum;
@@ -219,7 +209,7 @@ ComplexInterval steady_memory(Symbol kernel, const Exact& alpha, const ComplexIn
 }
 
 Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, double nats) {
-  return steady_memory(kernel, alpha, rate_interval(rate, nats), nats).real;
+  return steady_memory(kernel, alpha, rate_interval(rate, nats), nats).re;
 }
 
 }  // namespace nipref::ref

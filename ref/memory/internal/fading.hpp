@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
 namespace nipref::ref {

@@ -30,7 +30,7 @@ Waves make_waves(const WaveKey& key) {
   Waves waves;
   for (int n = 1; n <= terms && !is_negligible(n, place, precision, rest); ++n) {
     const ComplexInterval z = rounded(sheet_pole(n, more)->z, more);
-    waves.push_back(rounded(exp(ComplexInterval{-(place * z.imag), place * z.real}), precision));
+    waves.push_back(rounded(exp(ComplexInterval{-(place * z.im), place * z.re}), precision));
   }
   return waves;
 }
@@ -46,9 +46,8 @@ Waves make_fades(const FadeKey& key) {
   for (int n = 1; n <= terms; ++n) {
     const auto pole = sheet_pole(n, precision + spare_bits);
     const ComplexInterval c = plain_coefficient(kernel, *pole);
-    fades.push_back(is_odd(kernel) ? c : ComplexInterval{-c.imag, c.real});
-    if (side != 0)
-      fades.back() = fades.back() * inverse({rate + side * pole->z.imag, -(side * pole->z.real)});
+    fades.push_back(is_odd(kernel) ? c : ComplexInterval{-c.im, c.re});
+    if (side != 0) fades.back() = fades.back() * inverse({rate + side * pole->z.im, -(side * pole->z.re)});
   }
   return fades;
 }
@@ -63,7 +62,7 @@ Interval wave_sum(PlainKernel kernel, const Exact& x, long side, const Exact& ra
   Interval sum(precision);
   for (std::size_t n = 0; n < waves->size(); ++n) {
     const ComplexInterval &wave = (*waves)[n], &by = (*fades)[n];
-    sum = sum + (by.real * wave.real - by.imag * wave.imag);
+    sum = sum + (by.re * wave.re - by.im * wave.im);
   }
   const auto left = static_cast<int>(waves->size()) + 1;
   Interval rest(precision);

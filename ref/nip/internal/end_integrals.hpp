@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 

@@ -2,7 +2,7 @@
 
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/proven_stresses.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/field.hpp>
@@ -25,19 +25,19 @@ Interval zero() { return Interval(working_bits()); }
 /// The root in the first quadrant, of a number above the real axis.
 ComplexInterval root_of(const ComplexInterval& x) {
   const Interval size = abs(x);
-  if (mpfr_sgn(x.real.lower()) >= 0) {
-    const Interval real = sqrt((size + x.real) / 2);
-    return {real, x.imag / (2 * real)};
+  if (mpfr_sgn(x.re.lower()) >= 0) {
+    const Interval real = sqrt((size + x.re) / 2);
+    return {real, x.im / (2 * real)};
   }
-  const Interval imag = sqrt((size - x.real) / 2);
-  return {x.imag / (2 * imag), imag};
+  const Interval imag = sqrt((size - x.re) / 2);
+  return {x.im / (2 * imag), imag};
 }
 
 /// Of the half-plane of one face (1 or -1) under P = sum c_m sin(m theta), at z = 1 - before_end + i y; over 2A.
 StressIntervals of_half_plane(const std::vector<Interval>& c, const Interval& before_end, const Interval& y,
                               int face) {
   const ComplexInterval root = root_of({-before_end, y}) * root_of({2 - before_end, y});
-  const Interval real = 1 - before_end + root.real, imag = y + root.imag;  // of zeta
+  const Interval real = 1 - before_end + root.re, imag = y + root.im;  // of zeta
   const Interval size = sqrt(square(real) + square(imag));
   const Interval growth = log(size), theta = 2 * atan(imag / (size + real));
   ComplexInterval sum{zero(), zero()}, slope = sum;
@@ -49,7 +49,7 @@ StressIntervals of_half_plane(const std::vector<Interval>& c, const Interval& be
   }
   // On a face itself the slope does not count.
   slope = mpfr_zero_p(y.upper()) != 0 ? ComplexInterval{zero(), zero()} : y * (slope * inverse(root));
-  return {sum.imag - slope.real, sum.imag + slope.real, face * slope.imag};
+  return {sum.im - slope.re, sum.im + slope.re, face * slope.im};
 }
 
 /// The same of a load of one, at the distance alpha from it.

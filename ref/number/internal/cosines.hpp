@@ -8,7 +8,19 @@ namespace nipref::ref {
 /// Enclosures of cos(k pi/(2n)) for whole k, n > 0.
 class Cosines {
  public:
-  Cosines(long n, mpfr_prec_t precision);
+  Cosines(long n, mpfr_prec_t precision) {
+    const Interval pi = Interval::pi(precision);
+    for (long k = 0; k < 4 * n; ++k) {
+      // The first quarter of the period gives the others.
+      if (k < n)
+        values_.push_back(cos(k * pi / (2 * n)));
+      else if (k == n)
+        values_.emplace_back(0L, precision);
+      else
+        values_.push_back(k <= 2 * n ? -values_[static_cast<std::size_t>(2 * n - k)]
+                                     : values_[static_cast<std::size_t>(4 * n - k)]);
+    }
+  }
 
   [[nodiscard]] const Interval& operator()(long k) const {
     const long period = static_cast<long>(values_.size());

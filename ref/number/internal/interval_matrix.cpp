@@ -4,7 +4,7 @@
 namespace nipref::ref {
 namespace {
 
-Interval squared_magnitude(const ComplexInterval& x) { return square(x.real) + square(x.imag); }
+Interval squared_magnitude(const ComplexInterval& x) { return square(x.re) + square(x.im); }
 
 /// The minor of x without one row and one column.
 ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t column) {
@@ -16,7 +16,7 @@ ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t c
 }
 
 Interval leading_minor(const IntervalMatrix& x) {
-  return x(0, 0).real * x(1, 1).real - squared_magnitude(x(0, 1));
+  return x(0, 0).re * x(1, 1).re - squared_magnitude(x(0, 1));
 }
 
 }  // namespace
@@ -53,13 +53,13 @@ IntervalMatrix operator*(const IntervalMatrix& x, const IntervalMatrix& y) {
 }
 
 IntervalMatrix times_i(const IntervalMatrix& x) {
-  return {[&](std::size_t i, std::size_t k) { return ComplexInterval{-x(i, k).imag, x(i, k).real}; }};
+  return {[&](std::size_t i, std::size_t k) { return ComplexInterval{-x(i, k).im, x(i, k).re}; }};
 }
 
 Interval hermitian_determinant(const IntervalMatrix& x) {
   const ComplexInterval cycle = x(0, 1) * x(1, 2) * x(2, 0);
-  return leading_minor(x) * x(2, 2).real + 2 * cycle.real - x(0, 0).real * squared_magnitude(x(1, 2)) -
-         x(1, 1).real * squared_magnitude(x(0, 2));
+  return leading_minor(x) * x(2, 2).re + 2 * cycle.re - x(0, 0).re * squared_magnitude(x(1, 2)) -
+         x(1, 1).re * squared_magnitude(x(0, 2));
 }
 
 IntervalMatrix hermitian_inverse(const IntervalMatrix& x) {
@@ -67,19 +67,19 @@ IntervalMatrix hermitian_inverse(const IntervalMatrix& x) {
   return {[&](std::size_t i, std::size_t k) {
     const ComplexInterval minor = minor_of(x, k, i);
     const Interval scale = (i + k) % 2 == 0 ? determinant : -determinant;
-    return ComplexInterval{minor.real / scale, minor.imag / scale};
+    return ComplexInterval{minor.re / scale, minor.im / scale};
   }};
 }
 
 bool is_positive_definite(const IntervalMatrix& x) {
-  return sign_of(x(0, 0).real) > 0 && sign_of(leading_minor(x)) > 0 && sign_of(hermitian_determinant(x)) > 0;
+  return sign_of(x(0, 0).re) > 0 && sign_of(leading_minor(x)) > 0 && sign_of(hermitian_determinant(x)) > 0;
 }
 
 Interval norm_bound(const IntervalMatrix& x) {
   Interval largest(x.precision());
   for (std::size_t i = 0; i < 3; ++i) {
     Interval sum(x.precision());
-    for (std::size_t k = 0; k < 3; ++k) sum = sum + magnitude_of(x(i, k).real) + magnitude_of(x(i, k).imag);
+    for (std::size_t k = 0; k < 3; ++k) sum = sum + magnitude_of(x(i, k).re) + magnitude_of(x(i, k).im);
     largest = larger_of(largest, sum);
   }
   return largest;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 
@@ -19,7 +19,7 @@ class IntervalMatrix {
   [[nodiscard]] const ComplexInterval& operator()(std::size_t row, std::size_t column) const {
     return entries_[3 * row + column];
   }
-  [[nodiscard]] mpfr_prec_t precision() const { return entries_[0].real.precision(); }
+  [[nodiscard]] mpfr_prec_t precision() const { return entries_[0].re.precision(); }
 
   [[nodiscard]] IntervalMatrix adjoint() const;
 

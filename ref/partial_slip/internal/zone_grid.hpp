@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/partial_slip/internal/slip_problem.hpp>
 
 namespace nipref::ref {

@@ -23,22 +23,20 @@ long field_terms_needed(double alpha, double nats) {
 
 /// sum of factor c e^{i alpha z} over the terms, c without its 1/2.
 ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at, const SheetPole& pole) {
-  const mpfr_prec_t precision = pole.z.real.precision();
+  const mpfr_prec_t precision = pole.z.re.precision();
   const Interval alpha(at.alpha, precision), s(at.depth, precision);
-  const Interval size = exp(-(alpha * pole.z.imag)), angle = alpha * pole.z.real;
-  const Interval a = s * pole.z.real, b = s * pole.z.imag;
+  const Interval size = exp(-(alpha * pole.z.im)), angle = alpha * pole.z.re;
+  const Interval a = s * pole.z.re, b = s * pole.z.im;
   const ComplexInterval grows{cosh(a) * cos(b), sinh(a) * sin(b)}, rises{sinh(a) * cos(b), cosh(a) * sin(b)};
   const ComplexInterval cubed = pole.sech * pole.sech * pole.sech;
-  const ComplexInterval of_sinh{-(pole.z.real * cubed.real - pole.z.imag * cubed.imag),
-                                -(pole.z.real * cubed.imag + pole.z.imag * cubed.real)};
+  const ComplexInterval of_sinh = -(pole.z * cubed);
   ComplexInterval sum{Interval(precision), Interval(precision)};
   for (const FieldTerm& term : integrand.terms) {
     ComplexInterval next =
         (term.symbol == FieldSymbol::sinh_over_S ? of_sinh : pole.sech) * (term.sinh ? rises : grows);
     if (term.power > 0) next = next * pole.z;
     if (term.power < 0) next = next * inverse(pole.z);
-    const Interval factor = Interval(term.factor, precision);
-    sum = sum + ComplexInterval{factor * next.real, factor * next.imag};
+    sum = sum + Interval(term.factor, precision) * next;
   }
   return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
 }
@@ -59,7 +57,7 @@ Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at
   for (long n = terms; n >= 1; --n) {
     const auto pole = sheet_pole(n, term_precision(n, alpha, nats));
     const ComplexInterval next = pole_term(integrand, at, *pole);
-    sum = integrand.sine ? sum + next.real : sum - next.imag;
+    sum = integrand.sine ? sum + next.re : sum - next.im;
   }
   mpq_class quarters = 0;
   for (const FieldTerm& term : integrand.terms) quarters += at_origin(term, at);

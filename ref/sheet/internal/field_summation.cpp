@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <nipref/ref/number/internal/cache.hpp>
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/field_integral.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
@@ -48,9 +48,8 @@ long field_count(double end, double step) {
 FieldNodes make_field_nodes(const long& nats) {
   const auto wanted = static_cast<double>(nats);
   const double frequency = wanted + std::log(4 * field_line_integral) + field_line;
-  int exponent = 0;
-  const double fraction = std::frexp(2 * std::numbers::pi * field_line / frequency, &exponent);
-  FieldNodes made{std::ldexp(std::floor(fraction * 16), exponent - 4), working_precision(wanted, 1e4), {}};
+  FieldNodes made{
+      of_few_bits(2 * std::numbers::pi * field_line / frequency, 4), working_precision(wanted, 1e4), {}};
   const long count = field_count(field_end(1, wanted), made.step);
   const Interval fall_in_step = exp(-Interval(made.step, made.precision));
   Interval e1(1L, made.precision);
@@ -173,7 +172,7 @@ struct ClosedForms {
   ComplexInterval I4, K5, I5, I7, I5_slope, I7_slope;
 
   ClosedForms(const FieldPoint& at, mpfr_prec_t precision)
-      : I4(zero(precision)), K5(I4), I5(I4), I7(I4), I5_slope(I4), I7_slope(I4) {
+      : I4(Interval(precision)), K5(I4), I5(I4), I7(I4), I5_slope(I4), I7_slope(I4) {
     const Interval pi = Interval::pi(precision), alpha(at.alpha, precision), depth(at.depth, precision);
     const Interval from_face(Exact(mpq_class(1 - at.depth.value())), precision);
     const Interval a = pi * alpha / 2;
@@ -181,11 +180,10 @@ struct ClosedForms {
     const Interval size = square(ca * cs) + square(sa * ss);  // |cosh(pi w/2)|^2
     const ComplexInterval sech{ca * cs / size, -(sa * ss) / size}, tanh{sa * ca / size, ss * cs / size};
     const Interval half_pi = pi / 2;
-    const ComplexInterval sech2 = sech * sech, product = sech * tanh;
-    I7 = {half_pi * sech.real, half_pi * sech.imag};
-    I5 = {half_pi * tanh.real, half_pi * tanh.imag};
-    I7_slope = {-(square(half_pi) * product.real), -(square(half_pi) * product.imag)};
-    I5_slope = {square(half_pi) * sech2.real, square(half_pi) * sech2.imag};
+    I7 = half_pi * sech;
+    I5 = half_pi * tanh;
+    I7_slope = -(square(half_pi) * (sech * tanh));
+    I5_slope = square(half_pi) * (sech * sech);
     K5 = {log(size) / 2, angle(sa * ss, ca * cs)};
     // gd(pi w/2); cosh a - sin(pi depth/2) = 2 sinh^2(a/2) + 2 sin^2(pi from_face/4)
     const Interval below = 2 * (square(sinh(a / 2)) + square(sin(pi * from_face / 4)));
@@ -193,7 +191,6 @@ struct ClosedForms {
   }
 
  private:
-  static ComplexInterval zero(mpfr_prec_t precision) { return {Interval(precision), Interval(precision)}; }
   /// The angle of (x, y) with x, y >= 0, not both 0.
   static Interval angle(const Interval& y, const Interval& x) {
     const bool steep = mpfr_cmp(x.upper(), y.upper()) < 0;
@@ -211,7 +208,7 @@ Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
                                                : term.power == 0 ? f.I5
                                                                  : f.I5_slope);
   const bool negative = of_sinh ? term.power > 0 : term.power < 0;
-  const Interval part = term.sinh ? (sine ? -function.imag : function.imag) : function.real;
+  const Interval part = term.sinh ? (sine ? -function.im : function.im) : function.re;
   return negative ? -part : part;
 }
 

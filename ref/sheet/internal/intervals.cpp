@@ -32,6 +32,12 @@ Interval odd(Symbol symbol, const Exact& x, double nats) {
 
 }  // namespace
 
+double of_few_bits(double x, int bits) {
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::floor(std::ldexp(fraction, bits)), exponent - bits);
+}
+
 mpfr_prec_t working_precision(double nats, double size) {
   return static_cast<mpfr_prec_t>(std::ceil(nats / std::numbers::ln2 + std::log2(1 + size))) + slack_bits;
 }

@@ -37,6 +37,9 @@ struct ThetaShares {
 /// |eta|/4 + [theta1/N I7 - I6_eta]/pi for a shear load.
 Interval fixed_point_interval(data::SheetLoad load, const Exact& eta, const ThetaShares& shares, double nats);
 
+/// The largest double of so few significant bits that is at most x > 0, so that its multiples by whole numbers are exact.
+double of_few_bits(double x, int bits);
+
 /// The bits that quantities of size up to `size` need for an error of e^{-nats}.
 mpfr_prec_t working_precision(double nats, double size);
 

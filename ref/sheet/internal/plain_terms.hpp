@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 

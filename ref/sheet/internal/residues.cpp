@@ -26,11 +26,11 @@ using PoleKey = std::pair<long, mpfr_prec_t>;
 
 SheetPole make_pole(const PoleKey& key) {
   const ComplexInterval z = sheet_root_interval(key.first, key.second);
-  return {z, inverse({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)})};
+  return {z, inverse({cosh(z.re) * cos(z.im), sinh(z.re) * sin(z.im)})};
 }
 
 std::size_t size_of_pole(const SheetPole& pole) {
-  return static_cast<std::size_t>(8 * pole.z.real.precision()) / CHAR_BIT;
+  return static_cast<std::size_t>(8 * pole.z.re.precision()) / CHAR_BIT;
 }
 
 /// In the order of Symbol.
@@ -39,15 +39,15 @@ constexpr std::array<PoleCoefficient, 7> symbol_coefficients{
 
 /// 2 c_n e^{i x z_n}
 ComplexInterval term(const PoleCoefficient& c, const SheetPole& pole, const Exact& magnitude) {
-  const Interval x(magnitude, pole.z.real.precision());
-  return exp(ComplexInterval{-(x * pole.z.imag), x * pole.z.real}) * twice(c, pole);
+  const Interval x(magnitude, pole.z.re.precision());
+  return exp(ComplexInterval{-(x * pole.z.im), x * pole.z.re}) * twice(c, pole);
 }
 
 /// The factor of a wave e^{i x z} in the memory: 1/(rate - i z) ahead of the load, 1/(rate + i z) behind it.
 ComplexInterval fading(const Interval& exact_rate, bool to_come, const ComplexInterval& z) {
-  Interval rate(z.real.precision());
+  Interval rate(z.re.precision());
   mpfi_set(rate.get(), exact_rate.get());
-  return to_come ? inverse({rate + z.imag, -z.real}) : inverse({rate - z.imag, z.real});
+  return to_come ? inverse({rate + z.im, -z.re}) : inverse({rate - z.im, z.re});
 }
 
 /// The bits that a term of the size e^{-decay Im z_n} needs, if the relative error of z_n is multiplied by frequency
@@ -59,10 +59,10 @@ mpfr_prec_t bits_at_root(long n, double decay, double frequency, double nats) {
 
 /// 1/(e^{-2 pi i z/h} - 1).
 ComplexInterval image_factor(const ComplexInterval& z, double step) {
-  const mpfr_prec_t precision = z.real.precision();
+  const mpfr_prec_t precision = z.re.precision();
   const Interval turns = 2 * Interval::pi(precision) / Interval(step, precision);
-  const ComplexInterval grown = exp(ComplexInterval{turns * z.imag, -(turns * z.real)});
-  return inverse({grown.real - 1, grown.imag});
+  const ComplexInterval grown = exp(ComplexInterval{turns * z.im, -(turns * z.re)});
+  return inverse({grown.re - 1, grown.im});
 }
 
 /// sum over y = (2k + 1) 2 pi/3 < 4 pi lines of (8 pi/3) cosh(x y)/(y (e^{2 pi y/h} - 1)).
@@ -89,7 +89,7 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
   for (long n = terms; n >= 1; --n) {
     const auto root = sheet_pole(n, term_precision(n, x, nats));
     const ComplexInterval next = with_factor(term(c, *root, exact_x), root->z);
-    sum = sum + (odd ? next.real : next.imag);
+    sum = sum + (odd ? next.re : next.im);
   }
   const Interval series = Interval::pi(sum.precision()) * (odd ? sum : -sum);
   const Interval tail =
@@ -100,7 +100,7 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
 }  // namespace
 
 ComplexInterval twice(const PoleCoefficient& c, const SheetPole& pole) {
-  const mpfr_prec_t precision = pole.z.real.precision();
+  const mpfr_prec_t precision = pole.z.re.precision();
   ComplexInterval result{Interval(static_cast<long>(c.sign), precision), Interval(precision)};
   for (int k = 0; k < c.q; ++k) result = result * pole.sech;
   if (c.p > 0) return result * pole.z;
@@ -136,8 +136,8 @@ Interval passed_poles(Symbol symbol, const Exact& exact_x, double step, long lin
   Interval sum(mpfr_prec_t{64});
   for (long n = 4 * lines; n >= 1; --n) {
     const auto root = sheet_pole(n, bits_at_root(n, turns - x, turns + x, nats));
-    const ComplexInterval w = Interval(exact_x, root->z.real.precision()) * root->z;
-    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice(c, *root)).imag;
+    const ComplexInterval w = Interval(exact_x, root->z.re.precision()) * root->z;
+    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice(c, *root)).im;
   }
   const Interval roots = 2 * Interval::pi(sum.precision()) * sum;
   if (symbol != Symbol::normal) return roots;

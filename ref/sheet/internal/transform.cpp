@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/ref/sheet/internal/clenshaw.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
@@ -11,14 +12,6 @@ namespace {
 
 constexpr double step_limit = 0.25;
 constexpr mpfr_prec_t bound_precision = 64;
-
-/// The largest double m 2^-k <= limit with m = 4 .. 7, at most 1/4. As only these steps occur, many arguments share
-/// their nodes.
-double round_step(double limit) {
-  int exponent = 0;
-  const double fraction = std::frexp(std::min(limit, step_limit), &exponent);
-  return std::ldexp(std::floor(fraction * 8), exponent - 3);
-}
 
 /// F, rounded up to a multiple of 16, or of about an eighth of itself if that is more.
 long round_bits(double bits) {
@@ -48,7 +41,8 @@ NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   const bool odd = constants.parity == Parity::odd;
   const double integral = odd && x < 1 ? moment(constants, top) : constants.integral;
   const double frequency = std::max(1.0, (nats + std::log(8 * integral) + top * x) / top);
-  const double step = round_step(2 * std::numbers::pi / frequency);
+  // As only a few steps occur, many arguments share their nodes.
+  const double step = of_few_bits(std::min(2 * std::numbers::pi / frequency, step_limit), 3);
   const double count = (nats + 40) / (constants.decay * step);
   const double growth = odd ? std::max(1.0, step * count) : 1.0;
   return {symbol, step, round_bits(nats / std::numbers::ln2 + std::log2(128 * count * growth))};

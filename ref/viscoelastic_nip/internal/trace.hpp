@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {

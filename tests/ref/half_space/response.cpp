@@ -64,9 +64,9 @@ TEST_CASE("a proven impedance contains the one that is known better, and is not 
     const auto rough = at(100);
     const auto fine = at(300);
     for (std::size_t k = 0; k < 9; ++k) {
-      CHECK(is_inside(fine(k / 3, k % 3).real, rough(k / 3, k % 3).real));
-      CHECK(is_inside(fine(k / 3, k % 3).imag, rough(k / 3, k % 3).imag));
-      CHECK(width_of(rough(k / 3, k % 3).real) < 1e-14);
+      CHECK(is_inside(fine(k / 3, k % 3).re, rough(k / 3, k % 3).re));
+      CHECK(is_inside(fine(k / 3, k % 3).im, rough(k / 3, k % 3).im));
+      CHECK(width_of(rough(k / 3, k % 3).re) < 1e-14);
     }
   }
 }

@@ -52,7 +52,7 @@ double edge_integral(Symbol kernel, double angle) {
   double sum = 0;
   over_mesh([&](const Interval& t, double width) {
     const Hyperbola at(number(angle), t);
-    sum += 2 * width * highest(integrand_size(kernel, at) * exp(-(number(decay_of(kernel)) * at.z.real)));
+    sum += 2 * width * highest(integrand_size(kernel, at) * exp(-(number(decay_of(kernel)) * at.z.re)));
   });
   return sum * (1 + 1e-12);
 }
@@ -74,7 +74,7 @@ ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
 /// A real rate that is not known to be real, for which the paths are taken at all places.
 ComplexInterval nearly_real(const std::string& rate) {
   const ComplexInterval real = rate_interval(exact(rate), 100);
-  return {real.real, real.imag.widened(exp(Interval(-1000L, 64)))};
+  return {real.re, real.im.widened(exp(Interval(-1000L, 64)))};
 }
 
 }  // namespace
@@ -121,9 +121,9 @@ TEST_CASE("memory by contour: what its strip sweeps meets no root of S") {
   for (double angle = 0; angle < 15.0 / 16; angle += turn) {
     over_mesh([&](const Interval& t, double) {
       const Hyperbola at(cell(angle, angle + turn), t);
-      if (highest(at.z.imag) < lowest(half_pi())) return;
+      if (highest(at.z.im) < lowest(half_pi())) return;
       const SymbolSizes of(at.z);
-      REQUIRE_FALSE((has_zero(of.q.real) && has_zero(of.q.imag)));
+      REQUIRE_FALSE((has_zero(of.q.re) && has_zero(of.q.im)));
       ++cells;
     });
   }
@@ -157,8 +157,8 @@ TEST_CASE("memory by contour is what the residue series gives where both can") {
         CAPTURE(bounds(kernel).name, alpha, rate);
         const double nats = 60;
         const ComplexInterval found = steady_memory(kernel, exact(alpha), nearly_real(rate), nats);
-        check_same(found.real, steady_memory(kernel, exact(alpha), exact(rate), nats), nats);
-        CHECK(has_zero(found.imag));
+        check_same(found.re, steady_memory(kernel, exact(alpha), exact(rate), nats), nats);
+        CHECK(has_zero(found.im));
       }
     }
   }
@@ -182,11 +182,11 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
         const ComplexInterval best = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
         for (const double nats : {1.0, 20.0}) {
           const ComplexInterval rough = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), nats);
-          CHECK(has_zero(rough.real - best.real));
-          CHECK(has_zero(rough.imag - best.imag));
+          CHECK(has_zero(rough.re - best.re));
+          CHECK(has_zero(rough.im - best.im));
         }
         const ComplexInterval other = steady_memory(kernel, exact(alpha), conj(rate_of(real, imaginary)), 60);
-        CHECK(has_zero(other.imag + best.imag));
+        CHECK(has_zero(other.im + best.im));
       }
     }
   }

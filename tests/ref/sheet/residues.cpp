@@ -37,10 +37,10 @@ TEST_CASE("the bounds of the residues are those that interval arithmetic makes o
     const auto pole = sheet_pole(n, bits);
     const Interval size = abs(pole->z), cosh_size = 1 / abs(pole->sech);
     CAPTURE(n);
-    CHECK(highest(pole->z.real) < lowest(pole->z.imag));
+    CHECK(highest(pole->z.re) < lowest(pole->z.im));
     CHECK(lowest(square(cosh_size)) >= 0.98);
     CHECK(highest(size / square(cosh_size)) <= 1.61);
-    CHECK(highest(exp(pole->z.real) / cosh_size) <= 3.02);
+    CHECK(highest(exp(pole->z.re) / cosh_size) <= 3.02);
   }
   CHECK(lowest(square(cosh(Interval::pi(bits))) / square(Interval::pi(bits))) >= 2.01);
 }

@@ -1,0 +1,61 @@
+#pragma once
+#include <utility>
+
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+inline Float zero_like(const Float& /*x*/) { return 0; }
+inline Interval zero_like(const Interval& x) { return Interval(x.precision()); }
+inline Float square(const Float& x) { return x * x; }
+
+/// A complex number of two Floats, whose products and quotients are computed by their formulas, so that their rounding errors
+/// are relative to the modulus, not to each part; or a rectangle of two intervals that contains a complex number, of which
+/// every operation encloses.
+template <class Number>
+struct Complex {
+  Number re, im;
+
+  Complex() = default;  ///< 0, of Floats
+  Complex(Number real) : re(std::move(real)), im(zero_like(re)) {}
+  Complex(Number real, Number imaginary) : re(std::move(real)), im(std::move(imaginary)) {}
+
+  [[nodiscard]] bool is_real() const { return im == 0; }  ///< of Floats
+  friend Complex operator-(const Complex& x) { return {-x.re, -x.im}; }
+  friend Complex operator+(const Complex& x, const Complex& y) { return {x.re + y.re, x.im + y.im}; }
+  friend Complex operator-(const Complex& x, const Complex& y) { return {x.re - y.re, x.im - y.im}; }
+  friend Complex operator*(const Complex& x, const Complex& y) {
+    return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
+  }
+  friend Complex operator*(const Number& x, const Complex& y) { return {x * y.re, x * y.im}; }
+  friend Complex operator*(const Complex& x, const Number& y) { return {x.re * y, x.im * y}; }
+  friend Complex operator/(const Complex& x, const Number& y) { return {x.re / y, x.im / y}; }
+  friend Complex operator/(const Complex& x, const Complex& y) {
+    return y.is_real() ? x / y.re : x * conj(y) / (square(y.re) + square(y.im));
+  }
+  friend Complex conj(const Complex& x) { return {x.re, -x.im}; }
+};
+using ComplexFloat = Complex<Float>;
+using ComplexInterval = Complex<Interval>;
+
+inline Float abs(const ComplexFloat& x) { return hypot(x.re, x.im); }
+inline Interval abs(const ComplexInterval& x) { return sqrt(square(x.re) + square(x.im)); }
+/// 1/x; its parts are infinite where x contains 0.
+inline ComplexInterval inverse(const ComplexInterval& x) { return conj(x) / (square(x.re) + square(x.im)); }
+inline ComplexFloat exp(const ComplexFloat& x) {
+  const Float size = exp(x.re);
+  return x.is_real() ? ComplexFloat(size) : ComplexFloat(size * cos(x.im), size * sin(x.im));
+}
+ComplexInterval exp(const ComplexInterval& x);
+ComplexInterval sin(const ComplexInterval& x);
+ComplexInterval cos(const ComplexInterval& x);
+/// The principal value.
+inline ComplexFloat log(const ComplexFloat& x) {
+  Float angle;
+  mpfr_atan2(raw(angle), raw(x.im), raw(x.re), MPFR_RNDN);
+  return {log(abs(x)), std::move(angle)};
+}
+/// The same with so many bits, rounded outwards.
+ComplexInterval rounded(const ComplexInterval& x, mpfr_prec_t bits);
+
+}  // namespace nipref::ref
