@@ -4,8 +4,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
-#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 
@@ -56,7 +56,7 @@ Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double cont
 /// Creep ratios that meet the thesis's conditions, the shear loads pushing outwards (sign 1) or inwards (-1).
 /// `unknowns`: at a creep of 0, and per creep.
 FeasibleSet feasible(const Eigen::MatrixXd& unknowns, int m, double sign) {
-  const auto unknown = [&](int index) { return Affine{unknowns(index, 0), unknowns(index, 1)}; };
+  const auto unknown = [&](int index) { return Quadratic{unknowns(index, 0), unknowns(index, 1)}; };
   FeasibleSet creeps;
   for (int k = 1; k <= m; ++k) {
     creeps.require_not_negative(unknown(k));
@@ -135,10 +135,6 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
   throw data::BadInput("load", load, "no contact length was found that carries it");
 }
 
-void check_grip(const Grip& grip) {
-  if (!std::isfinite(grip.creep)) throw data::BadInput("creep", grip.creep, "must be finite");
-}
-
 }  // namespace
 
 std::shared_ptr<const LineLoadSheet> elastic_sheet(const data::ElasticNip& nip, const LineLoadMethod& method,
@@ -157,7 +153,7 @@ std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges) {
 
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, const Grip& grip) {
-  check_grip(grip);
+  internal::check_finite("creep", grip.creep);
   auto result = solved(nip, method, contact_length, grip, std::make_shared<Work>());
   if (!result) refuse_without_creep("contact_length", contact_length);
   return *std::move(result);
@@ -165,8 +161,8 @@ LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMet
 
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                 const Grip& grip, const LoadSearch& search) {
-  check_contact_load(load);
-  check_grip(grip);
+  internal::check_positive("load", load);
+  internal::check_finite("creep", grip.creep);
   if (!(search.tolerance >= 1e-14 && search.tolerance <= 0.1))
     throw data::BadInput("tolerance", search.tolerance, "must satisfy 1e-14 <= tolerance <= 0.1");
   const auto work = std::make_shared<Work>();

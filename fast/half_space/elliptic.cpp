@@ -71,22 +71,16 @@ class Parameter {
   /// The point at u = share K, -1 <= share <= 1.
   [[nodiscard]] Point at(double share) const {
     const double magnitude = std::fabs(share);
-    const auto [c, s, m1, m2] = magnitude <= 0.5 ? near_major(magnitude) : near_minor(1 - magnitude);
+    const bool near_major = magnitude <= 0.5;
+    const auto [sn, cn, dn] = jacobi_((near_major ? magnitude : 1 - magnitude) * quarter_period());
+    const double cd = cn / dn, sd = ratio_ * sn / dn;
+    // In the minor half by the functions of K - u.
+    const auto [c, s, m1, m2] = near_major ? std::array{cn, sn, cd, sd} : std::array{sd, cd, sn, cn};
     return {{c, std::copysign(s, share)}, {m1, std::copysign(m2, share)}};
   }
   [[nodiscard]] double quarter_period() const { return jacobi_.quarter_period(); }
 
  private:
-  [[nodiscard]] std::array<double, 4> near_major(double share) const {
-    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
-    return {cn, sn, cn / dn, ratio_ * sn / dn};
-  }
-  /// The same functions at u = (1 - share) K.
-  [[nodiscard]] std::array<double, 4> near_minor(double share) const {
-    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
-    return {ratio_ * sn / dn, cn / dn, sn, cn};
-  }
-
   double ratio_;
   JacobiAmplitude jacobi_;
 };

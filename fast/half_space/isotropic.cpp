@@ -67,24 +67,6 @@ IsotropicLine line_beyond(const data::IsotropicSolid& solid, double speed, Direc
   return line;
 }
 
-}  // namespace
-
-namespace internal {
-
-Two inverse_squared_pressure_speed(double poisson) {
-  return two_sum(1, -2 * poisson) / two_sum(2, -2 * poisson);
-}
-
-IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
-  const IsotropicLine line = any_line(solid, speed, from_motion);
-  if (!is_subcritical(line)) refuse_supercritical(solid, speed, from_motion);
-  return line;
-}
-
-}  // namespace internal
-
-namespace {
-
 /// Numerator and denominator have two words, as their terms cancel; double suffices for their quotient.
 double quotient(Two numerator, Two denominator, double modulus) {
   return numerator.high / denominator.high / modulus;
@@ -96,6 +78,17 @@ LineResponse response_of(const IsotropicLine& line, double modulus) {
 }
 
 }  // namespace
+
+Two internal::inverse_squared_pressure_speed(double poisson) {
+  return two_sum(1, -2 * poisson) / two_sum(2, -2 * poisson);
+}
+
+IsotropicLine internal::isotropic_line(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion) {
+  const IsotropicLine line = any_line(solid, speed, from_motion);
+  if (!is_subcritical(line)) refuse_supercritical(solid, speed, from_motion);
+  return line;
+}
 
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   return response_of(internal::isotropic_line(solid, speed, from_motion), solid.shear);

@@ -106,12 +106,10 @@ MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed,
   check_positive("half_thickness", half_thickness);
   way_per_time_ = Two{speed, 0} / half_thickness;
   time_unit_ = Two{half_thickness, 0} / speed;
-  const auto fading = [&](const data::MaterialFunction& theta, std::initializer_list<Kernel> kernels) {
-    return fades(theta, time_unit_, kernels, accuracy);
-  };
-  fades_ = std::make_shared<const Fades>(Fades{fading(normal_, {Kernel::I1}),
-                                               fading(functions_.theta1, {Kernel::I3, Kernel::I5}),
-                                               fading(functions_.theta2, {Kernel::I3, Kernel::I4})});
+  fades_ = std::make_shared<const Fades>(
+      Fades{fades(normal_, time_unit_, {Kernel::I1}, accuracy),
+            fades(functions_.theta1, time_unit_, {Kernel::I3, Kernel::I5}, accuracy),
+            fades(functions_.theta2, time_unit_, {Kernel::I3, Kernel::I4}, accuracy)});
 }
 
 double MovingLoad::normal_displacement(double t, double T) const {

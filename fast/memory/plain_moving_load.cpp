@@ -17,9 +17,7 @@ using Complex = std::complex<double>;
 constexpr Complex i(0, 1);
 
 std::vector<Complex> roots(int terms) {
-  if (!(terms >= 1 && terms <= most_residue_terms)) {
-    throw data::BadInput("terms", terms, "must be from 1 to " + std::to_string(most_residue_terms));
-  }
+  internal::check_range("terms", terms, 1, most_residue_terms);
   std::vector<Complex> result;
   for (int n = 1; n <= terms; ++n) result.push_back(sheet_root(n));
   return result;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -10,9 +11,30 @@
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/nip/internal/solved_nip.hpp>
-#include <nipref/fast/number/internal/sampled_maximum.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
+namespace {
+
+/// Where f(i) is largest over 0 <= i <= samples: the best integer i, refined between its neighbours.
+template <class Function>
+double place_of_sampled_maximum(const Function& f, int samples) {
+  int best = 0;
+  double largest = f(0);
+  for (int i = 1; i <= samples; ++i) {
+    const double here = f(i);
+    if (here > largest) {
+      largest = here;
+      best = i;
+    }
+  }
+  const auto negative = [&](double i) { return -f(i); };
+  const auto [place, value] = boost::math::tools::brent_find_minima(negative, std::max(best - 1.0, 0.0),
+                                                                    std::min<double>(best + 1, samples), 30);
+  return -value > largest ? place : best;
+}
+
+}  // namespace
 
 struct ConvergedNip::Implementation {
   ContactUnits units;
@@ -55,7 +77,7 @@ struct ConvergedNip::Implementation {
   }
   /// Of Y; its distance from the end is without loss where the length is given and the contact symmetric.
   [[nodiscard]] ContactPlace place_of(double y) const {
-    check_position(y);
+    internal::check_finite("y", y);
     if (!is_symmetric() || !given_length) return place(y / units.length);
     return {y < 0, (*given_length / 2 - std::fabs(y)) / units.length};
   }
@@ -180,7 +202,7 @@ struct ConvergedNip::Implementation {
       return (1 - part) * places[before] + part * next;
     };
     const auto size = [&](double i) { return std::fabs(value(component, between(i))); };
-    const double best = internal::place_of_sampled_maximum(size, static_cast<int>(places.size()) - 1);
+    const double best = place_of_sampled_maximum(size, static_cast<int>(places.size()) - 1);
     // To first order the place does not matter.
     const ContactPlace there = place(between(best));
     const Estimate found = solved.estimate(
@@ -397,7 +419,7 @@ ConvergedNip converged_nip(const NipShape& shape, double compliance,
   std::optional<double> load;
   if (given.length) check_contact_length(shape, *given.length);
   if (given.load) {
-    check_contact_load(*given.load);
+    internal::check_positive("load", *given.load);
     load = *given.load / units.load;
   }
   const double half_length =

@@ -4,8 +4,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
-#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/field.hpp>
 
 namespace nipref::fast {
@@ -15,7 +15,7 @@ double parabola(const LineLoadNip& nip, double y) { return y * y / (2 * nip.roll
 
 /// The load of the element around y; nothing outside the contact.
 FaceLoad load_around(const LineLoadNip& nip, double y) {
-  check_position(y);
+  internal::check_finite("y", y);
   if (nip.is_symmetric) y = -std::fabs(y);
   // A place on a border counts to the trailing element, as far as rounding knows borders.
   const double border = 0x1p-50 * nip.leading_length;
@@ -26,7 +26,7 @@ FaceLoad load_around(const LineLoadNip& nip, double y) {
 }
 
 void check_beside_loads(const LineLoadNip& nip, double y) {
-  check_position(y);
+  internal::check_finite("y", y);
   if (std::ranges::find(nip.loads, y, &FaceLoad::y) != nip.loads.end())
     throw data::BadInput("y", y, "must not be the place of a line load");
 }

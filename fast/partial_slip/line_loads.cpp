@@ -2,6 +2,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/line_loads.hpp>
 
@@ -19,9 +20,7 @@ double PartialSlipLineLoads::dissipation() const {
 
 PartialSlipLineLoads line_loads_for_load(const data::PartialSlipNip& nip, int elements_per_side,
                                          double load) {
-  constexpr int most_elements = 1000;
-  if (!(elements_per_side >= 1 && elements_per_side <= most_elements))
-    throw data::BadInput("elements_per_side", elements_per_side, "must be from 1 to 1000");
+  internal::check_range("elements_per_side", elements_per_side, 1, 1000);
   const PartialSlipTask task = task_for_load(nip, load);
   const ContactUnits units = units_of(nip);
   // A load at the centre of an element moves another in the mean as one spread over the other moves that centre.

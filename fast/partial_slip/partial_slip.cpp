@@ -10,6 +10,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
 #include <nipref/fast/partial_slip/internal/solutions.hpp>
@@ -44,14 +45,11 @@ PartialSlipTask task_of(const data::PartialSlipNip& nip, const ContactUnits& uni
 
 void check(const data::PartialSlipNip& nip) {
   nip.check();
-  if (!(nip.friction_coefficient > 0 && std::isfinite(nip.friction_coefficient)))
-    throw BadInput("friction_coefficient", nip.friction_coefficient, "must be finite and > 0");
-  if (const auto* const given = std::get_if<data::GivenTraction>(&nip.drive); given != nullptr) {
-    if (!std::isfinite(given->force_per_length))
-      throw BadInput("force_per_length", given->force_per_length, "must be finite");
-  } else if (const double creep = std::get<data::GivenCreep>(nip.drive).creep_ratio; !std::isfinite(creep)) {
-    throw BadInput("creep_ratio", creep, "must be finite");
-  }
+  internal::check_positive("friction_coefficient", nip.friction_coefficient);
+  if (const auto* const given = std::get_if<data::GivenTraction>(&nip.drive))
+    internal::check_finite("force_per_length", given->force_per_length);
+  else
+    internal::check_finite("creep_ratio", std::get<data::GivenCreep>(nip.drive).creep_ratio);
 }
 
 [[noreturn]] void refuse_drive(const data::PartialSlipNip& nip, double load) {
@@ -105,7 +103,7 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] double place(double y) const { return second.leading_length() - y / units.length; }
   /// Its value at Y, of a function of e.
   [[nodiscard]] auto at(double y, const auto& function) const {
-    check_position(y);
+    internal::check_finite("y", y);
     return [this, y, function](const ZoneContact& contact) {
       return std::invoke(function, contact, contact.leading_length() - y / units.length);
     };
@@ -341,7 +339,7 @@ ContactUnits units_of(const data::ElasticNip& nip) {
 
 PartialSlipTask task_for_load(const data::PartialSlipNip& nip, double load) {
   check(nip);
-  check_contact_load(load);
+  internal::check_positive("load", load);
   const ContactUnits units = units_of(nip);
   PartialSlipTask task = task_of(nip, units);
   task.load = load / units.load;

@@ -71,82 +71,58 @@ SheetStresses far_stresses(const FieldFunctions& f, double s, SheetLoad load) {
 /// The stresses at alpha >= 0, 0 <= s <= 1.
 SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
   if (!is_near(alpha)) return far_stresses(internal::decaying(alpha, s), s, load);
-  const SheetStresses rest = stresses_of(internal::near_rest(alpha, s, I5), s, load);
-  const SheetStresses planes = internal::half_plane_stresses({alpha, s}, load);
-  return {planes.across + rest.across, planes.along + rest.along, planes.shear + rest.shear};
-}
-
-SheetStresses without_planes(SheetStresses stresses, double alpha, double s, SheetLoad load) {
-  const SheetStresses planes = internal::half_plane_stresses({alpha, s}, load);
-  return {stresses.across - planes.across, stresses.along - planes.along, stresses.shear - planes.shear};
+  return internal::half_plane_stresses({alpha, s}, load) +
+         stresses_of(internal::near_rest(alpha, s, I5), s, load);
 }
 
 /// The sign of x, 0 for x = 0.
 double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
 
-/// The factors of theta2/N (or 1) and of theta1/N in pi u, and in pi v relative to infinity, without constants.
-HalfPlaneParts parts_of_u(const FieldFunctions& f, double s, SheetLoad load) {
-  if (load == SheetLoad::normal) return {f[I4].im, f[I5].im - s * f[I7].re};
-  return {f[K5].im, f[I7].im + s * f[I5].re};
-}
-HalfPlaneParts parts_of_v(const FieldFunctions& f, double s, SheetLoad load) {
-  if (load == SheetLoad::normal) return {f[I4].re, f[I5].re + s * f[I7].im};
-  return {f[K5].re, f[I7].re - s * f[I5].im};
-}
-
-HalfPlaneParts operator+(const HalfPlaneParts& a, const HalfPlaneParts& b) {
-  return {a.first + b.first, a.second + b.second};
+/// The factors of theta2/N (or 1) and of theta1/N in pi u or, along the sheet, in pi v relative to infinity, without
+/// constants: imaginary and real parts of the same functions.
+HalfPlaneParts parts_of(bool along, const FieldFunctions& f, double s, SheetLoad load) {
+  const bool normal = load == SheetLoad::normal;
+  const internal::ComplexValue first = f[normal ? I4 : K5], a = f[normal ? I5 : I7], b = f[normal ? I7 : I5];
+  const double t = normal ? -s : s;  // the second function is a + i t b
+  if (along) return {first.re, a.re - t * b.im};
+  return {first.im, a.im + t * b.re};
 }
 
-HalfPlaneParts operator-(const HalfPlaneParts& a, const HalfPlaneParts& b) {
-  return {a.first - b.first, a.second - b.second};
-}
-
-/// u and v from their parts; v of a shear load lacks what depends on eta.
-double u_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
+/// u or v from its parts, v under one load by the formula of u under the other; v of a shear load lacks what depends on eta.
+double displaced(bool along, const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
   const double second = share.theta1 * parts.second;
-  return (load == SheetLoad::normal ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
-}
-/// The formula is that of u under the other load.
-double v_of(const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
-  return u_of(parts, load == SheetLoad::normal ? SheetLoad::shear : SheetLoad::normal, share);
+  const bool both = (load == SheetLoad::normal) != along;
+  return (both ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
 }
 
 internal::FromFace from_face(const FieldFunctions& f, const FieldFunctions& face, double s, SheetLoad load,
                              const Shares& share) {
-  return {u_of(parts_of_u(f, s, load), load, share) - s * u_of(parts_of_u(face, 1, load), load, share),
-          v_of(parts_of_v(f, s, load) - parts_of_v(face, 1, load), load, share)};
+  return {displaced(false, parts_of(false, f, s, load), load, share) -
+              s * displaced(false, parts_of(false, face, 1, load), load, share),
+          displaced(true, parts_of(true, f, s, load) - parts_of(true, face, 1, load), load, share)};
 }
 
 /// The same of both half-planes.
 internal::FromFace planes_from_face(double alpha, double s, SheetLoad load, const Shares& share) {
   const SeenFromLoads here(alpha, s), face(alpha, 1);
-  return {u_of(internal::half_plane_u(here, load), load, share) -
-              s * u_of(internal::half_plane_u(face, load), load, share),
-          v_of(internal::half_plane_v(here, load) - internal::half_plane_v(face, load), load, share)};
+  return {
+      displaced(false, internal::half_plane_u(here, load), load, share) -
+          s * displaced(false, internal::half_plane_u(face, load), load, share),
+      displaced(true, internal::half_plane_v(here, load) - internal::half_plane_v(face, load), load, share)};
 }
 
-double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
+/// u, or v without the part that depends on eta; v of a shear load, far from it, without -alpha/4, too.
+double in_quarter(bool along, double alpha, double s, SheetLoad load, double poisson) {
   HalfPlaneParts parts{};
   if (is_near(alpha)) {
-    parts = internal::half_plane_u({alpha, s}, load) + parts_of_u(internal::near_rest(alpha, s, I4), s, load);
+    parts = (along ? internal::half_plane_v : internal::half_plane_u)({alpha, s}, load) +
+            parts_of(along, internal::near_rest(alpha, s, I4), s, load);
   } else {
-    const double constant = load == SheetLoad::normal ? 0 : quarter_pi * s;
-    parts = parts_of_u(internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
+    const double limit = quarter_pi * (along ? 1 : s),
+                 constant = (load == SheetLoad::normal) == along ? limit : 0;
+    parts = parts_of(along, internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
   }
-  return u_of(parts, load, shares_of(poisson));
-}
-
-/// v without the part that depends on eta; of a shear load, far from it, without -alpha/4, too.
-double v_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
-  HalfPlaneParts parts{};
-  if (is_near(alpha)) {
-    parts = internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load);
-  } else {
-    const double constant = load == SheetLoad::normal ? quarter_pi : 0;
-    parts = parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
-  }
-  return v_of(parts, load, shares_of(poisson));
+  return displaced(along, parts, load, shares_of(poisson));
 }
 
 /// v of a shear load. Both parts grow with their distances, which are subtracted first.
@@ -155,7 +131,7 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   const double held =
       shares_of(poisson).theta1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
   const double apart = is_near(alpha) ? eta : eta - alpha;
-  return apart / 4 + (held * inv_pi + v_in_quarter(alpha, s, SheetLoad::shear, poisson));
+  return apart / 4 + (held * inv_pi + in_quarter(true, alpha, s, SheetLoad::shear, poisson));
 }
 
 /// A function that is odd in alpha is proportional to it for tiny alpha. Such an alpha is multiplied by 2^64, so that
@@ -212,13 +188,13 @@ struct FacePlace {
 internal::StressesAtDepth::StressesAtDepth(double depth)
     : depth_(depth), waves_(std::fabs(depth), field_roots) {}
 
-internal::StressesBeside internal::StressesAtDepth::beside(double alpha) const {
+internal::Beside<SheetStresses> internal::StressesAtDepth::beside(double alpha) const {
   const double a = std::fabs(alpha), s = std::fabs(depth_);
   const bool near = is_near(a);
   const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
   const auto under = [&](SheetLoad load) {
     const SheetStresses here =
-        near ? stresses_of(f, s, load) : without_planes(far_stresses(f, s, load), a, s, load);
+        near ? stresses_of(f, s, load) : far_stresses(f, s, load) - half_plane_stresses({a, s}, load);
     return with_signs(here, alpha, depth_, load);
   };
   return {under(SheetLoad::normal), under(SheetLoad::shear)};
@@ -231,14 +207,13 @@ SheetStresses internal::StressesAtDepth::far(const FarLoads& loads, double side)
   if (loads.shear_force == 0 && loads.shear.of[0] == 0.0) return normal;
   SheetStresses shear = stresses_of(decaying(loads.shear, waves_), s, SheetLoad::shear);
   shear.along -= 0.5 * loads.shear_force;
-  shear = with_signs(shear, side, depth_, SheetLoad::shear);
-  return {normal.across + shear.across, normal.along + shear.along, normal.shear + shear.shear};
+  return normal + with_signs(shear, side, depth_, SheetLoad::shear);
 }
 
 internal::DisplacementsFromFace::DisplacementsFromFace(double depth, const Shares& share)
     : depth_(depth), share_(share), waves_(depth, field_roots), of_face_(1, field_roots) {}
 
-internal::FromFaceBeside internal::DisplacementsFromFace::beside(double alpha) const {
+internal::Beside<internal::FromFace> internal::DisplacementsFromFace::beside(double alpha) const {
   const double a = std::fabs(alpha), side = sign(alpha);
   const bool near = is_near(a);
   const FieldFunctions here =
@@ -246,10 +221,7 @@ internal::FromFaceBeside internal::DisplacementsFromFace::beside(double alpha) c
                        face = near ? near_rest(a, 1, FieldFunction::I4) : decaying(AlongWaves(a), of_face_);
   const auto under = [&](SheetLoad load) {
     FromFace of = from_face(here, face, depth_, load, share_);
-    if (!near) {
-      const FromFace planes = planes_from_face(a, depth_, load, share_);
-      of = {of.u - planes.u, of.v - planes.v};
-    }
+    if (!near) of = of - planes_from_face(a, depth_, load, share_);
     (load == SheetLoad::normal ? of.v : of.u) *= side;
     return of;
   };
@@ -307,7 +279,7 @@ double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
   data::ElasticMaterial{1, poisson}.check();
   const Lifted place = lifted(alpha, depth);
   const double signs = sign(depth) * (load == SheetLoad::shear ? sign(alpha) * place.scale : 1);
-  return signs * u_in_quarter(place.alpha, std::fabs(depth), load, poisson);
+  return signs * in_quarter(false, place.alpha, std::fabs(depth), load, poisson);
 }
 
 double sheet_v(double alpha, double eta, double depth, SheetLoad load, double poisson) {
@@ -317,7 +289,7 @@ double sheet_v(double alpha, double eta, double depth, SheetLoad load, double po
   const double s = std::fabs(depth);
   if (load == SheetLoad::shear) return shear_v_in_quarter(std::fabs(alpha), std::fabs(eta), s, poisson);
   const Lifted place = lifted(alpha, depth);
-  return sign(alpha) * place.scale * v_in_quarter(place.alpha, s, load, poisson) + F1(eta, poisson);
+  return sign(alpha) * place.scale * in_quarter(true, place.alpha, s, load, poisson) + F1(eta, poisson);
 }
 
 }  // namespace nipref::fast

@@ -1,10 +1,9 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <string>
 #include <vector>
 
-#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
@@ -63,16 +62,8 @@ const std::vector<Term>& all_terms() {
 }
 
 std::span<const Term> first_terms(int count) {
-  if (count < 1 || count > most_residue_terms) {
-    throw data::BadInput("terms", std::to_string(count),
-                         "must be from 1 to " + std::to_string(most_residue_terms));
-  }
+  internal::check_range("terms", count, 1, most_residue_terms);
   return std::span(all_terms()).first(static_cast<std::size_t>(count));
-}
-
-void check_sizes(std::span<const double> alpha, std::span<double> values) {
-  if (values.empty()) return;
-  internal::check_arguments("alpha", alpha, values.size(), internal::Domain::finite_nonzero);
 }
 
 /// Sums over the terms at one |alpha|.
@@ -113,9 +104,9 @@ double plain_series_I1(double alpha, int terms) {
 
 void plain_series(std::span<const double> alpha, int terms, PlainSeriesValues values) {
   const std::span<const Term> wanted = first_terms(terms);
-  for (const std::span<double> kernel : {values.I1, values.I3, values.I6_alpha_part}) {
-    check_sizes(alpha, kernel);
-  }
+  for (const std::span<double> kernel : {values.I1, values.I3, values.I6_alpha_part})
+    if (!kernel.empty())
+      internal::check_arguments("alpha", alpha, kernel.size(), internal::Domain::finite_nonzero);
   for (std::size_t i = 0; i < alpha.size(); ++i) {
     const double a = std::fabs(alpha[i]);
     const Sums sums = sum(wanted, a);

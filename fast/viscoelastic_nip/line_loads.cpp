@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <variant>
 
@@ -8,8 +7,8 @@
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -162,22 +161,11 @@ LineLoadNip solve_for_load(const std::shared_ptr<const RollingLoads>& problem, d
   throw BadInput("load", load, "must be one that line loads on a length below the roller's radius can carry");
 }
 
-void check_elements(const char* name, int elements, int least) {
-  if (!(elements >= least && elements <= most_elements)) {
-    throw BadInput(name, elements,
-                   "must be from " + std::to_string(least) + " to " + std::to_string(most_elements));
-  }
-}
-
 void check(const data::ViscoelasticLineLoads& method) {
-  check_elements("leading_elements", method.leading_elements, 1);
-  check_elements("trailing_elements", method.trailing_elements.value_or(0), 0);
-  if (!(std::isfinite(method.approach_lengths) && method.approach_lengths > 0))
-    throw BadInput("approach_lengths", method.approach_lengths, "must be finite and > 0");
-  if (!(method.residue_terms >= 0 && method.residue_terms <= most_residue_terms)) {
-    throw BadInput("residue_terms", method.residue_terms,
-                   "must be from 0 to " + std::to_string(most_residue_terms));
-  }
+  internal::check_range("leading_elements", method.leading_elements, 1, most_elements);
+  internal::check_range("trailing_elements", method.trailing_elements.value_or(0), 0, most_elements);
+  internal::check_positive("approach_lengths", method.approach_lengths);
+  internal::check_range("residue_terms", method.residue_terms, 0, most_residue_terms);
   if (!(method.smallest_term >= 0 && method.smallest_term <= 1))
     throw BadInput("smallest_term", method.smallest_term, "must be from 0 to 1");
 }
@@ -197,7 +185,7 @@ LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::Vi
                                 double load) {
   nip.check();
   check(method);
-  check_contact_load(load);
+  internal::check_positive("load", load);
   RollingLoads problem(nip, method);
   while (true) {
     LineLoadNip result = solve_for_load(std::make_shared<const RollingLoads>(problem), load);

@@ -1,9 +1,9 @@
 #include <cmath>
-#include <string>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
@@ -13,24 +13,7 @@ namespace {
 constexpr int most_elements = 10000;
 constexpr double widest_half_element = 300;  // in half-thicknesses; e^(-2.106 * 300) = 1e-274
 
-void check_in(const char* name, int value, int least, int most) {
-  if (value >= least && value <= most) return;
-  throw data::BadInput(name, std::to_string(value),
-                       "must be from " + std::to_string(least) + " to " + std::to_string(most));
-}
-
 /// `coupling` is I3 alone.
-LineLoadKernels from_library(Accuracy accuracy, std::span<const double> alpha, WantedKernels wanted,
-                             Work& work) {
-  CountedKernels kernels(accuracy, work);
-  LineLoadKernels values;
-  if (wanted.I1) values.I1 = kernels.I1(alpha);
-  if (wanted.coupling) values.coupling = kernels.I3(alpha);
-  if (wanted.I6) values.I6 = kernels.I6(alpha);
-  return values;
-}
-
-/// Likewise.
 LineLoadKernels from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
   LineLoadKernels values;
   const auto provided = [&](bool is_wanted, std::size_t kernel,
@@ -73,15 +56,21 @@ double odd(const Eigen::RowVectorXd& kernel, int multiple) {
 }  // namespace
 
 void LineLoadMethod::check() const {
-  check_in("elements_per_side", elements_per_side, 1, most_elements);
-  check_in("residue_terms", residue_terms, 0, most_residue_terms);
+  internal::check_range("elements_per_side", elements_per_side, 1, most_elements);
+  internal::check_range("residue_terms", residue_terms, 0, most_residue_terms);
 }
 
 LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const LineLoadMethod& method,
                                   std::span<const double> alpha, WantedKernels wanted, Work& work) {
-  LineLoadKernels kernels = method.residue_terms == 0
-                                ? from_library(method.accuracy, alpha, wanted, work)
-                                : from_residues(method.residue_terms, alpha, wanted, work);
+  LineLoadKernels kernels;
+  if (method.residue_terms == 0) {
+    CountedKernels of_library(method.accuracy, work);
+    if (wanted.I1) kernels.I1 = of_library.I1(alpha);
+    if (wanted.coupling) kernels.coupling = of_library.I3(alpha);
+    if (wanted.I6) kernels.I6 = of_library.I6(alpha);
+  } else {
+    kernels = from_residues(method.residue_terms, alpha, wanted, work);
+  }
   const double part = material.theta2() / material.normal_compliance();
   for (Eigen::Index i = 0; i < kernels.coupling.size(); ++i)
     kernels.coupling[i] -= part * I2(alpha[static_cast<std::size_t>(i)]);

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 
 namespace nipref::fast::internal {
@@ -44,6 +48,20 @@ Square<Two, 3> mixed_block(const data::Stiffness::Voigt& voigt, double unit) {
 }
 
 }  // namespace
+
+void check_moduli(const data::Stiffness& solid) {
+  constexpr double farthest = 1e12;
+  using Voigt = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  const Voigt matrix = Eigen::Map<const Voigt>(solid.voigt.front().data());
+  const auto values =
+      Eigen::SelfAdjointEigenSolver<Voigt>(matrix, Eigen::EigenvaluesOnly).eigenvalues();  // they ascend
+  if (values[5] <= farthest * values[0]) return;
+  throw data::BadInput(
+      "solid", "(as given)",
+      fmt::format("must have moduli nearer to each other: no eigenvalue of its matrix more than "
+                  "{:g} times the smallest",
+                  farthest));
+}
 
 AnisotropicLine::AnisotropicLine(const data::Stiffness& solid)
     : inverse_unit_(1 / std::scalbn(1.0, std::ilogb(solid.voigt[2][2]))),

@@ -10,6 +10,9 @@
 
 namespace nipref::fast::internal {
 
+/// Throws BadInput "solid" if the condition number of Voigt's matrix is too large for the precision of two words.
+void check_moduli(const data::Stiffness& solid);
+
 /// The response of a half-space of any anisotropy along a line: the third row of the inverse impedance in the axes of the
 /// line, with real and imaginary parts, and its diagonal.
 struct AnisotropicAnswers {

@@ -11,6 +11,7 @@
 namespace nipref::fast::internal {
 namespace {
 
+double one_word(Two rate) { return rate.high; }
 double one_word(const Fade& fade) { return fade.rate.high; }
 Complex one_word(Complex rate) { return rate; }
 Complex one_word(const OscillatingFade& fade) { return fade.rate; }
@@ -51,10 +52,8 @@ Complex under_load(Kernel kernel, double from, double, double, const Oscillating
   return fade.core[static_cast<std::size_t>(kernel)]->from(from);
 }
 
-double from_nearest(Kernel kernel, const Fade& fade, Accuracy) {
-  return fade.beyond[static_cast<std::size_t>(kernel)];
-}
-Complex from_nearest(Kernel kernel, const OscillatingFade& fade, Accuracy) {
+template <typename Kept>
+auto from_nearest(Kernel kernel, const Kept& fade, Accuracy) {
   return fade.beyond[static_cast<std::size_t>(kernel)];
 }
 Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
@@ -97,18 +96,6 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
-/// Up to the distance from which on the kernel less its limit is a sum of waves, and these.
-template <typename Rate>
-auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
-  const auto plain = one_word(rate);
-  if (start.at.high >= nearest) return memory_of_waves(kernel, start.waves, plain, Side::ahead);
-  const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
-  const Two way = -start.at + Two{nearest, 0};
-  return by_pieces(kernel, start, &end, way, rate, accuracy) -
-         limit(kernel) * way.high * phi1(plain * way.high) +
-         faded(rate, way) * memory_of_waves(kernel, end.waves, plain, Side::ahead);
-}
-
 /// K' of I1 or I3 is smooth, but for -1/w of I1, between the distances `nearest`, and a sum of waves from there on.
 template <typename Rate>
 auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
@@ -133,7 +120,25 @@ double whole_line(double L) {
   return std::numbers::pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
 }
 
-bool has_smooth_part(Kernel kernel) { return kernel == Kernel::I1 || kernel == Kernel::I3; }
+bool has_slope(Kernel kernel, double) { return kernel == Kernel::I1 || kernel == Kernel::I3; }
+bool has_slope(Kernel kernel, Complex rate) {
+  return has_slope(kernel, rate.real()) && std::abs(rate) >= polynomial_from;
+}
+
+OscillatingCore core_of(Kernel kernel, Complex rate, Accuracy accuracy) { return {kernel, rate, accuracy}; }
+
+template <typename Made, typename Rate>
+Made made_for(Rate rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
+  Made made{rate};
+  const auto plain = one_word(rate);
+  for (const Kernel kernel : kernels) {
+    const auto number = static_cast<std::size_t>(kernel);
+    if (has_slope(kernel, plain)) made.slope[number].emplace(slope_of_smooth_part(kernel), plain);
+    made.core[number] = core_of(kernel, plain, accuracy);
+    made.beyond[number] = all_ahead(kernel, nearest_waves(accuracy), nearest, plain);
+  }
+  return made;
+}
 
 }  // namespace
 
@@ -154,26 +159,11 @@ double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy) {
 }
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
-  Fade made{rate};
-  for (const Kernel kernel : kernels) {
-    if (has_smooth_part(kernel))
-      made.slope[static_cast<std::size_t>(kernel)].emplace(slope_of_smooth_part(kernel), rate.high);
-    made.core[static_cast<std::size_t>(kernel)] = core_pieces(kernel, rate.high, accuracy);
-    made.beyond[static_cast<std::size_t>(kernel)] =
-        all_ahead(kernel, nearest_waves(accuracy), nearest, rate.high);
-  }
-  return made;
+  return made_for<Fade>(rate, kernels, accuracy);
 }
 
 OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
-  OscillatingFade made{rate, {}, {}, {}};
-  for (const Kernel kernel : kernels) {
-    if (has_smooth_part(kernel) && std::abs(rate) >= polynomial_from)
-      made.slope[static_cast<std::size_t>(kernel)].emplace(slope_of_smooth_part(kernel), rate);
-    made.core[static_cast<std::size_t>(kernel)].emplace(kernel, rate, accuracy);
-    made.beyond[static_cast<std::size_t>(kernel)] = from_nearest(kernel, rate, accuracy);
-  }
-  return made;
+  return made_for<OscillatingFade>(rate, kernels, accuracy);
 }
 
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
@@ -196,15 +186,20 @@ Complex steady_memory(Kernel kernel, const SurfacePoint& start, const Oscillatin
   return by_pieces(kernel, start, nullptr, {}, fade, accuracy);
 }
 
-double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
-                                  Accuracy accuracy) {
-  return beside_limit(kernel, start, fade, accuracy);
+/// Up to the distance from which on the kernel less its limit is a sum of waves, and these.
+template <typename Kept>
+typename Kept::Number steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Kept& fade,
+                                                 Accuracy accuracy) {
+  const auto plain = one_word(fade);
+  if (start.at.high >= nearest) return memory_of_waves(kernel, start.waves, plain, Side::ahead);
+  const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
+  const Two way = -start.at + Two{nearest, 0};
+  return by_pieces(kernel, start, &end, way, fade, accuracy) -
+         limit(kernel) * way.high * phi1(plain * way.high) +
+         faded(fade, way) * memory_of_waves(kernel, end.waves, plain, Side::ahead);
 }
-
-Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
-                                   Accuracy accuracy) {
-  return beside_limit(kernel, start, fade, accuracy);
-}
+template double steady_memory_beside_limit(Kernel, const SurfacePoint&, const Fade&, Accuracy);
+template Complex steady_memory_beside_limit(Kernel, const SurfacePoint&, const OscillatingFade&, Accuracy);
 
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
   if (fade.rate.high == 0) return limit(kernel) - kernel_at(kernel, start, accuracy);

@@ -19,26 +19,22 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(Two at, Accuracy accuracy);
 
-/// A real rate, and the integrals of e^(-rate (w - start)) I(w) that depend on it alone, for the kernels it was made
-/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity); and those of the smooth part's
-/// derivative, if there is one.
-struct Fade {
-  Two rate;
-  std::array<CorePieces, kernel_count> core{};
-  std::array<double, kernel_count> beyond{};
-  std::array<std::optional<SmoothMemory<double>>, kernel_count> slope{};
+/// A rate, and for the kernels it was made for what depends on it alone: `core` for integrals of e^(-rate (w - start)) I(w)
+/// up to the distance `nearest`, `beyond` from there to infinity, and those of the smooth part's derivative, if there is one.
+template <typename Rate, typename Core, typename Integral>
+struct FadeOf {
+  using Number = Integral;
+
+  Rate rate;
+  std::array<Core, kernel_count> core{};
+  std::array<Number, kernel_count> beyond{};
+  std::array<std::optional<SmoothMemory<Number>>, kernel_count> slope{};
 };
+/// A real rate, with the integrals over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1]; and a complex one, for many places.
+using Fade = FadeOf<Two, CorePieces, double>;
+using OscillatingFade = FadeOf<Complex, std::optional<OscillatingCore>, Complex>;
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
-
-/// A complex rate, and the same for many places, of the kernels it was made for.
-struct OscillatingFade {
-  Complex rate;
-  std::array<std::optional<OscillatingCore>, kernel_count> core{};
-  std::array<Complex, kernel_count> beyond{};
-  std::array<std::optional<SmoothMemory<Complex>>, kernel_count> slope{};
-};
-
 OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 
 /// The kernel at a point; the odd ones are 0 under the load.
@@ -52,10 +48,9 @@ Complex steady_memory(Kernel kernel, const SurfacePoint& start, const Oscillatin
                       Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) (I(w) - l) dw, l the limit of I far ahead of the load.
-double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
-                                  Accuracy accuracy);
-Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
-                                   Accuracy accuracy);
+template <typename Kept>
+typename Kept::Number steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Kept& fade,
+                                                 Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0. The error is a few units in the last place:
 /// of its own size, which may be far below that of I, for real rates and for complex ones from polynomial_from on, of I's for

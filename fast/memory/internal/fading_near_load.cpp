@@ -133,7 +133,7 @@ Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece)
 
 }  // namespace
 
-CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy) {
+CorePieces core_of(Kernel kernel, double rate, Accuracy accuracy) {
   CorePieces pieces;
   double start = -1;
   for (std::size_t k = 0; k < core_stops.size(); ++k) {

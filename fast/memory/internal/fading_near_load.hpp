@@ -15,7 +15,7 @@ inline constexpr std::array core_stops{-inner_end, 0.0, inner_end, 1.0};
 /// The memory of each whole piece, counted from its start.
 using CorePieces = std::array<double, core_stops.size()>;
 
-CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy);
+CorePieces core_of(Kernel kernel, double rate, Accuracy accuracy);
 
 /// int_0^length e^(-rate d) I(w + d) dd for -1 <= w < end = w + length <= 1, by exponential integrals for the
 /// logarithm and Gauss rules for the smooth rest. Both `end` and `length` are given since either may be smaller than

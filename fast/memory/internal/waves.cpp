@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include <nipref/fast/memory/internal/waves.hpp>
-#include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 

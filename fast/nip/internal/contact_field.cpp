@@ -5,6 +5,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -151,7 +152,7 @@ GreatestShear ContactField::greatest() const {
 std::vector<SheetPoint> checked_points(std::span<const InnerPoint> points, double unit) {
   std::vector<SheetPoint> checked;
   for (const auto& [y, depth] : points) {
-    check_position(y);
+    internal::check_finite("y", y);
     if (!(std::fabs(depth) <= 1)) throw data::BadInput("depth", depth, "must satisfy -1 <= depth <= 1");
     checked.push_back({y / unit, depth});
   }

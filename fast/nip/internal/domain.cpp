@@ -48,20 +48,12 @@ void check_contact_length(const NipShape& shape, double contact_length) {
     throw BadInput("contact_length", contact_length, allowed_length(shape));
 }
 
-void check_contact_load(double load) {
-  if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-}
-
 void check_length_of_load(const NipShape& shape, double load, double contact_length) {
   if (!length_is_allowed(shape, contact_length)) {
     throw BadInput("load", load,
                    fmt::format("must give an allowed contact length, not {:g}; {}", contact_length,
                                allowed_length(shape)));
   }
-}
-
-void check_position(double y) {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
 }
 
 }  // namespace nipref::fast

@@ -29,11 +29,7 @@ Estimate times(double unit, const Estimate& estimate);
 void check_contact_accuracy(double accuracy);
 /// BadInput unless 1e-8 <= L/B <= 1e4 and L <= R, beyond which the parabola is no circle.
 void check_contact_length(const NipShape& shape, double contact_length);
-/// BadInput unless finite and > 0.
-void check_contact_load(double load);
 /// BadInput that names the load unless the length found for it is allowed.
 void check_length_of_load(const NipShape& shape, double load, double contact_length);
-/// BadInput unless finite.
-void check_position(double y);
 
 }  // namespace nipref::fast

@@ -21,6 +21,14 @@ double unsure_distance(const std::function<double(double)>& f, double place, dou
   return std::min(distance, most);
 }
 
+/// The zero of `f` between a < b, where f has different signs. Its error is the distance beyond which f exceeds its own
+/// error at the zero on both sides, but at most `most`.
+Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {
+  const bool rises = f.value(a) < 0;
+  const double place = internal::last_that([&](double x) { return (f.value(x) < 0) == rises; }, a, b);
+  return {place, unsure_distance(f.value, place, f.estimate(place).error, most)};
+}
+
 }  // namespace
 
 /// f'(0) = sum_k a_k T_k'(0) with a_k = (2/n) sum_j f_j cos(k theta_j) and T_k'(0) = k sin(k pi/2). The weights are odd
@@ -38,12 +46,6 @@ double LocalSlope::condition() const {
   double sum = 0;
   for (const Node& node : nodes_) sum += 2 * std::fabs(node.weight);
   return sum;
-}
-
-Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {
-  const bool rises = f.value(a) < 0;
-  const double place = internal::last_that([&](double x) { return (f.value(x) < 0) == rises; }, a, b);
-  return {place, unsure_distance(f.value, place, f.estimate(place).error, most)};
 }
 
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places) {

@@ -40,10 +40,6 @@ struct PlaceFunction {
   std::function<Estimate(double)> estimate;
 };
 
-/// The zero of `f` between a < b, where f has different signs. Its error is the distance beyond which f exceeds its own
-/// error at the zero on both sides, but at most `most`.
-Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most);
-
 /// A zero for each change of sign between successive ones of the rising `places`. Places where f does not exceed its
 /// error are left out, so that every zero is sure; several zeros between two places count as one.
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places);

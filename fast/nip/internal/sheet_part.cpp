@@ -8,7 +8,6 @@
 
 #include <nipref/fast/nip/internal/sheet_part.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
-#include <nipref/fast/number/internal/legendre.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -103,14 +102,14 @@ void SheetPart::add_nodes(std::size_t block, const LoadsOfBlock& loads) {
   std::array<double, nodes_of_block> polynomials{};
   std::array<FaceTraction, nodes_of_block> sums{};
   for (const LoadOnFace& load : loads(right, from_end)) {
-    internal::legendre(2 * (load.e - before) / length - 1, polynomials);
+    legendre(2 * (load.e - before) / length - 1, polynomials);
     for (std::size_t k = 0; k < nodes_of_block; ++k) sums[k].add(polynomials[k], load.force);
   }
   const GaussRule& rule = rule_of_block();
   for (std::size_t j = 0; j < nodes_of_block; ++j) {
     const double e = before + length * rule.at[j];
     Node node{right ? blocks_.half_length() - e : e - blocks_.half_length(), {0, 0}};
-    internal::legendre(2 * rule.at[j] - 1, polynomials);
+    legendre(2 * rule.at[j] - 1, polynomials);
     for (std::size_t k = 0; k < nodes_of_block; ++k)
       node.force.add(rule.weight[j] * static_cast<double>(2 * k + 1) * polynomials[k], sums[k]);
     nodes_.push_back(node);

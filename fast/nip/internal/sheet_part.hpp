@@ -96,17 +96,4 @@ class SheetPart {
   std::vector<internal::FarLoads> to_the_left_, to_the_right_;
 };
 
-inline internal::FromFace operator+(const internal::FromFace& a, const internal::FromFace& b) {
-  return {a.u + b.u, a.v + b.v};
-}
-inline internal::FromFace operator*(double factor, const internal::FromFace& a) {
-  return {factor * a.u, factor * a.v};
-}
-inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {
-  return {a.across + b.across, a.along + b.along, a.shear + b.shear};
-}
-inline SheetStresses operator*(double factor, const SheetStresses& a) {
-  return {factor * a.across, factor * a.along, factor * a.shear};
-}
-
 }  // namespace nipref::fast

@@ -7,7 +7,6 @@
 
 #include <nipref/fast/nip/internal/traction_field.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
-#include <nipref/fast/number/internal/legendre.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -141,7 +140,7 @@ TractionField::SampledPanel TractionField::sampled(bool right, double left, doub
     panel.t[j] = right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1;
     panel.loads[j].add(2 * rule.weight[j], here);
     std::array<double, order> polynomials{};
-    internal::legendre(panel.t[j], polynomials);
+    legendre(panel.t[j], polynomials);
     for (std::size_t k = 0; k < order; ++k)
       panel.series[k].add((static_cast<double>(k) + 0.5) * polynomials[k], panel.loads[j]);
   }

@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string_view>
 
@@ -18,6 +20,11 @@ inline void check_not_negative(std::string_view name, double value) {
 
 inline void check_positive(std::string_view name, double value) {
   if (!(std::isfinite(value) && value > 0)) throw data::BadInput(name, value, "must be finite and > 0");
+}
+
+inline void check_range(std::string_view name, int value, int least, int most) {
+  if (value < least || value > most)
+    throw data::BadInput(name, value, fmt::format("must be from {} to {}", least, most));
 }
 
 }  // namespace nipref::fast::internal

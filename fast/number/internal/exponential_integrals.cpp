@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 
 namespace nipref::fast::internal {

@@ -12,6 +12,12 @@ inline std::complex<double> faded_exp(std::complex<double> z) {
   return z.real() > underflows ? 0 : std::exp(-z);
 }
 
+/// 1/z without the library's treatment of infinities, which costs time.
+inline std::complex<double> inverse(std::complex<double> z) {
+  const double scale = 1 / (z.real() * z.real() + z.imag() * z.imag());
+  return {z.real() * scale, -z.imag() * scale};
+}
+
 /// (1 - e^-x)/x, 1 at 0.
 double phi1(double x);
 

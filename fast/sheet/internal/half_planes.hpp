@@ -4,6 +4,20 @@
 #include <nipref/fast/sheet/internal/field_functions.hpp>
 #include <nipref/fast/sheet/internal/theta_shares.hpp>
 
+namespace nipref::fast {
+
+inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {
+  return {a.across + b.across, a.along + b.along, a.shear + b.shear};
+}
+inline SheetStresses operator-(const SheetStresses& a, const SheetStresses& b) {
+  return {a.across - b.across, a.along - b.along, a.shear - b.shear};
+}
+inline SheetStresses operator*(double factor, const SheetStresses& a) {
+  return {factor * a.across, factor * a.along, factor * a.shear};
+}
+
+}  // namespace nipref::fast
+
 namespace nipref::fast::internal {
 
 /// A point with alpha >= 0, 0 <= depth <= 1, by its distances from each load and from the load's face.
@@ -20,11 +34,11 @@ struct SeenFromLoads {
 /// The stresses of two half-planes, each under the load on its own face (Flamant).
 SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
 
-/// The sheet's stresses less those of the half-planes, under either load. They are analytic up to a distance of 2
-/// from the sheet; far from the load, where the sheet's stresses have decayed, they are minus the half-planes'
-/// stresses.
-struct StressesBeside {
-  SheetStresses normal, shear;
+/// The sheet's field less those of the half-planes, under either load. It is analytic up to a distance of 2 from the
+/// sheet; far from the load, where the sheet's field has decayed, it is minus the half-planes' field.
+template <class Field>
+struct Beside {
+  Field normal, shear;
 };
 /// Sums over the loads on one side of a point, none of them closer to it than near_load_end.
 struct FarLoads {
@@ -37,7 +51,7 @@ class StressesAtDepth {
  public:
   explicit StressesAtDepth(double depth);
   /// For any finite alpha.
-  [[nodiscard]] StressesBeside beside(double alpha) const;
+  [[nodiscard]] Beside<SheetStresses> beside(double alpha) const;
   /// The stresses under far loads, half-planes included; `side` is 1 if the loads are at smaller alpha, else -1.
   [[nodiscard]] SheetStresses far(const FarLoads& loads, double side) const;
 
@@ -51,15 +65,16 @@ class StressesAtDepth {
 /// sheet and a uniform strain.
 struct FromFace {
   double u, v;
-};
-struct FromFaceBeside {
-  FromFace normal, shear;
+
+  friend FromFace operator+(const FromFace& a, const FromFace& b) { return {a.u + b.u, a.v + b.v}; }
+  friend FromFace operator-(const FromFace& a, const FromFace& b) { return {a.u - b.u, a.v - b.v}; }
+  friend FromFace operator*(double factor, const FromFace& a) { return {factor * a.u, factor * a.v}; }
 };
 class DisplacementsFromFace {
  public:
   DisplacementsFromFace(double depth, const Shares& share);
-  /// Less that of both half-planes, for any finite alpha, see StressesBeside.
-  [[nodiscard]] FromFaceBeside beside(double alpha) const;
+  /// Less that of both half-planes, for any finite alpha, see Beside.
+  [[nodiscard]] Beside<FromFace> beside(double alpha) const;
   /// Of far loads, see StressesAtDepth.
   [[nodiscard]] FromFace far(const FarLoads& loads, double side) const;
 
@@ -72,6 +87,13 @@ class DisplacementsFromFace {
 /// The half-planes' contributions to the parts of u and v, in terms of the kernels; see field_functions.hpp.
 struct HalfPlaneParts {
   double first, second;  ///< the factors of theta2/N (or 1) and of theta1/N
+
+  friend HalfPlaneParts operator+(const HalfPlaneParts& a, const HalfPlaneParts& b) {
+    return {a.first + b.first, a.second + b.second};
+  }
+  friend HalfPlaneParts operator-(const HalfPlaneParts& a, const HalfPlaneParts& b) {
+    return {a.first - b.first, a.second - b.second};
+  }
 };
 HalfPlaneParts half_plane_u(const SeenFromLoads& at, data::SheetLoad load);
 HalfPlaneParts half_plane_v(const SeenFromLoads& at, data::SheetLoad load);

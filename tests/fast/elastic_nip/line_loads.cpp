@@ -132,7 +132,7 @@ TEST_CASE("bad input to line loads is refused by name") {
   CHECK_REFUSED(of_length({2, 501}, 0.1), "residue_terms = 501");
   CHECK_REFUSED(of_length(2, 0), "contact_length = 0");
   CHECK_REFUSED(of_length(2, not_a_number), "contact_length = nan");
-  CHECK_REFUSED(of_length(2, 0.1, grip_with(not_a_number)), "creep = nan: must be finite");
+  CHECK_REFUSED(of_length(2, 0.1, grip_with(not_a_number)), "creep = nan: must be a finite number");
   CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, -1.0), "load = -1");
   CHECK_REFUSED(fast::line_loads_for_load(thick_nip, 2, 1, grip_with(0), {.tolerance = 0}), "tolerance = 0");
   CHECK_REFUSED(of_nip({0.0, 1.0, thick_nip.material}), "roller_radius = 0");
