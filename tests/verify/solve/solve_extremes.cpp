@@ -127,7 +127,7 @@ TEST_CASE("random edits of scenes end in numbers or in a refusal") {
   std::ranges::sort(scenes);  // a folder has no order
   std::mt19937_64 engine(20261121);
   int results = 0, refusals = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < (is_thorough() ? 3000 : 150); ++i) {
     std::string text = text_of(scenes[static_cast<std::size_t>(engine() % scenes.size())]);
     for (std::uint64_t count = 1 + engine() % 2; count > 0; --count) text = edited(text, engine);
     CAPTURE(text);
