@@ -6,43 +6,101 @@
 namespace nipref::ref {
 namespace {
 
-/// The recurrence's state in units of 2^-F, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2}.
-struct Recurrence {
-  mpz_class fourfold, difference;
+using Limbs = std::vector<mp_limb_t>;
+
+bool is_negative(const mp_limb_t* x, std::size_t limbs) { return (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0; }
+
+/// kappa as a binary fraction of `limbs` limbs, rounded down; 1 becomes the largest such fraction.
+Limbs fraction(const Float& kappa, std::size_t limbs) {
+  Limbs result(limbs, GMP_NUMB_MAX);
+  if (mpfr_cmp_ui(raw(kappa), 1) >= 0) return result;
+  Float scaled = zero_of_bits(bits_of(kappa));
+  mpfr_mul_2ui(raw(scaled), raw(kappa), limbs * GMP_NUMB_BITS, MPFR_RNDD);
+  mpz_class integer;
+  mpfr_get_z(integer.get_mpz_t(), raw(scaled), MPFR_RNDD);
+  std::fill(result.begin(), result.end(), 0);
+  std::copy_n(mpz_limbs_read(integer.get_mpz_t()), mpz_size(integer.get_mpz_t()), result.begin());
+  return result;
+}
+
+/// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb
+/// whenever the nodes are.
+class Recurrence {
+ public:
+  Recurrence(const Float& kappa, std::size_t most_limbs)
+      : kappa_(fraction(kappa, most_limbs)),
+        fourfold_(most_limbs),
+        difference_(most_limbs),
+        product_(2 * most_limbs) {}
+
+  /// Extends both numbers, which are 0 at the start, by their signs.
+  void lengthen(std::size_t limbs) {
+    for (Limbs* x : {&fourfold_, &difference_}) {
+      const bool negative = limbs_ > 0 && is_negative(x->data(), limbs_);
+      std::fill(x->begin() + static_cast<std::ptrdiff_t>(limbs_),
+                x->begin() + static_cast<std::ptrdiff_t>(limbs), negative ? GMP_NUMB_MAX : 0);
+    }
+    limbs_ = limbs;
+  }
+
+  /// d += node - kappa B, B += 4 d. Sums may wrap around, but the results are within the range.
+  void step(const mp_limb_t* node) {
+    const auto n = static_cast<mp_size_t>(limbs_);
+    const mp_limb_t* scaled = scaled_fourfold();
+    mpn_add_n(difference_.data(), difference_.data(), node, n);
+    mpn_sub_n(difference_.data(), difference_.data(), scaled, n);
+    mpn_addmul_1(fourfold_.data(), difference_.data(), n, 4);
+  }
+
+  /// 4 b_{j+1} and b_{j+1} - b_{j+2}.
+  [[nodiscard]] Float fourfold(long fraction_bits) const { return number(fourfold_, fraction_bits); }
+  [[nodiscard]] Float difference(long fraction_bits) const { return number(difference_, fraction_bits); }
+
+  /// Throws if 4 b_{j+1}, in units of 2^-F, has more than `bits` bits.
+  void check_size(long bits) const {
+    if (static_cast<long>(mpz_sizeinbase(integer(fourfold_).get_mpz_t(), 2)) > std::max(bits, 1L)) {
+      throw std::logic_error("Clenshaw sum exceeds its proven bound");
+    }
+  }
+
+ private:
+  /// floor(kappa B): the upper half of the product of kappa with B read as unsigned, less kappa if B is
+  /// negative.
+  const mp_limb_t* scaled_fourfold() {
+    const auto n = static_cast<mp_size_t>(limbs_);
+    const mp_limb_t* kappa = kappa_.data() + (kappa_.size() - limbs_);
+    mpn_mul_n(product_.data(), kappa, fourfold_.data(), n);
+    mp_limb_t* high = product_.data() + limbs_;
+    if (is_negative(fourfold_.data(), limbs_)) mpn_sub_n(high, high, kappa, n);
+    return high;
+  }
+
+  [[nodiscard]] mpz_class integer(const Limbs& x) const { return signed_integer(x.data(), limbs_); }
+
+  [[nodiscard]] Float number(const Limbs& x, long fraction_bits) const {
+    Float result = zero_of_bits(static_cast<mpfr_prec_t>(limbs_) * GMP_NUMB_BITS);
+    mpfr_set_z_2exp(raw(result), integer(x).get_mpz_t(), -fraction_bits, MPFR_RNDN);
+    return result;
+  }
+
+  Limbs kappa_;
+  Limbs fourfold_;
+  Limbs difference_;
+  Limbs product_;
+  std::size_t limbs_ = 0;
 };
 
-/// Throws if 4 b_{j+1} has more than `bits` bits.
-void check_size(const mpz_class& fourfold, long bits) {
-  if (static_cast<long>(mpz_sizeinbase(fourfold.get_mpz_t(), 2)) > std::max(bits, 1L))
-    throw std::logic_error("Clenshaw sum exceeds its proven bound");
-}
-
-/// From the last node down to j = 1: d += node - kappa B, B += 4 d, kappa to as many bits as B has in a block.
+/// Runs the recurrence from the last node down to j = 1.
 Recurrence recur(const Nodes& nodes, const Angle& angle) {
-  Recurrence now;
-  mpz_class kappa, product;
-  Float scaled = zero_of_bits(bits_of(angle.half_sine_square));
+  Recurrence recurrence(angle.half_sine_square, nodes.blocks.front().limbs);
   for (auto block = nodes.blocks.rbegin(); block != nodes.blocks.rend(); ++block) {
-    mpfr_mul_2ui(raw(scaled), raw(angle.half_sine_square), block->bits(), MPFR_RNDD);
-    mpfr_get_z(kappa.get_mpz_t(), raw(scaled), MPFR_RNDD);
+    recurrence.lengthen(block->limbs);
+    const mp_limb_t* values = block->values.data();
     const std::size_t stop = block->first == 0 ? 1 : 0;
-    for (std::size_t k = block->values.size(); k-- > stop;) {
-      mpz_mul(product.get_mpz_t(), kappa.get_mpz_t(), now.fourfold.get_mpz_t());
-      mpz_fdiv_q_2exp(product.get_mpz_t(), product.get_mpz_t(), block->bits());
-      now.difference += block->values[k];
-      now.difference -= product;
-      mpz_addmul_ui(now.fourfold.get_mpz_t(), now.difference.get_mpz_t(), 4);
-    }
-    check_size(now.fourfold, nodes.key.fraction_bits + block->magnitude + 2);
+    for (std::size_t k = block->size(); k-- > stop;) recurrence.step(values + k * block->limbs);
+    recurrence.check_size(nodes.key.fraction_bits + block->magnitude + 2);
   }
-  return now;
-}
-
-/// So many units.
-Float number(const mpz_class& units, const Nodes& nodes) {
-  Float result = zero_of_bits(static_cast<mpfr_prec_t>(nodes.blocks.front().bits()));
-  mpfr_set_z_2exp(raw(result), units.get_mpz_t(), -nodes.key.fraction_bits, MPFR_RNDN);
-  return result;
+  return recurrence;
 }
 
 }  // namespace
@@ -60,24 +118,30 @@ Angle::Angle(const mpq_class& theta, mpfr_prec_t precision)
 }
 
 mpfr_prec_t angle_precision(const Nodes& nodes) {
-  return static_cast<mpfr_prec_t>(nodes.blocks.front().bits()) + 16;
+  return static_cast<mpfr_prec_t>(nodes.blocks.front().limbs) * GMP_NUMB_BITS + 16;
 }
 
 Float cosine_sum(const Nodes& nodes, const Angle& angle) {
-  const Recurrence last = recur(nodes, angle);
+  const long bits = nodes.key.fraction_bits;
+  const Recurrence recurrence = recur(nodes, angle);
   // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
   Float sum = zero_of_bits(bits_of(angle.sine));
-  mpfr_mul(raw(sum), raw(angle.half_sine_square), raw(number(last.fourfold, nodes)), MPFR_RNDN);
+  mpfr_mul(raw(sum), raw(angle.half_sine_square), raw(recurrence.fourfold(bits)), MPFR_RNDN);
   mpfr_div_2ui(raw(sum), raw(sum), 1, MPFR_RNDN);
-  mpfr_sub(raw(sum), raw(number(last.difference, nodes)), raw(sum), MPFR_RNDN);
-  mpfr_add(raw(sum), raw(sum), raw(number(nodes.blocks.front().values.front(), nodes)), MPFR_RNDN);
+  mpfr_sub(raw(sum), raw(recurrence.difference(bits)), raw(sum), MPFR_RNDN);
+  const NodeBlock& block = nodes.blocks.front();
+  const mpz_class first = signed_integer(block.values.data(), block.limbs);
+  Float first_node = zero_of_bits(bits_of(sum));
+  mpfr_set_z_2exp(raw(first_node), first.get_mpz_t(), -bits, MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(first_node), MPFR_RNDN);
   return sum;
 }
 
 // sin(theta) b_1
 Float sine_sum(const Nodes& nodes, const Angle& angle) {
   Float result = zero_of_bits(bits_of(angle.sine));
-  mpfr_mul(raw(result), raw(number(recur(nodes, angle).fourfold, nodes)), raw(angle.sine), MPFR_RNDN);
+  const Float fourfold = recur(nodes, angle).fourfold(nodes.key.fraction_bits);
+  mpfr_mul(raw(result), raw(fourfold), raw(angle.sine), MPFR_RNDN);
   mpfr_div_2ui(raw(result), raw(result), 2, MPFR_RNDN);
   return result;
 }

@@ -99,38 +99,50 @@ Float origin_of(const NodeKey& key) {
   return symbol.origin == OriginPole::twofold ? Float(half - pi() * pi() / 12 / key.step) : half;
 }
 
-/// In units of 2^-F, rounded.
-mpz_class in_units(const Float& value, const NodeKey& key) {
+/// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
+void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Float& value, const NodeKey& key) {
   Float scaled = zero_of_bits(bits_of(value));
   mpfr_mul_2si(raw(scaled), raw(value), key.fraction_bits, MPFR_RNDN);
   mpz_class integer;
   mpfr_get_z(integer.get_mpz_t(), raw(scaled), MPFR_RNDN);
-  return integer;
+  const std::size_t size = mpz_size(integer.get_mpz_t());
+  if (size > count) throw std::logic_error("a node exceeds its proven bound");
+  const std::size_t start = limbs.size();
+  limbs.resize(start + count, 0);
+  std::copy_n(mpz_limbs_read(integer.get_mpz_t()), size, &limbs[start]);
+  if (sgn(integer) < 0) mpn_neg(&limbs[start], &limbs[start], static_cast<mp_size_t>(count));
 }
 
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const long magnitude = clenshaw_magnitude(key, first);
   const long bits = std::max(1L, key.fraction_bits + magnitude + 4);  // for 4 b_j, its sign and one spare bit
   NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}};
-  const WorkingDigits working(digits_of(static_cast<mpfr_prec_t>(block.bits()) + guard_bits(key)));
+  const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
+  const WorkingDigits working(digits_of(precision));
   SymbolLine line(key);
   for (long j = first; j < end; ++j) {
     j == first ? line.start(j) : line.advance(j);
-    block.values.push_back(in_units(j == 0 ? origin_of(key) : line.value(), key));
-    if (mpz_size(block.values.back().get_mpz_t()) > block.limbs)
-      throw std::logic_error("a node exceeds its proven bound");
+    append(block.values, block.limbs, j == 0 ? origin_of(key) : line.value(), key);
   }
   return block;
 }
 
 std::size_t size_in_bytes(const Nodes& nodes) {
   std::size_t bytes = 0;
-  for (const NodeBlock& block : nodes.blocks)
-    bytes += block.values.size() * (sizeof(mpz_class) + block.limbs * sizeof(mp_limb_t));
+  for (const NodeBlock& block : nodes.blocks) bytes += block.values.size() * sizeof(mp_limb_t);
   return bytes;
 }
 
 }  // namespace
+
+mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs) {
+  std::vector<mp_limb_t> magnitude(x, x + limbs);
+  const bool negative = (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0;
+  if (negative) mpn_neg(magnitude.data(), magnitude.data(), static_cast<mp_size_t>(limbs));
+  mpz_class result;
+  mpz_import(result.get_mpz_t(), limbs, -1, sizeof(mp_limb_t), 0, 0, magnitude.data());
+  return negative ? mpz_class(-result) : result;
+}
 
 double effective_amplitude(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);

@@ -17,14 +17,16 @@ struct NodeKey {
   auto operator<=>(const NodeKey&) const = default;
 };
 
-/// Successive nodes g_j = h G(j h).
+/// Successive nodes g_j = h G(j h) with the same number of limbs. As the symbol decays, leading limbs that are 0 are
+/// left out.
 struct NodeBlock {
   long first;         ///< j of the first node
-  std::size_t limbs;  ///< of 64 bits, that the Clenshaw sums which start in this block have at most
-  long magnitude;     ///< |b_j| <= 2^magnitude for these sums, b_j = sum_{k>=j} g_k U_{k-j}
-  std::vector<mpz_class> values;  ///< g_j in units of 2^-F
+  std::size_t limbs;  ///< of a node: two's complement, least significant limb first, in units of 2^-F
+  long magnitude;  ///< |b_j| <= 2^magnitude for the Clenshaw sums b_j = sum_{k>=j} g_k U_{k-j} that start in
+                   ///< this block
+  std::vector<mp_limb_t> values;  ///< g_j, one after the other
 
-  [[nodiscard]] mp_bitcnt_t bits() const { return limbs * GMP_NUMB_BITS; }
+  [[nodiscard]] std::size_t size() const { return values.size() / limbs; }
 };
 
 /// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; at a twofold pole see ref/sheet/README.md, Kernels.
@@ -40,6 +42,9 @@ struct Nodes {
 /// The truncation error allowed, in units 2^-F, see Nodes. Sums over some hundred nodes have rounding errors of that
 /// size.
 constexpr long truncation_units = 256;
+
+/// The integer with these limbs in two's complement.
+mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 
 /// C' with |G(j h)| <= C' e^{-r j h} for j >= 1: SymbolBounds::amplitude, divided by h^k where the symbol has
 /// a pole of order k at 0 (h <= 1).

@@ -14,14 +14,19 @@ using namespace nipref::ref;
 
 namespace {
 
+/// The k-th node of a block, units of 2^-F.
+mpz_class node(const NodeBlock& block, std::size_t k) {
+  return signed_integer(&block.values[k * block.limbs], block.limbs);
+}
+
 /// Largest difference between nodes of `coarse` and of `fine`, units of `coarse`.
 double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   const long extra = fine.key.fraction_bits - coarse.key.fraction_bits;
   double worst = 0;
   for (std::size_t b = 0; b < coarse.blocks.size(); ++b) {
-    for (std::size_t k = 0; k < coarse.blocks[b].values.size(); ++k) {
-      const mpz_class rough = coarse.blocks[b].values[k] << static_cast<unsigned>(extra);
-      const mpz_class& exact = fine.blocks[b].values[k];
+    for (std::size_t k = 0; k < coarse.blocks[b].size(); ++k) {
+      const mpz_class rough = node(coarse.blocks[b], k) << static_cast<unsigned>(extra);
+      const mpz_class exact = node(fine.blocks[b], k);
       worst = std::max(
           worst,
           mpq_class(mpz_class(abs(rough - exact)), mpz_class(1) << static_cast<unsigned>(extra)).get_d());
@@ -93,8 +98,8 @@ TEST_CASE("the nodes left out are as small as promised") {
     const Nodes fine = make_nodes({symbol, 0.125, 256});
     mpz_class left_out(0);
     for (const NodeBlock& block : fine.blocks) {
-      for (std::size_t k = 0; k < block.values.size(); ++k) {
-        if (block.first + static_cast<long>(k) > coarse.last) left_out += abs(block.values[k]);
+      for (std::size_t k = 0; k < block.size(); ++k) {
+        if (block.first + static_cast<long>(k) > coarse.last) left_out += abs(node(block, k));
       }
     }
     const double units = mpq_class(left_out, mpz_class(1) << 192U).get_d();
