@@ -16,22 +16,25 @@
 namespace nipref::fast {
 namespace {
 
-/// Where f(i) is largest over 0 <= i <= samples: the best integer i, refined between its neighbours.
-template <class Function>
-double place_of_sampled_maximum(const Function& f, int samples) {
-  int best = 0;
-  double largest = f(0);
-  for (int i = 1; i <= samples; ++i) {
-    const double here = f(i);
-    if (here > largest) {
-      largest = here;
-      best = i;
-    }
+/// Where f(i) is largest over 0 <= i <= samples: each integer i from which f falls on both sides and at which it is nearly as
+/// large as anywhere is refined between its neighbours.
+double place_of_sampled_maximum(const std::function<double(double)>& f, int samples) {
+  std::vector<double> values;
+  for (int i = 0; i <= samples; ++i) values.push_back(f(i));
+  const auto sample = [&](int i) { return i < 0 || i > samples ? 0 : values[static_cast<std::size_t>(i)]; };
+  const double worth_refining = share_worth_refining * std::ranges::max(values);
+  double best = 0, largest = values.front();
+  const auto take = [&](double place, double value) {
+    if (value > largest) best = place, largest = value;
+  };
+  for (int i = 0; i <= samples; ++i) {
+    if (sample(i) < worth_refining || sample(i) < sample(i - 1) || sample(i) < sample(i + 1)) continue;
+    const auto [place, negative] = boost::math::tools::brent_find_minima(
+        [&](double x) { return -f(x); }, std::max(i - 1.0, 0.0), std::min<double>(i + 1, samples), 30);
+    take(i, sample(i));
+    take(place, -negative);
   }
-  const auto negative = [&](double i) { return -f(i); };
-  const auto [place, value] = boost::math::tools::brent_find_minima(negative, std::max(best - 1.0, 0.0),
-                                                                    std::min<double>(best + 1, samples), 30);
-  return -value > largest ? place : best;
+  return best;
 }
 
 }  // namespace

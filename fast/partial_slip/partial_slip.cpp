@@ -239,15 +239,18 @@ Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_positio
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const ZoneContact& contact = nip_->second;
   const std::vector<bool>& lacks_zones = nip_->lacks_zones;
-  // Rounding of tractions shifts a boundary by what it is of those where the powers begin.
-  const double of_smooth =
-      nip_->of_boundaries + 0x1p-52 * std::exp(ZoneMesh::smooth_reach(nip_->nats + nats_apart));
+  const Eigen::VectorXd of_rounding = contact.rounding_of_lengths();
+  const auto rounded = [&](std::size_t zone) {
+    return of_rounding(static_cast<Eigen::Index>(zone)) * contact.zones()[zone].length;
+  };
   const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;
   for (std::size_t k = 0; k <= end; ++k) {
     all.push_back(nip_->of_length([&](const ZoneContact& one) { return boundary(one, k); }));
     double& error = all.back().error;
-    if (is_smooth(contact, k)) error += nip_->units.length * of_smooth * longer_beside(contact, k);
+    if (is_smooth(contact, k))
+      error += nip_->units.length *
+               (nip_->of_boundaries * longer_beside(contact, k) + std::max(rounded(k - 1), rounded(k)));
     // Zones that are left out beside are as long as the shorter one.
     if (k > 0 && k < end && (lacks_zones[k - 1] || lacks_zones[k]))
       error += nip_->units.length * shorter_beside(contact, k);

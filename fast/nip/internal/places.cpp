@@ -66,7 +66,8 @@ Estimate place_of_maximum(const std::function<double(double)>& f, const PlaceFun
                           const std::vector<double>& places) {
   std::vector<double> values;
   for (const double place : places) values.push_back(f(place));
-  const double most = places.back() - places.front(), worth_refining = 0.95 * std::ranges::max(values);
+  const double most = places.back() - places.front(),
+               worth_refining = share_worth_refining * std::ranges::max(values);
   std::vector<Estimate> maxima;
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
     if (values[i] < worth_refining || values[i] < values[i - 1] || values[i] <= values[i + 1]) continue;

@@ -44,6 +44,9 @@ struct PlaceFunction {
 /// error are left out, so that every zero is sure; several zeros between two places count as one.
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places);
 
+/// Of the largest sample: between samples a maximum is looked for beside all that are at least so large.
+inline constexpr double share_worth_refining = 0.95;
+
 /// The place where f >= 0 is largest within the rising `places`: the zero of its `slope` next to the place with the
 /// largest value. If another maximum may be larger, judged by `difference` of f at two places, the error reaches to
 /// that one too.

@@ -170,17 +170,46 @@ bool ZoneEquations::is_square() const {
   return equations == unknowns_.size() + static_cast<Index>(zones_.size());
 }
 
+Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double of_load,
+                                            double of_creep) const {
+  std::vector<double> numbers;
+  const auto add = [&](const ArrayXd& all, bool ZoneMesh::Midpoint::*matches) {
+    for (Index i = 0; i < all.size(); ++i)
+      if (mesh_.midpoints()[static_cast<std::size_t>(i)].*matches) numbers.push_back(all(i));
+  };
+  add(at_midpoints.normal, &ZoneMesh::Midpoint::matches_normal);
+  add(at_midpoints.along, &ZoneMesh::Midpoint::matches_along);
+  numbers.push_back(of_load);
+  if (!sticks_everywhere()) numbers.push_back(of_creep);
+  return Eigen::Map<Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
+}
+
 Eigen::VectorXd ZoneEquations::residual() const {
-  const auto [normal, along] = misfits();
-  std::vector<double> residual;
-  for (Index i = 0; i < normal.size(); ++i)
-    if (mesh_.midpoints()[static_cast<std::size_t>(i)].matches_normal) residual.push_back(normal(i));
-  for (Index i = 0; i < along.size(); ++i)
-    if (mesh_.midpoints()[static_cast<std::size_t>(i)].matches_along) residual.push_back(along(i));
-  residual.push_back(task_.load ? forces().normal.sum() - *task_.load : length() - *task_.length);
-  if (!sticks_everywhere())
-    residual.push_back(task_.creep ? creep() - *task_.creep : forces().tangential.sum() - *task_.traction);
-  return Eigen::Map<Eigen::VectorXd>(residual.data(), static_cast<Index>(residual.size()));
+  const Forces of = forces();
+  return of_equations(misfits(), task_.load ? of.normal.sum() - *task_.load : length() - *task_.length,
+                      task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
+}
+
+Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
+  constexpr double operations = 12, largest_rest = 0.25;  // of SlopeKernels: that of S far away
+  const Forces forces = this->forces();
+  const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
+  const auto tractions = unknowns_.head(mesh_.unknowns());
+  const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
+                        q_here = mesh_.at_midpoints().shear * tractions;
+  const Eigen::MatrixXd kernels = cauchy().cwiseAbs();
+  const Eigen::VectorXd across = kernels * normal, along = kernels * tangential;
+  const double rest = largest_rest * (normal.sum() + tangential.sum());
+  const Eigen::VectorXd sizes =
+      of_equations({across.array() + rest + task_.beta * q_here.array().abs() +
+                        2 * (leading_length() - places(mesh_.midpoints())).abs(),
+                    along.array() + rest + task_.beta * p_here.array().abs() + std::fabs(creep())},
+                   task_.load ? normal.sum() : length(), task_.creep ? std::fabs(creep()) : tangential.sum());
+  const Eigen::MatrixXd units =
+      Eigen::MatrixXd::Identity(sizes.size(), sizes.size()).rightCols(static_cast<Index>(zones_.size()));
+  const Eigen::MatrixXd by_equations =
+      Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian().transpose()).solve(units).cwiseAbs();
+  return operations * 0x1p-53 * (by_equations.transpose() * sizes);
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian() const {

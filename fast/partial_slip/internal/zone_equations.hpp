@@ -40,6 +40,10 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const;
+  /// How far rounding moves the logarithms of the zones' lengths: |J^-1|, J the derivatives of the equations by all unknowns and
+  /// these, times the sizes of the equations' terms, times 2^-53 for each operation that makes a term: four for a weight, two
+  /// for a traction, five for a kernel, and their product.
+  [[nodiscard]] Eigen::VectorXd rounding_of_lengths() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Eigen::Index>(points.size()), [&](Eigen::Index i) {
       return mesh_.place(points[static_cast<std::size_t>(i)]);
@@ -56,6 +60,9 @@ class ZoneEquations {
                                              const Eigen::VectorXd& forces) const;
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::VectorXd residual() const;
+  /// Numbers of all equations in their order: of those at midpoints that are matched, of load or length, of creep or traction.
+  [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
+                                             double of_creep) const;
   [[nodiscard]] Eigen::MatrixXd jacobian() const;
   [[nodiscard]] bool is_square() const;
   /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
