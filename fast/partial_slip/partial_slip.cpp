@@ -239,9 +239,10 @@ Estimate PartialSlipNip::peak_shear_position() const { return nip_->peak_positio
 std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
   const ZoneContact& contact = nip_->second;
   const std::vector<bool>& lacks_zones = nip_->lacks_zones;
-  const Eigen::VectorXd of_rounding = contact.rounding_of_lengths();
+  std::optional<Eigen::VectorXd> of_rounding;
   const auto rounded = [&](std::size_t zone) {
-    return of_rounding(static_cast<Eigen::Index>(zone)) * contact.zones()[zone].length;
+    if (!of_rounding) of_rounding = contact.rounding_of_lengths();
+    return (*of_rounding)(static_cast<Eigen::Index>(zone)) * contact.zones()[zone].length;
   };
   const std::size_t end = contact.zones().size();
   std::vector<Estimate> all;

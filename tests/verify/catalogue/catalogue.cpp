@@ -96,8 +96,8 @@ TEST_CASE("loop and batch give the scalar's values") {
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     verify::Random random("columns " + quantity.drawn_for());
-    const std::vector<Point> points =
-        verify::random_points(quantity, {}, (quantity.is_costly ? 10U : 150U) * (is_thorough() ? 4 : 1), random);
+    const std::vector<Point> points = verify::random_points(
+        quantity, {}, (quantity.is_costly ? 10U : 150U) * (is_thorough() ? 4 : 1), random);
     std::vector<std::vector<double>> columns(quantity.arguments.size());
     for (const Point& point : points) {
       for (std::size_t i = 0; i < point.size(); ++i) columns[i].push_back(point[i]);
