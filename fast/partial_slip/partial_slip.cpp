@@ -145,17 +145,21 @@ struct PartialSlipNip::Implementation : Solutions {
     for (const double place : {e - shift, e + shift})
       moved = std::max(moved, std::fabs(second.traction(place).*part - value));
     if (value == 0 && before == 0 && moved == 0) return {0, 0};
-    // What is relatively wrong in the whole is so in the mean.
-    const double mean = second.load() / length() * (part == &Traction::shear ? task.friction : 1) * relative;
-    return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved + mean});
+    return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved +
+                                   error_of_whole(part)});
+  }
+  /// What is relatively wrong in the whole is so in the mean.
+  [[nodiscard]] double error_of_whole(double Traction::*part) const {
+    return second.load() / length() * (part == &Traction::shear ? task.friction : 1) * relative;
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part) const {
     return peak_size(part, largest(first.peaks(part)), largest(second.peaks(part)));
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
-    const double whole = (relative + 0x1p-53 * static_cast<double>(second.unknowns())) * peak.size;
+    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size,
+                 whole = std::max(error_of_whole(part), relative * peak.size);
     return times(units.pressure, {peak.size, std::fabs(peak.size - before.size) +
-                                                 error_near(peak.e).traction().*part + whole});
+                                                 error_near(peak.e).traction().*part + whole + rounding});
   }
   /// Its error reaches to any place whose traction is as large but for twice its error.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
