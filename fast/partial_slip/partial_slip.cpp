@@ -28,6 +28,8 @@ constexpr double longest_contact = 10;  // L/B
 constexpr double nats_apart = 3;
 /// Coarser contacts may not resolve zones next to others that are much shorter.
 constexpr double least_nats = 17;
+/// Rounding rules from here on.
+constexpr double most_nats = 36;
 
 Peak largest(const std::vector<Peak>& peaks) { return std::ranges::max(peaks, {}, &Peak::size); }
 
@@ -75,7 +77,6 @@ struct PartialSlipNip::Implementation : Solutions {
   double roller_radius;
   ContactUnits units;
   PartialSlipTask task;
-  double nats;  ///< of the first
 
   [[nodiscard]] Estimate estimate(const auto& number, double unit, double scale) const {
     const double value = std::invoke(number, second);
@@ -109,9 +110,10 @@ struct PartialSlipNip::Implementation : Solutions {
     };
   }
   struct LocalError {
-    Traction difference{0, 0};
-    double wrong_shear = 0;
-    [[nodiscard]] Traction traction() const { return {difference.pressure, difference.shear + wrong_shear}; }
+    Traction difference{0, 0}, wrong{0, 0};
+    [[nodiscard]] Traction traction() const {
+      return {difference.pressure + wrong.pressure, difference.shear + wrong.shear};
+    }
   };
   /// At e: the largest at the samples next to it, as one may be 0 by chance.
   [[nodiscard]] LocalError error_near(double e) const {
@@ -120,12 +122,12 @@ struct PartialSlipNip::Implementation : Solutions {
     const auto& samples = second.samples();
     const auto next = std::ranges::lower_bound(samples, e, {}, &ZoneContact::Sample::e) - samples.begin();
     LocalError largest;
+    const auto widen = [](Traction& error, const Traction& more) {
+      error = {std::max(error.pressure, more.pressure), std::max(error.shear, more.shear)};
+    };
     for (long i = std::max(0L, next - beside); i < std::min(std::ssize(samples), next + beside); ++i) {
-      const auto number = static_cast<std::size_t>(i);
-      const Traction& difference = of_tractions[number];
-      largest = {{std::max(largest.difference.pressure, difference.pressure),
-                  std::max(largest.difference.shear, difference.shear)},
-                 std::max(largest.wrong_shear, wrong_shears[number])};
+      widen(largest.difference, of_tractions[static_cast<std::size_t>(i)]);
+      widen(largest.wrong, wrong_tractions[static_cast<std::size_t>(i)]);
     }
     return largest;
   }
@@ -133,7 +135,8 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] double error_by_tractions(double e) const {
     const LocalError error = error_near(e);
     const bool slips = e > 0 && e < length() && second.sign(e) != 0;
-    return error.wrong_shear + (slips ? error.difference.pressure + error.difference.shear : 0);
+    return error.wrong.pressure + error.wrong.shear +
+           (slips ? error.difference.pressure + error.difference.shear : 0);
   }
   [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit) const {
     const auto number =
@@ -304,14 +307,12 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
 }
 
 bool PartialSlipNip::refine() {
-  // Rounding rules from here on.
-  constexpr double most_nats = 36;
   const double nats = nip_->nats + nats_apart;
   if (nats > most_nats) return false;
   auto second = find_zones(nip_->task, nip_->second, nats + nats_apart);
   auto solutions = second ? with_differences(nip_->task, *std::move(second), nats) : std::nullopt;
   if (!solutions) return false;
-  *nip_ = {*std::move(solutions), nip_->roller_radius, nip_->units, nip_->task, nats};
+  *nip_ = {*std::move(solutions), nip_->roller_radius, nip_->units, nip_->task};
   return true;
 }
 
@@ -321,20 +322,21 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  double nats = std::max(std::log(8 / accuracy), least_nats);
   // Zones are looked for with the better accuracy, and a better one still where the lesser one lacks them.
   std::optional<Solutions> solutions;
   double load = task.load ? *task.load : load_guess(*task.length);
-  for (const double last = nats + 2 * nats_apart; !solutions && nats <= last; nats += nats_apart) {
+  const double least = std::max(std::log(8 / accuracy), least_nats);
+  for (const int finer : {0, 1, 2}) {
+    const double nats = least + finer * nats_apart;
+    if (solutions && (nats > most_nats || !solutions->lack_zones())) break;
     auto second = find_zones(task, nats + nats_apart);
     if (!second) continue;
     load = second->load();
-    solutions = with_differences(task, *std::move(second), nats);
+    if (auto found = with_differences(task, *std::move(second), nats)) solutions = std::move(found);
   }
-  nats -= nats_apart;
   if (!solutions) refuse_drive(nip, units.load * load);
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(
-      PartialSlipNip::Implementation{*std::move(solutions), nip.roller_radius, units, task, nats}));
+      PartialSlipNip::Implementation{*std::move(solutions), nip.roller_radius, units, task}));
 }
 
 NipShape shape_of(const data::ElasticNip& nip) { return {nip.roller_radius, nip.sheet_thickness}; }

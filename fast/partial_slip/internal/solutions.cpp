@@ -47,6 +47,40 @@ double relative_difference(const ZoneContact& coarser, const ZoneContact& contac
   return largest;
 }
 
+/// Whether other zones belong where a sample is: more is wrong there than the accuracy leaves, or slip goes along the shear up to an
+/// end of the contact, where no boundary that is a little displaced can make it.
+std::vector<bool> left_out(const ZoneContact& contact, const std::vector<double>& excess, double nats) {
+  const double tolerance = std::exp(-nats / 2);
+  std::vector<bool> result;
+  for (const double one : excess) result.push_back(one > tolerance);
+  const auto from_end = [&](auto sample, auto wrong, const auto& end, auto marked) {
+    for (; sample != end && sample->sign != 0 && *wrong > 0; ++sample, ++wrong, ++marked) *marked = true;
+  };
+  const auto& samples = contact.samples();
+  from_end(samples.begin(), excess.begin(), samples.end(), result.begin());
+  from_end(samples.rbegin(), excess.rbegin(), samples.rend(), result.rbegin());
+  return result;
+}
+
+/// By how much tractions may be wrong at the samples. Where zones are left out the contact may be any other: its pressure as large
+/// as the mean, its shear friction in the other direction. At a distance d from a part of length l the strains by what is wrong
+/// there, by Cauchy's kernel, are l/d of those in it, and so are the tractions, which are wrong by that of themselves.
+std::vector<ZoneContact::Traction> wrong_by(const ZoneContact& contact, const std::vector<double>& excess,
+                                            const std::vector<bool>& is_left_out, double friction) {
+  const auto& samples = contact.samples();
+  const double mean = contact.load() / contact.length();
+  std::vector<ZoneContact::Traction> wrong;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    double share = is_left_out[i] ? 1 : 0;
+    for (std::size_t k = 0; k < samples.size() && share < 1; ++k)
+      if (is_left_out[k]) share += samples[k].weight / std::fabs(samples[k].e - samples[i].e);
+    const double own = std::fabs(samples[i].pressure);
+    const double pressure = std::min(share, 1.0) * (is_left_out[i] ? std::max(mean, own) : own);
+    wrong.push_back({pressure, friction * (2 * pressure + own * excess[i])});
+  }
+  return wrong;
+}
+
 }  // namespace
 
 double boundary(const ZoneContact& contact, std::size_t k) {
@@ -92,21 +126,26 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
     const double fall = std::exp(-2 * ZoneMesh::smooth_reach(rougher_by));
     of_boundaries = std::max(of_boundaries, fall * boundary_difference(*rougher, second));
   }
-  // Where more is wrong than the accuracy leaves, a zone is left out: the shear is between friction both ways.
-  const double tolerance = std::exp(-nats / 2);
   const std::vector<double> excess = excesses(second, mu);
-  std::vector<double> wrong_shears;
+  const std::vector<bool> is_left_out = left_out(second, excess, nats);
   std::vector<bool> lacks_zones(second.zones().size());
+  double part_left_out = 0;
   for (std::size_t i = 0; i < excess.size(); ++i) {
-    const ZoneContact::Sample& sample = second.samples()[i];
-    const bool is_left_out = excess[i] > tolerance;
-    if (is_left_out) lacks_zones[static_cast<std::size_t>(sample.zone)] = true;
-    wrong_shears.push_back(mu * std::fabs(sample.pressure) * (excess[i] + (is_left_out ? 2 : 0)));
+    if (!is_left_out[i]) continue;
+    lacks_zones[static_cast<std::size_t>(second.samples()[i].zone)] = true;
+    part_left_out += second.samples()[i].weight / second.length();
   }
-  const double relative = wrongness(second, mu) + of_whole + of_second_order;
-  return Solutions{*std::move(first),     std::move(second),       relative,
-                   of_boundaries,         std::move(of_tractions), std::move(wrong_shears),
-                   std::move(lacks_zones)};
+  const double relative =
+      wrongness(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole + of_second_order;
+  std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
+  return Solutions{.nats = nats,
+                   .first = *std::move(first),
+                   .second = std::move(second),
+                   .relative = relative,
+                   .of_boundaries = of_boundaries,
+                   .of_tractions = std::move(of_tractions),
+                   .wrong_tractions = std::move(wrong),
+                   .lacks_zones = std::move(lacks_zones)};
 }
 
 }  // namespace nipref::fast

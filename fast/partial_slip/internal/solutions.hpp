@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -8,13 +9,14 @@ namespace nipref::fast {
 
 /// The contact of two discretisations, of which the second is the result, and what it differs by from coarser ones.
 struct Solutions {
+  double nats;  ///< of the first
   ZoneContact first, second;
   double relative;       ///< as a whole, with what is wrong in it
   double of_boundaries;  ///< where slip turns into stick, over the longer zone beside
-  /// At each sample: the differences of the tractions, and by how much the shear may be wrong where zones are left out.
-  std::vector<ZoneContact::Traction> of_tractions;
-  std::vector<double> wrong_shears;
+  /// At each sample: the differences of the tractions, and by how much these may be wrong as zones are left out.
+  std::vector<ZoneContact::Traction> of_tractions, wrong_tractions;
   std::vector<bool> lacks_zones;  ///< of each zone, whether others are left out in it
+  [[nodiscard]] bool lack_zones() const { return std::ranges::find(lacks_zones, true) != lacks_zones.end(); }
 };
 
 /// With the second solution known, which has the zones: the first, and how they differ. The error of a boundary where slip

@@ -289,7 +289,7 @@ bool ZoneEquations::iterate() {
       zones_ = zones;
       step(change, part);
       if (length() > longest ||
-          std::ranges::any_of(zones_, [&](const Zone& zone) { return zone.length < 1e-13 * length(); }))
+          std::ranges::any_of(zones_, [&](const Zone& zone) { return zone.length < 1e-17 * length(); }))
         return false;
       remains = residual();
       if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
