@@ -10,7 +10,7 @@ namespace nipref::fast {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-/// Numbers below the least normal one have lost digits.
+/// Numbers below the least normal one have lost digits, in up to so many operations.
 constexpr double underflow = 16 * std::numeric_limits<double>::min();
 
 }  // namespace
@@ -109,8 +109,11 @@ Solution::Parts Solution::parts(const Functional& f) const {
   const Eigen::RowVectorXd of_left_out = f.on_tractions(left_out_) - z.transpose() * left_out_columns_;
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  return {value(f), tails_.dot(of_left_out.cwiseAbs()),
-          equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow};
+  // Far away kernels underflow, which act on the tractions over the whole contact.
+  const double acting = 1 + 2 * half_length() * coefficients_.cwiseAbs().sum();
+  return {
+      value(f), tails_.dot(of_left_out.cwiseAbs()),
+      equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow * acting};
 }
 
 }  // namespace nipref::fast

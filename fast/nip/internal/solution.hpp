@@ -73,7 +73,8 @@ struct Functional {
 /// of the material, right to four units each, act in all equations and functionals: there u counts twice. As
 /// independent random numbers (Higham and Mary 2019) they change the number by
 ///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
-/// and the evaluation of J by 16 u times what the sizes of its terms add up to, and where these underflow.
+/// and the evaluation of J by 16 u times what the sizes of its terms add up to, and by what the least normal number does in
+/// place of kernels that underflow.
 class Solution {
  public:
   Solution(Tractions tractions, const Equations& equations);
