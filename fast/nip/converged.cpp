@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -14,30 +13,6 @@
 #include <nipref/fast/number/internal/checks.hpp>
 
 namespace nipref::fast {
-namespace {
-
-/// Where f(i) is largest over 0 <= i <= samples: each integer i from which f falls on both sides and at which it is nearly as
-/// large as anywhere is refined between its neighbours.
-double place_of_sampled_maximum(const std::function<double(double)>& f, int samples) {
-  std::vector<double> values;
-  for (int i = 0; i <= samples; ++i) values.push_back(f(i));
-  const auto sample = [&](int i) { return i < 0 || i > samples ? 0 : values[static_cast<std::size_t>(i)]; };
-  const double worth_refining = share_worth_refining * std::ranges::max(values);
-  double best = 0, largest = values.front();
-  const auto take = [&](double place, double value) {
-    if (value > largest) best = place, largest = value;
-  };
-  for (int i = 0; i <= samples; ++i) {
-    if (sample(i) < worth_refining || sample(i) < sample(i - 1) || sample(i) < sample(i + 1)) continue;
-    const auto [place, negative] = boost::math::tools::brent_find_minima(
-        [&](double x) { return -f(x); }, std::max(i - 1.0, 0.0), std::min<double>(i + 1, samples), 30);
-    take(i, sample(i));
-    take(place, -negative);
-  }
-  return best;
-}
-
-}  // namespace
 
 struct ConvergedNip::Implementation {
   ContactUnits units;
@@ -196,27 +171,27 @@ struct ConvergedNip::Implementation {
     }
     return result;
   }
-  /// The largest magnitude of a traction.
-  [[nodiscard]] Estimate peak(TractionComponent component) const {
-    const std::vector<double> places = this->places();
-    const auto between = [&](double i) {
-      const auto before = static_cast<std::size_t>(i);
-      const double part = i - std::floor(i), next = places[std::min(before + 1, places.size() - 1)];
-      return (1 - part) * places[before] + part * next;
-    };
-    const auto size = [&](double i) { return std::fabs(value(component, between(i))); };
-    const double best = place_of_sampled_maximum(size, static_cast<int>(places.size()) - 1);
-    // To first order the place does not matter.
-    const ContactPlace there = place(between(best));
+  [[nodiscard]] double size(TractionComponent component, double position) const {
+    return std::fabs(value(component, position));
+  }
+  [[nodiscard]] Estimate size_estimate(TractionComponent component, double position) const {
+    const ContactPlace there = place(position);
     const Estimate found = solved.estimate(
         [&](const Solution& solution) { return equations->traction(solution, component, there); });
-    return times(units.pressure, {std::fabs(found.value), found.error});
+    return {std::fabs(found.value), found.error};
+  }
+  /// Of the magnitude of a traction.
+  [[nodiscard]] std::vector<LocalMaximum> maxima(TractionComponent component) const {
+    return local_maxima([&](double position) { return size(component, position); }, places());
+  }
+  [[nodiscard]] Estimate peak(TractionComponent component) const {
+    // To first order the place does not matter.
+    return times(units.pressure, size_estimate(component, largest_of(maxima(component)).place));
   }
   /// Y of the largest magnitude of a traction.
   [[nodiscard]] Estimate peak_position(TractionComponent component) const {
     const LocalSlope local_slope(32);
     const auto at = [&](double position) { return value(component, position); };
-    const auto size = [&](double position) { return std::fabs(at(position)); };
     const auto reach = [&](double position) {
       const Tractions& tractions = solved.last().tractions();
       const double e = std::max(place(position).e, 1e-9 * half_length());
@@ -237,15 +212,15 @@ struct ConvergedNip::Implementation {
           return equations->traction(solution, component, {here.trailing, e}).on_tractions;
         };
         Functional rise = solution.of_tractions(sign(here) * local_slope(row, here.e, reach(position)));
-        rise.cancelled = local_slope.condition() * size(position) / reach(position);
+        rise.cancelled = local_slope.condition() * size(component, position) / reach(position);
         return rise;
       });
     };
-    const auto difference = [&](double position, double other) {
-      const Estimate here = traction(component, place(position)), there = traction(component, place(other));
-      return Estimate{std::fabs(here.value) - std::fabs(there.value), here.error + there.error};
+    const auto estimate = [&](double position) {
+      return Estimate{size(component, position), traction(component, place(position)).error};
     };
-    return in_contact(place_of_maximum(size, {slope, slope_estimate}, difference, places()));
+    return in_contact(
+        place_of_maximum(maxima(component), {slope, slope_estimate}, estimate, 2 * half_length()));
   }
   /// Y of a position that was sought: its own error, and that of the ends and of rounding.
   [[nodiscard]] Estimate in_contact(Estimate position) const {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -61,30 +62,49 @@ std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::ve
   return zeros;
 }
 
-Estimate place_of_maximum(const std::function<double(double)>& f, const PlaceFunction& slope,
-                          const std::function<Estimate(double, double)>& difference,
-                          const std::vector<double>& places) {
+std::vector<LocalMaximum> local_maxima(const std::function<double(double)>& f,
+                                       const std::vector<double>& places) {
   std::vector<double> values;
   for (const double place : places) values.push_back(f(place));
-  const double most = places.back() - places.front(),
-               worth_refining = share_worth_refining * std::ranges::max(values);
-  std::vector<Estimate> maxima;
-  for (std::size_t i = 1; i + 1 < places.size(); ++i) {
-    if (values[i] < worth_refining || values[i] < values[i - 1] || values[i] <= values[i + 1]) continue;
-    const double a = places[i - 1], b = places[i + 1];
+  std::vector<LocalMaximum> maxima;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, places.size() - 1);
+    if (values[i] < values[before] || values[i] < values[after]) continue;
+    LocalMaximum maximum{places[i], values[i], places[before], places[after]};
+    const double width = maximum.after - maximum.before;
+    const auto [part, negative] = boost::math::tools::brent_find_minima(
+        [&](double x) { return -f(maximum.before + x * width); }, 0.0, 1.0, 30);
+    if (-negative > maximum.value) {
+      maximum.place = maximum.before + part * width;
+      maximum.value = -negative;
+    }
+    maxima.push_back(maximum);
+  }
+  return maxima;
+}
+
+const LocalMaximum& largest_of(const std::vector<LocalMaximum>& maxima) {
+  return *std::ranges::max_element(maxima, {}, &LocalMaximum::value);
+}
+
+Estimate place_of_maximum(const std::vector<LocalMaximum>& maxima, const PlaceFunction& slope,
+                          const std::function<Estimate(double)>& estimate, double most) {
+  const auto place_of = [&](const LocalMaximum& maximum) {
     // Where the slopes do not have these signs, the function is too rough for the place to be known.
-    const bool is_clear = slope.value(a) > 0 && slope.value(b) < 0;
-    maxima.push_back(is_clear ? place_of_zero(slope, a, b, most) : Estimate{places[i], most});
+    const bool is_clear = slope.value(maximum.before) > 0 && slope.value(maximum.after) < 0;
+    return is_clear ? place_of_zero(slope, maximum.before, maximum.after, most)
+                    : Estimate{maximum.place, most};
+  };
+  const LocalMaximum& best = largest_of(maxima);
+  const Estimate size = estimate(best.place);
+  Estimate place = place_of(best);
+  for (const LocalMaximum& other : maxima) {
+    const Estimate others = estimate(other.place);
+    if (&other == &best || size.value - others.value > size.error + others.error) continue;
+    const Estimate there = place_of(other);
+    place.error = std::max(place.error, std::fabs(there.value - place.value) + there.error);
   }
-  if (maxima.empty()) return {places[places.size() / 2], most};
-  Estimate largest = *std::ranges::max_element(maxima, {}, [&](const Estimate& one) { return f(one.value); });
-  const double place = largest.value;
-  for (const Estimate& other : maxima) {
-    const Estimate lead = difference(place, other.value);
-    if (lead.value <= lead.error)
-      largest.error = std::max(largest.error, std::fabs(other.value - place) + other.error);
-  }
-  return largest;
+  return place;
 }
 
 }  // namespace nipref::fast

@@ -44,14 +44,19 @@ struct PlaceFunction {
 /// error are left out, so that every zero is sure; several zeros between two places count as one.
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places);
 
-/// Of the largest sample: between samples a maximum is looked for beside all that are at least so large.
-inline constexpr double share_worth_refining = 0.95;
+struct LocalMaximum {
+  double place, value;
+  double before, after;  ///< the places between which it was found
+};
 
-/// The place where f >= 0 is largest within the rising `places`: the zero of its `slope` next to the place with the
-/// largest value. If another maximum may be larger, judged by `difference` of f at two places, the error reaches to
-/// that one too.
-Estimate place_of_maximum(const std::function<double(double)>& f, const PlaceFunction& slope,
-                          const std::function<Estimate(double, double)>& difference,
-                          const std::vector<double>& places);
+/// The local maxima of f >= 0 on the rising `places`, each refined between its neighbours; there is at least one.
+std::vector<LocalMaximum> local_maxima(const std::function<double(double)>& f,
+                                       const std::vector<double>& places);
+const LocalMaximum& largest_of(const std::vector<LocalMaximum>& maxima);
+
+/// The place of the largest of these maxima: the zero of the function's `slope`. If another one may be larger, judged by the
+/// function's `estimate` at both, the error reaches to that one too; it is at most `most`.
+Estimate place_of_maximum(const std::vector<LocalMaximum>& maxima, const PlaceFunction& slope,
+                          const std::function<Estimate(double)>& estimate, double most);
 
 }  // namespace nipref::fast

@@ -18,8 +18,6 @@ fast::PlaceFunction known_to(double error, double (*f)(double)) {
   return {f, [=](double x) { return fast::Estimate{f(x), error}; }};
 }
 
-const auto no_lead = [](double, double) { return fast::Estimate{1, 0}; };
-
 }  // namespace
 
 TEST_CASE("a local slope is the derivative to rounding over its reach") {
@@ -54,21 +52,29 @@ TEST_CASE("changes of sign that may not be there are not told") {
 }
 
 TEST_CASE("a maximum lies within its error, and a second one that may be the larger one is in it") {
-  const auto f = [](double x) { return std::cos(x - 0.3); };
+  const auto one = known_to(1e-7, [](double x) { return std::cos(x - 0.3); });
   const auto slope = known_to(1e-7, [](double x) { return -std::sin(x - 0.3); });
-  const auto one = fast::place_of_maximum(f, slope, no_lead, even_places(-2, 2, 21));
-  CHECK(one.value == doctest::Approx(0.3).epsilon(1e-14));
-  CHECK(one.error >= 1e-7);
-  CHECK(one.error < 1.5e-7);
+  const auto maxima = fast::local_maxima(one.value, even_places(-1, 1.5, 21));
+  const auto found = fast::place_of_maximum(maxima, slope, one.estimate, 3);
+  CHECK(found.value == doctest::Approx(0.3).epsilon(1e-14));
+  CHECK(found.error >= 1e-7);
+  CHECK(found.error < 1.5e-7);
 
-  const auto two = [](double x) { return std::cos(2 * x) + 1e-5 * x; };
+  const auto two = [](double x) { return 2 + std::cos(2 * x) + 1e-5 * x; };
   const auto two_slope = known_to(1e-7, [](double x) { return -2 * std::sin(2 * x) + 1e-5; });
-  const auto lead = [&](double error) {
-    return [=](double x, double other) { return fast::Estimate{two(x) - two(other), error}; };
-  };
-  const auto places = even_places(-1, 4.5, 56);
-  const auto sure = fast::place_of_maximum(two, two_slope, lead(1e-6), places);
+  const auto two_maxima = fast::local_maxima(two, even_places(-1, 4.5, 56));
+  const auto sure = fast::place_of_maximum(two_maxima, two_slope, known_to(5e-7, two).estimate, 6);
   CHECK(sure.value == doctest::Approx(std::numbers::pi).epsilon(1e-5));
   CHECK(sure.error < 1e-6);
-  CHECK(fast::place_of_maximum(two, two_slope, lead(1e-4), places).error > std::numbers::pi);
+  CHECK(fast::place_of_maximum(two_maxima, two_slope, known_to(5e-5, two).estimate, 6).error >
+        std::numbers::pi);
+}
+
+TEST_CASE("local maxima are found between samples, and at the ends of what is looked at") {
+  const auto maxima = fast::local_maxima([](double x) { return 2 + std::sin(x); }, even_places(-4, 9, 41));
+  REQUIRE(maxima.size() == 3);
+  CHECK(fast::largest_of(maxima).value == doctest::Approx(3).epsilon(1e-14));
+  CHECK(maxima[0].place == -4);
+  CHECK(maxima[1].place == doctest::Approx(std::numbers::pi / 2).epsilon(1e-7));
+  CHECK(maxima[2].place == doctest::Approx(2.5 * std::numbers::pi).epsilon(1e-7));
 }
