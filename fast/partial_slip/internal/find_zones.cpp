@@ -197,7 +197,8 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
     double least = infinity;
     for (const NewZones& size : sizes) {
       if (size.in_wrong_part && !turns_at_end(contact->zones(), parts)) continue;
-      zones = with_missing(contact->zones(), parts, task, size);
+      // Some parts are cut out as they are, whatever the size.
+      if (std::exchange(zones, with_missing(contact->zones(), parts, task, size)) == zones) continue;
       if (in_same_order(zones, contact->zones())) return contact;
       auto found = ZoneContact::solved(task, zones, nats);
       const double of_found = found ? wrongness(*found, task.friction) : infinity;

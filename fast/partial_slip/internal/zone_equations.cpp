@@ -25,7 +25,8 @@ ZoneEquations::ZoneEquations(const PartialSlipTask& task, const std::vector<Zone
 bool ZoneEquations::solve() {
   if (!is_square()) return false;
   // For given lengths the equations are linear.
-  unknowns_ = least_squares(jacobian().leftCols(unknowns_.size()), -residual());
+  const Kernels kernels = this->kernels();
+  unknowns_ = least_squares(jacobian(kernels).leftCols(unknowns_.size()), -residual(kernels));
   return iterate();
 }
 
@@ -52,28 +53,19 @@ ZoneEquations::Forces ZoneEquations::forces() const {
           weights.cwiseProduct(mesh_.at_nodes().shear * tractions)};
 }
 
-Eigen::MatrixXd ZoneEquations::cauchy() const {
-  Eigen::MatrixXd kernels(mesh_.midpoints().size(), mesh_.nodes().size());
-  for (Index j = 0; j < kernels.cols(); ++j)
-    for (Index i = 0; i < kernels.rows(); ++i)
-      kernels(i, j) = -1 / (pi * mesh_.distance(mesh_.midpoints()[static_cast<std::size_t>(i)],
-                                                mesh_.nodes()[static_cast<std::size_t>(j)]));
-  return kernels;
+ZoneEquations::Kernels ZoneEquations::kernels() const {
+  return {(-pi * mesh_.distances()).cwiseInverse(),
+          {length(), places(mesh_.midpoints()), places(mesh_.nodes())}};
 }
 
-SlopeKernels ZoneEquations::rests() const {
-  return {length(), places(mesh_.midpoints()), places(mesh_.nodes())};
-}
-
-ZoneEquations::Misfits ZoneEquations::misfits() const {
+ZoneEquations::Misfits ZoneEquations::misfits(const Kernels& kernels) const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
-  const Eigen::MatrixXd kernels = cauchy();
-  const Rows rest = rests().values(normal, tangential);
-  Eigen::VectorXd across = kernels * normal, along = kernels * tangential;
+  const Rows rest = kernels.rest.values(normal, tangential);
+  Eigen::VectorXd across = kernels.cauchy * normal, along = kernels.cauchy * tangential;
   across += rest.normal;
   across += task_.beta * q_here;
   along += rest.along;
@@ -87,28 +79,26 @@ Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
   });
 }
 
-ZoneEquations::Rows ZoneEquations::rows() const {
+ZoneEquations::Rows ZoneEquations::rows(const Kernels& kernels) const {
   const Index unknowns = mesh_.unknowns(), zones = static_cast<Index>(zones_.size());
   const Eigen::VectorXd weights = this->weights();
   const Eigen::SparseMatrix<double> pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
                                     shear = weights.asDiagonal() * mesh_.at_nodes().shear;
-  const Eigen::MatrixXd kernels = cauchy();
-  const SlopeKernels rest = rests();
-  const auto [rest_across, rest_along] = rest.values(pressure, shear);
-  Rows rows{Eigen::MatrixXd(kernels.rows(), unknowns + zones),
-            Eigen::MatrixXd(kernels.rows(), unknowns + zones)};
-  rows.normal.leftCols(unknowns) = kernels * pressure + rest_across;
+  const auto [rest_across, rest_along] = kernels.rest.values(pressure, shear);
+  Rows rows{Eigen::MatrixXd(kernels.cauchy.rows(), unknowns + zones),
+            Eigen::MatrixXd(kernels.cauchy.rows(), unknowns + zones)};
+  rows.normal.leftCols(unknowns) = kernels.cauchy * pressure + rest_across;
   rows.normal.leftCols(unknowns) += task_.beta * mesh_.at_midpoints().shear;
-  rows.along.leftCols(unknowns) = kernels * shear + rest_along;
+  rows.along.leftCols(unknowns) = kernels.cauchy * shear + rest_along;
   rows.along.leftCols(unknowns) -= task_.beta * mesh_.at_midpoints().pressure;
-  auto [by_normal, by_along] = by_lengths(kernels, rest);
+  auto [by_normal, by_along] = by_lengths(kernels);
   rows.normal.rightCols(zones) = std::move(by_normal);
   rows.along.rightCols(zones) = std::move(by_along);
   return rows;
 }
 
-ZoneEquations::Rows ZoneEquations::by_lengths(const Eigen::MatrixXd& kernels,
-                                              const SlopeKernels& rest) const {
+ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
+  const auto& [cauchy, rest] = kernels;
   // A length moves midpoints and nodes, and changes the weights of its nodes.
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
@@ -123,28 +113,28 @@ ZoneEquations::Rows ZoneEquations::by_lengths(const Eigen::MatrixXd& kernels,
              by_weight = rest.values(p_of_zones, q_of_zones);
   Rows rows{2 * own + here.normal.asDiagonal() * own - moved.normal + by_weight.normal,
             here.along.asDiagonal() * own - moved.along + by_weight.along};
-  rows.normal += kernels * p_of_zones;
-  rows.normal += by_distances(kernels, normal);
-  rows.along += kernels * q_of_zones;
-  rows.along += by_distances(kernels, tangential);
+  rows.normal += cauchy * p_of_zones;
+  rows.normal += by_distances(cauchy, normal);
+  rows.along += cauchy * q_of_zones;
+  rows.along += by_distances(cauchy, tangential);
   return rows;
 }
 
 /// The derivative of -1/(pi d) is 1/(pi d^2) times that of d. Of points in one zone that is d itself; of others it is the part
 /// of each zone that lies between them.
-Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& kernels,
+Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& cauchy,
                                             const Eigen::VectorXd& forces) const {
   const auto zones = static_cast<Index>(zones_.size());
-  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(kernels.rows(), zones);
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(cauchy.rows(), zones);
   for (Index b = 0; b < zones; ++b) {
     const auto [node, nodes] = range_of(b, mesh_.nodes());
     const auto [first, own] = range_of(b, mesh_.midpoints());
     const auto force = forces.segment(node, nodes);
-    derivatives.col(b).segment(first, own) -= kernels.block(first, node, own, nodes) * force;
+    derivatives.col(b).segment(first, own) -= cauchy.block(first, node, own, nodes) * force;
     // The midpoints behind the zone, and those ahead of it.
     for (const bool ahead : {false, true}) {
-      const Index row = ahead ? 0 : first + own, rows = ahead ? first : kernels.rows() - row;
-      const Eigen::MatrixXd squares = pi * kernels.block(row, node, rows, nodes).cwiseAbs2();
+      const Index row = ahead ? 0 : first + own, rows = ahead ? first : cauchy.rows() - row;
+      const Eigen::MatrixXd squares = pi * cauchy.block(row, node, rows, nodes).cwiseAbs2();
       const double sign = ahead ? -1 : 1;
       const Eigen::VectorXd within = Eigen::VectorXd::NullaryExpr(nodes, [&](Index j) {
         return mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
@@ -184,9 +174,9 @@ Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double 
   return Eigen::Map<Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
 }
 
-Eigen::VectorXd ZoneEquations::residual() const {
+Eigen::VectorXd ZoneEquations::residual(const Kernels& kernels) const {
   const Forces of = forces();
-  return of_equations(misfits(), task_.load ? of.normal.sum() - *task_.load : length() - *task_.length,
+  return of_equations(misfits(kernels), task_.load ? of.normal.sum() - *task_.load : length() - *task_.length,
                       task_.creep ? creep() - *task_.creep : of.tangential.sum() - *task_.traction);
 }
 
@@ -197,8 +187,9 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
   const auto tractions = unknowns_.head(mesh_.unknowns());
   const Eigen::VectorXd p_here = mesh_.at_midpoints().pressure * tractions,
                         q_here = mesh_.at_midpoints().shear * tractions;
-  const Eigen::MatrixXd kernels = cauchy().cwiseAbs();
-  const Eigen::VectorXd across = kernels * normal, along = kernels * tangential;
+  const Kernels kernels = this->kernels();
+  const Eigen::MatrixXd cauchy = kernels.cauchy.cwiseAbs();
+  const Eigen::VectorXd across = cauchy * normal, along = cauchy * tangential;
   const double rest = largest_rest * (normal.sum() + tangential.sum());
   const Eigen::VectorXd sizes =
       of_equations({across.array() + rest + task_.beta * q_here.array().abs() +
@@ -208,13 +199,13 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
   const Eigen::MatrixXd units =
       Eigen::MatrixXd::Identity(sizes.size(), sizes.size()).rightCols(static_cast<Index>(zones_.size()));
   const Eigen::MatrixXd by_equations =
-      Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian().transpose()).solve(units).cwiseAbs();
+      Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian(kernels).transpose()).solve(units).cwiseAbs();
   return operations * 0x1p-53 * (by_equations.transpose() * sizes);
 }
 
-Eigen::MatrixXd ZoneEquations::jacobian() const {
+Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
   const Index unknowns = mesh_.unknowns(), lengths = unknowns + 2, zones = static_cast<Index>(zones_.size());
-  const Rows of = rows();
+  const Rows of = rows(kernels);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(lengths + zones, lengths + zones);
   Index row = 0;
   const auto add = [&](const Eigen::MatrixXd& rows, bool ZoneMesh::Midpoint::*matches, Index further,
@@ -269,10 +260,11 @@ bool ZoneEquations::iterate() {
   };
   double last_step = std::numeric_limits<double>::infinity();
   Eigen::PartialPivLU<Eigen::MatrixXd> derivatives;
-  Eigen::VectorXd remains = residual();
+  Kernels kernels = this->kernels();
+  Eigen::VectorXd remains = residual(kernels);
   for (int number = 0; number < most_steps; ++number) {
     if (last_step > short_step) {
-      derivatives.compute(jacobian());
+      derivatives.compute(jacobian(kernels));
       ++task_.work->systems;
       task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(derivatives.rows()));
     }
@@ -291,7 +283,8 @@ bool ZoneEquations::iterate() {
       if (length() > longest ||
           std::ranges::any_of(zones_, [&](const Zone& zone) { return zone.length < 1e-17 * length(); }))
         return false;
-      remains = residual();
+      kernels = this->kernels();
+      remains = residual(kernels);
       if (size < short_step || size_of(derivatives.solve(remains)) < (1 - part / 4) * size) break;
       if (part < least_part) return false;
     }

@@ -39,7 +39,7 @@ class ZoneEquations {
   struct Misfits {
     Eigen::ArrayXd normal, along;
   };
-  [[nodiscard]] Misfits misfits() const;
+  [[nodiscard]] Misfits misfits() const { return misfits(kernels()); }
   /// How far rounding moves the logarithms of the zones' lengths: |J^-1|, J the derivatives of the equations by all unknowns and
   /// these, times the sizes of the equations' terms, times 2^-53 for each operation that makes a term: four for a weight, two
   /// for a traction, five for a kernel, and their product.
@@ -51,23 +51,27 @@ class ZoneEquations {
   }
 
  private:
+  /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
+  struct Kernels {
+    Eigen::MatrixXd cauchy;
+    SlopeKernels rest;
+  };
+  [[nodiscard]] Kernels kernels() const;
+  [[nodiscard]] Misfits misfits(const Kernels& kernels) const;
   /// The derivatives of the misfits by the unknowns of the mesh and the logarithms of the zones' lengths.
   using Rows = SlopeKernels::Rows;
-  [[nodiscard]] Rows rows() const;
+  [[nodiscard]] Rows rows(const Kernels& kernels) const;
   /// Those by the lengths, and of them those of the Cauchy kernels' sums over given forces at the nodes.
-  [[nodiscard]] Rows by_lengths(const Eigen::MatrixXd& kernels, const SlopeKernels& rest) const;
-  [[nodiscard]] Eigen::MatrixXd by_distances(const Eigen::MatrixXd& kernels,
+  [[nodiscard]] Rows by_lengths(const Kernels& kernels) const;
+  [[nodiscard]] Eigen::MatrixXd by_distances(const Eigen::MatrixXd& cauchy,
                                              const Eigen::VectorXd& forces) const;
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
-  [[nodiscard]] Eigen::VectorXd residual() const;
+  [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
   /// Numbers of all equations in their order: of those at midpoints that are matched, of load or length, of creep or traction.
   [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
                                              double of_creep) const;
-  [[nodiscard]] Eigen::MatrixXd jacobian() const;
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Kernels& kernels) const;
   [[nodiscard]] bool is_square() const;
-  /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
-  [[nodiscard]] Eigen::MatrixXd cauchy() const;
-  [[nodiscard]] SlopeKernels rests() const;
   [[nodiscard]] Eigen::VectorXd weights() const;  ///< of the nodes
   /// A number for each point, row, and each zone, column.
   [[nodiscard]] Eigen::MatrixXd of_points(const auto& points, const auto& number) const {

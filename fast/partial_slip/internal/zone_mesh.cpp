@@ -176,6 +176,35 @@ double ZoneMesh::distance(const Point& a, const Point& b) const {
   return -(length * a.right + gaps_[at(a.panel)][at(b.panel)] + panels_[at(b.panel)].length * b.left);
 }
 
+Eigen::MatrixXd ZoneMesh::distances() const {
+  const auto of_midpoints = [&](double Point::*part) {
+    return Eigen::ArrayXd::NullaryExpr(std::ssize(midpoints_),
+                                       [&](Eigen::Index i) { return midpoints_[at(i)].*part; })
+        .eval();
+  };
+  const Eigen::ArrayXd power = of_midpoints(&Point::power), left = of_midpoints(&Point::left),
+                       right = of_midpoints(&Point::right);
+  Eigen::MatrixXd distances(midpoints_.size(), nodes_.size());
+  for (std::size_t a = 0; a < panels_.size(); ++a) {
+    const auto own = std::ranges::equal_range(midpoints_, static_cast<int>(a), {}, &Midpoint::panel);
+    const auto rows = Eigen::seqN(own.begin() - midpoints_.begin(), std::ssize(own));
+    const double length = panels_[a].length;
+    for (Eigen::Index j = 0; j < distances.cols(); ++j) {
+      const Point& node = nodes_[at(j)];
+      const std::size_t b = at(node.panel);
+      const double nodes_length = panels_[b].length;
+      auto column = distances.col(j)(rows).array();
+      if (a == b)
+        column = (length * node.right) * (power(rows) - node.power) * right(rows);
+      else if (a < b)
+        column = -(length * right(rows) + (gaps_[a][b] + nodes_length * node.left));
+      else
+        column = length * left(rows) + (gaps_[b][a] + nodes_length * node.right);
+    }
+  }
+  return distances;
+}
+
 double ZoneMesh::from_end(const Point& point, bool right) const {
   const Panel& own = panels_[at(point.panel)];
   return own.length * (right ? own.parts - own.part - 1 + point.right : own.part + point.left);

@@ -92,6 +92,8 @@ class ZoneMesh {
   [[nodiscard]] double weight(const Point& point) const;
   /// e_a - e_b without cancellation.
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
+  /// That of all midpoints, rows, from all nodes, columns.
+  [[nodiscard]] Eigen::MatrixXd distances() const;
   /// The length of the part of a zone that lies before the point.
   [[nodiscard]] double extent(int zone, const Point& point) const;
   /// The distance of the point from the right or the left end of its zone, without cancellation.
@@ -120,7 +122,7 @@ class ZoneMesh {
     int first_of_all = 0, last_of_all = 0;  ///< with those beyond
     int pressure = 0, shear = 0;            ///< first unknowns
   };
-  static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+  static std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
   void measure_gaps();
   void cut(const std::vector<Zone>& zones);
   void set_ends(const PartialSlipTask& task, double nats);

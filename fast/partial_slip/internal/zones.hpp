@@ -14,6 +14,7 @@ namespace nipref::fast {
 struct Zone {
   double length;  ///< half-thicknesses
   int sign;       ///< of the shear along the motion where it slips, 0 where it sticks
+  friend bool operator==(const Zone&, const Zone&) = default;
 };
 
 inline double length_of(const std::vector<Zone>& zones) {
