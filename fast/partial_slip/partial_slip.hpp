@@ -21,9 +21,11 @@ namespace nipref::fast {
 /// either: relative, of the contact's length, place, load, traction and creep, times the size of numbers like J; for
 /// tractions, the largest at the 16 samples next to Y, and what so large an error of Y makes; for boundaries where slip turns
 /// into stick, over the longer of their zones. To these come what is of the second order in the differences of boundaries, and
-/// the rounding of sums and of places. Zones too short to be found are left out: by how much conditions of stick and slip are
-/// not met, relative, adds in the mean to that of the whole. There shears may be friction's both ways, strains change as they
-/// do, and boundaries beside are off by the shorter zone.
+/// the rounding of sums and of places. Zones that are too short to be found are left out. By how much conditions of stick and
+/// slip are not met, relative, adds in the mean to the error of the whole. Where a zone is known to be missing the contact may
+/// be any other: twice that part of the contact, times mu if that is above 1, adds to the error of the whole; pressures there
+/// may be off by the mean pressure, shears by friction's both ways, what is at a distance d by the part's length over d, and
+/// boundaries beside by the shorter zone.
 class PartialSlipNip {
  public:
   PartialSlipNip(PartialSlipNip&&) noexcept;
