@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -164,21 +165,31 @@ struct PartialSlipNip::Implementation : Solutions {
     return times(units.pressure, {peak.size, std::fabs(peak.size - before.size) +
                                                  error_near(peak.e).traction().*part + whole + rounding});
   }
-  /// Its error reaches to any place whose traction is as large but for twice its error.
+  /// Its error reaches to any place whose traction is as large but for twice its error, and whose slope may be 0. Nodes are a step
+  /// apart in s, so that what tractions between them are wrong by changes by at most pi/step times its size (Bernstein's
+  /// inequality); what the whole is wrong by changes as the tractions do.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
     const std::vector<Peak> all = second.peaks(part);
     const Peak before = largest(first.peaks(part)), peak = largest(all);
     const double least = peak.size - 2 * (peak_size(part, before, peak).error / units.pressure);
-    const auto is_as_large = [&](double e) { return std::fabs(second.traction(e).*part) >= least; };
+    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size;
+    const auto may_be_largest = [&](double e) {
+      if (!(e > 0 && e < length() && std::fabs(second.traction(e).*part) >= least)) return false;
+      const double of_nodes = std::numbers::pi / second.step() * (error_near(e).traction().*part + rounding);
+      return std::fabs(second.slope(e, part)) <= of_nodes + error_of_whole(part);
+    };
+    const double place = second.place_of(peak, part);
     double farthest = 0;
     for (const Peak& one : all) {
       if (one.size < least) continue;
-      double beside = 0x1p-30 * length();
-      while (beside < length() && (is_as_large(one.e - beside) || is_as_large(one.e + beside))) beside *= 2;
-      farthest = std::max(farthest, std::fabs(one.e - peak.e) + beside);
+      const double there = second.place_of(one, part);
+      double beside = 0x1p-50 * length();
+      while (beside < length() && (may_be_largest(there - beside) || may_be_largest(there + beside)))
+        beside *= 2;
+      farthest = std::max(farthest, std::fabs(there - place) + beside);
     }
     Estimate position = of_length([&](const ZoneContact& contact) {
-      return contact.leading_length() - (&contact == &first ? before : peak).e;
+      return contact.leading_length() - (&contact == &first ? first.place_of(before, part) : place);
     });
     position.error += units.length * farthest;
     return position;

@@ -45,7 +45,7 @@ class PartialSlipNip {
   /// -1 and load() rolling_resistance(): what the rollers' torques put in.
   [[nodiscard]] Estimate dissipation() const;
   [[nodiscard]] Estimate peak_pressure() const;           ///< unit of stress
-  [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y of it, to about 1e-8 of L at best
+  [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y of it
   [[nodiscard]] Estimate peak_shear() const;              ///< largest |q|, unit of stress
   [[nodiscard]] Estimate peak_shear_position() const;     ///< Y of it, likewise
   /// The contact's ends and the boundaries of its zones, from the leading end on: one number more than zone_signs(). Unit

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/partial_slip/internal/zone_contact.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
@@ -209,7 +211,7 @@ std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const 
   const auto search = [&](int panel, double from, double to) {
     const auto negative_at = [&](double s) { return -size_at({panel, s}); };
     const auto [s, negative] = boost::math::tools::brent_find_minima(negative_at, from, to, 30);
-    found.push_back({-negative, mesh().place({panel, s})});
+    found.push_back({-negative, mesh().place({panel, s}), {panel, s}});
   };
   // In s, as a peak may be very near to a boundary; beyond the first and the last sample of a panel, too.
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -226,9 +228,30 @@ std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const 
   // Rounding of e would miss the boundary.
   for (std::size_t z = 1; z < zones().size(); ++z) {
     const ZoneMesh::Point boundary = mesh().start(static_cast<int>(z));
-    found.push_back({size_at(boundary), mesh().place(boundary)});
+    found.push_back({size_at(boundary), mesh().place(boundary), boundary});
   }
   return found;
+}
+
+double ZoneContact::slope(const ZoneMesh::Point& point, double Traction::*part) const {
+  // Tractions are analytic for |Im s| < pi.
+  constexpr double reach = 1;
+  static const LocalSlope local_slope;
+  const auto at = [&](double s) { return traction_at({point.panel, s}).*part; };
+  return std::copysign(1, at(point.s)) * local_slope(at, point.s, reach);
+}
+
+double ZoneContact::place_of(const Peak& peak, double Traction::*part) const {
+  constexpr double found_to = 1e-3;
+  constexpr int bits = 48;
+  const auto slope_at = [&](double s) { return slope(ZoneMesh::Point{peak.point.panel, s}, part); };
+  const double left = peak.point.s - found_to, right = peak.point.s + found_to;
+  const double before = slope_at(left), after = slope_at(right);
+  if (!(before > 0 && after < 0)) return peak.e;
+  std::uintmax_t most = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      slope_at, left, right, before, after, boost::math::tools::eps_tolerance<double>(bits), most);
+  return mesh().place({peak.point.panel, (low + high) / 2});
 }
 
 }  // namespace nipref::fast

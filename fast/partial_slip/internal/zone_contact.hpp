@@ -68,13 +68,22 @@ class ZoneContact {
 
   struct Peak {
     double size, e;
+    ZoneMesh::Point point;
   };
   /// The local maxima of a traction's size, and its size at the boundaries of zones, where it may have cusps.
   [[nodiscard]] std::vector<Peak> peaks(double Traction::*part) const;
+  /// Its e as the zero of the slope beside it, if there is one.
+  [[nodiscard]] double place_of(const Peak& peak, double Traction::*part) const;
+  /// The derivative of a traction's size by the panel's s at 0 < e < length.
+  [[nodiscard]] double slope(double e, double Traction::*part) const {
+    return slope(mesh().point_at(e), part);
+  }
+  [[nodiscard]] double step() const { return mesh().step(); }
 
  private:
   explicit ZoneContact(ZoneEquations solved);
   [[nodiscard]] const ZoneMesh& mesh() const { return equations_.mesh(); }
+  [[nodiscard]] double slope(const ZoneMesh::Point& point, double Traction::*part) const;
   /// |q/p|, where it sticks the largest up to the next sample.
   [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
   [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;

@@ -180,6 +180,10 @@ TEST_CASE(
   covered(rough.contact_length(), fine.contact_length());
   covered(rough.peak_shear(), fine.peak_shear());
   covered(rough.peak_pressure(), fine.peak_pressure());
+  covered(rough.peak_pressure_position(), fine.peak_pressure_position());
+  covered(rough.peak_shear_position(), fine.peak_shear_position());
+  CHECK(fine.peak_pressure_position().error < 1e-7);
+  CHECK(fine.peak_shear_position().error < 1e-7);
   covered(rough.dissipation(), fine.dissipation());
   for (std::size_t k = 0; k < fine.zone_boundaries().size(); ++k)
     covered(rough.zone_boundaries()[k], fine.zone_boundaries()[k]);
