@@ -69,7 +69,7 @@ std::vector<LocalMaximum> local_maxima(const std::function<double(double)>& f,
   std::vector<LocalMaximum> maxima;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, places.size() - 1);
-    if (values[i] < values[before] || values[i] < values[after]) continue;
+    if ((i > 0 && values[i] <= values[before]) || values[i] < values[after]) continue;
     LocalMaximum maximum{places[i], values[i], places[before], places[after]};
     const double width = maximum.after - maximum.before;
     const auto [part, negative] = boost::math::tools::brent_find_minima(

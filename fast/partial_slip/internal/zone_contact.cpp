@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <numbers>
@@ -206,29 +205,19 @@ double ZoneContact::dissipation() const {
 }
 
 std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const {
-  const auto size_at = [&](const ZoneMesh::Point& point) { return std::fabs(traction_at(point).*part); };
+  // In s, as a peak may be very near to a boundary.
   std::vector<Peak> found;
-  const auto search = [&](int panel, double from, double to) {
-    const auto negative_at = [&](double s) { return -size_at({panel, s}); };
-    const auto [s, negative] = boost::math::tools::brent_find_minima(negative_at, from, to, 30);
-    found.push_back({-negative, mesh().place({panel, s}), {panel, s}});
-  };
-  // In s, as a peak may be very near to a boundary; beyond the first and the last sample of a panel, too.
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    const auto& [panel, s] = std::pair(samples_[i].point.panel, samples_[i].point.s);
-    const bool is_first = i == 0 || samples_[i - 1].point.panel != panel;
-    const bool is_last = i + 1 == samples_.size() || samples_[i + 1].point.panel != panel;
-    const double here = size_at(samples_[i].point);
-    const bool is_largest = (is_first || here >= size_at(samples_[i - 1].point)) &&
-                            (is_last || here >= size_at(samples_[i + 1].point));
-    if (is_largest || is_first || is_last)
-      search(panel, is_first ? -ZoneMesh::farthest : s - mesh().step(),
-             is_last ? ZoneMesh::farthest : s + mesh().step());
-  }
-  // Rounding of e would miss the boundary.
-  for (std::size_t z = 1; z < zones().size(); ++z) {
-    const ZoneMesh::Point boundary = mesh().start(static_cast<int>(z));
-    found.push_back({size_at(boundary), mesh().place(boundary), boundary});
+  for (auto sample = samples_.begin(); sample != samples_.end();) {
+    const int panel = sample->point.panel;
+    std::vector<double> places{-ZoneMesh::farthest, -ZoneMesh::farthest / 2};
+    for (; sample != samples_.end() && sample->point.panel == panel; ++sample)
+      places.push_back(sample->point.s);
+    places.insert(places.end(), {ZoneMesh::farthest / 2, ZoneMesh::farthest});
+    const auto size_at = [&](double s) { return std::fabs(traction_at({panel, s}).*part); };
+    for (const LocalMaximum& maximum : local_maxima(size_at, places)) {
+      const ZoneMesh::Point point{panel, maximum.place};
+      found.push_back({maximum.value, mesh().place(point), point});
+    }
   }
   return found;
 }

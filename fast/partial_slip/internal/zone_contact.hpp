@@ -70,7 +70,7 @@ class ZoneContact {
     double size, e;
     ZoneMesh::Point point;
   };
-  /// The local maxima of a traction's size, and its size at the boundaries of zones, where it may have cusps.
+  /// The local maxima of a traction's size, of which some may be cusps at boundaries of zones.
   [[nodiscard]] std::vector<Peak> peaks(double Traction::*part) const;
   /// Its e as the zero of the slope beside it, if there is one.
   [[nodiscard]] double place_of(const Peak& peak, double Traction::*part) const;

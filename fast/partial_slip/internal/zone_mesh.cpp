@@ -225,11 +225,6 @@ double ZoneMesh::place(const Point& point) const {
   return start + panels_[at(point.panel)].length * point.left;
 }
 
-ZoneMesh::Point ZoneMesh::start(int zone) const {
-  const auto first = std::ranges::find(panels_, zone, &Panel::zone);
-  return {static_cast<int>(first - panels_.begin()), -farthest};
-}
-
 ZoneMesh::Point ZoneMesh::point_at(double e) const {
   std::size_t k = 0;
   while (k + 1 < panels_.size() && e > panels_[k].length) e -= panels_[k++].length;

@@ -99,7 +99,6 @@ class ZoneMesh {
   /// The distance of the point from the right or the left end of its zone, without cancellation.
   [[nodiscard]] double from_end(const Point& point, bool right) const;
   [[nodiscard]] double place(const Point& point) const;
-  [[nodiscard]] Point start(int zone) const;  ///< its left end
   /// 0 < e < the contact's length; from the nearer end of the panel that it lies in.
   [[nodiscard]] Point point_at(double e) const;
   [[nodiscard]] Shares shares(const Point& point) const;
