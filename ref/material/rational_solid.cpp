@@ -66,17 +66,6 @@ ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) 
           two};
 }
 
-/// The bits by which the bounds of divided differences are wider where rates times t are large.
-double bits_of_rates(const Polynomial& p, const mpq_class& t) {
-  const auto degree = static_cast<double>(p.size() - 1);
-  double most = 0;
-  for (std::size_t k = 0; k + 1 < p.size(); ++k) {
-    const double ratio = Exact(mpq_class(p[k] / p.back())).log2_magnitude();
-    most = std::max(most, 1 + ratio / (degree - static_cast<double>(k)) + Exact(t).log2_magnitude());
-  }
-  return degree * most;
-}
-
 Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, int digits) {
   check_not_below_0("t", t);
   cancel(numerator, denominator);
@@ -98,10 +87,9 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
         fmt::format("must be at most {:.3g}: the material is unstable, what it answers grows "
                     "e-fold in {:.3g} and then has over 1000 digits before the point",
                     -most_growth / rate, -1 / rate));
-  const double spare = 128 + bits_of_rates(denominator, t.value());
   return enclose(digits, 0, [&](double nats) {
     return inverse_transform(numerator, denominator, t.value(),
-                             static_cast<mpfr_prec_t>(spare + nats / std::numbers::ln2));
+                             static_cast<mpfr_prec_t>(128 + nats / std::numbers::ln2));
   });
 }
 

@@ -273,18 +273,6 @@ void check_function(const ExactFunction& function, const std::string& name) {
   for (const ExactFunction::Term& term : function.terms) check_not_below_0(term.rate, name + " rate");
 }
 
-/// log2 of an upper bound of a fraction's rates, by Fujiwara's theorem.
-double log2_fastest_rate(const ExactRatio& fraction) {
-  const auto& c = fraction.denominator;
-  const double last = Exact(c.back()).log2_magnitude();
-  double fastest = -HUGE_VAL;
-  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
-    const double ratio = Exact(c[k]).log2_magnitude() - last;
-    fastest = std::max(fastest, 1 + ratio / static_cast<double>(c.size() - 1 - k));
-  }
-  return fastest;
-}
-
 /// Refuses too large rates: the cost of a value grows with the square of the rate's logarithm.
 void check_rates(const ExactFunction& function, const mpq_class& travel_rate) {
   constexpr double most = 1e100;
@@ -292,7 +280,7 @@ void check_rates(const ExactFunction& function, const mpq_class& travel_rate) {
   for (const ExactFunction::Term& term : function.terms)
     fastest = std::max(fastest, Exact(term.rate).log2_magnitude());
   for (const ExactRatio& fraction : function.fractions)
-    fastest = std::max(fastest, log2_fastest_rate(fraction));
+    fastest = std::max(fastest, log2_root_bound(fraction.denominator));
   if (fastest - Exact(travel_rate).log2_magnitude() > std::log2(most))
     throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -36,15 +37,8 @@ struct FloatPolynomial {
   }
 };
 
-/// Points on a circle that contains all zeros (Fujiwara), rotated a little so that no two are conjugate.
-std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
-  const int n = p.degree();
-  Float radius = 0;
-  for (int k = 0; k < n; ++k) {
-    const auto& c = p.coefficients;
-    const Float size = abs(c[static_cast<std::size_t>(k)] / c.back());
-    if (size != 0) radius = std::max(radius, Float(2 * pow(size, Float(1) / (n - k))));
-  }
+/// Points on a circle that contains all zeros, rotated a little so that no two are conjugate.
+std::vector<ComplexFloat> first_guesses(int n, const Float& radius) {
   std::vector<ComplexFloat> guesses;
   for (int k = 0; k < n; ++k)
     guesses.push_back(exp(ComplexFloat(0, 2 * std::numbers::pi * (k + 0.2) / n)) * radius);
@@ -60,8 +54,9 @@ Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
 }
 
 /// A value is taken for 0 where it is a rounding error, or changes the zero by less than `unit`.
-std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
+std::vector<ComplexFloat> approximate_zeros(const Polynomial& exact, const Float& unit) {
   constexpr int lost_bits = 4;
+  const FloatPolynomial p(exact);
   const Float rounding = ldexp(Float(1), lost_bits - working_bits());
   const auto slope_over_value = [&](const ComplexFloat& z) -> std::optional<ComplexFloat> {
     const auto [value, slope] = p.at(z);
@@ -70,7 +65,8 @@ std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Floa
       return std::nullopt;
     return slope / value;
   };
-  return zeros_by_steps(first_guesses(p), slope_over_value, unit);
+  return zeros_by_steps(first_guesses(p.degree(), exp2(Float(log2_root_bound(exact)))), slope_over_value,
+                        unit);
 }
 
 }  // namespace
@@ -114,6 +110,15 @@ void cancel(Polynomial& numerator, Polynomial& denominator) {
   denominator = divide(denominator, common);
 }
 
+double log2_root_bound(const Polynomial& p) {
+  double largest = -HUGE_VAL;
+  const double last = Exact(p.back()).log2_magnitude();
+  for (std::size_t k = 0; k + 1 < p.size(); ++k)
+    largest =
+        std::max(largest, (Exact(p[k]).log2_magnitude() - last) / static_cast<double>(p.size() - 1 - k));
+  return 1 + largest;
+}
+
 std::vector<ComplexFloat> zeros_by_steps(
     std::vector<ComplexFloat> zeros,
     const std::function<std::optional<ComplexFloat>(const ComplexFloat& z)>& slope_over_value,
@@ -145,7 +150,7 @@ std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {
     p.erase(p.begin());
     roots.push_back({Interval(bits), Interval(bits)});
   }
-  for (const ComplexFloat& root : approximate_zeros(FloatPolynomial(p), ldexp(Float(1), -bits)))
+  for (const ComplexFloat& root : approximate_zeros(p, ldexp(Float(1), -bits)))
     roots.push_back({interval_of(root.re, std::max(bits, bits_of(root.re))),
                      interval_of(root.im, std::max(bits, bits_of(root.im)))});
   return roots;

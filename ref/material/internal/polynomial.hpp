@@ -21,6 +21,9 @@ Polynomial divide(Polynomial& dividend, const Polynomial& divisor);
 /// Divides both by their greatest common factor; the denominator is not 0.
 void cancel(Polynomial& numerator, Polynomial& denominator);
 
+/// log2 of a bound of the roots' magnitudes, to 1e-10; -infinity if all roots are 0. (Fujiwara)
+double log2_root_bound(const Polynomial& p);
+
 /// Approximations of all zeros of a function, from different guesses, by the method of Ehrlich and Aberth: Newton's for the
 /// function over the product of the distances from the others, until none changes by more than `unit` of itself. Nothing for
 /// the slope over the value where the value is taken for 0.
