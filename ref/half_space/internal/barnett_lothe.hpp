@@ -1,9 +1,30 @@
 #pragma once
 #include <optional>
 
-#include <nipref/ref/half_space/internal/complex_matrix.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/interval_matrix.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 
 namespace nipref::ref {
+
+/// A complex matrix by its parts.
+template <class Scalar>
+struct ComplexMatrix {
+  DenseMatrix<Scalar> re, im;
+};
+
+/// The middle of an interval matrix, to the working precision.
+inline ComplexMatrix<Float> middle(const IntervalMatrix& x) {
+  ComplexMatrix<Float> result{Matrix(3, 3), Matrix(3, 3)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = static_cast<Matrix::Index>(i), column = static_cast<Matrix::Index>(k);
+      result.re(row, column) = middle_of(x(i, k).re);
+      result.im(row, column) = middle_of(x(i, k).im);
+    }
+  }
+  return result;
+}
 
 /// The impedance M of a half-space, traction = -|q| M displacement, from the Barnett-Lothe integrals
 ///
@@ -18,19 +39,19 @@ std::optional<ComplexMatrix<Scalar>> barnett_lothe_impedance(const DenseMatrix<S
                                                              const DenseMatrix<Scalar>& t,
                                                              const Scalar& small, int most_doublings) {
   using Square = DenseMatrix<Scalar>;
-  const Square compliance = t.inverse();
+  const Square compliance = t.inverse(), right = r.transpose(), above = compliance * right;
   Square z(6, 6);
-  z.topLeftCorner(3, 3) = -compliance * r.transpose();
+  z.topLeftCorner(3, 3) = -above;
   z.topRightCorner(3, 3) = compliance;
-  z.bottomLeftCorner(3, 3) = r * compliance * r.transpose() - q;
-  z.bottomRightCorner(3, 3) = -r * compliance;
+  z.bottomLeftCorner(3, 3) = r * above - q;
+  z.bottomRightCorner(3, 3) = -(r * compliance);
   for (int doubling = 0; doubling < most_doublings; ++doubling) {
     const Square next = (z - z.inverse()) / Scalar(2);
     const Scalar change = (next - z).squaredNorm();
     z = next;
     if (!(change < small * small * z.squaredNorm())) continue;
     const Square re = z.topRightCorner(3, 3).inverse();
-    const Square im = re * z.topLeftCorner(3, 3);
+    const Square im = re * Square(z.topLeftCorner(3, 3));
     return ComplexMatrix<Scalar>{(re + re.transpose()) / Scalar(2), (im - im.transpose()) / Scalar(2)};
   }
   return std::nullopt;

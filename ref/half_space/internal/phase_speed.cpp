@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/bulk_wave.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
 namespace nipref::ref {
@@ -35,8 +38,8 @@ struct AcousticPencil {
   }
   /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2.
   [[nodiscard]] Scalar half_slope(const Scalar& s) const {
-    const Eigen::Matrix<Scalar, 3, 1> x = lowest_vector(s);
-    return x.dot(r * x) + s * x.dot(t * x);
+    const Square x = lowest_vector(s);
+    return x.cwiseProduct(r * x + s * (t * x)).sum();
   }
 };
 using RoughPencil = AcousticPencil<double>;
@@ -127,6 +130,16 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
 /// The least number of bits for which a bracket of the root is below the limiting speed.
 constexpr mpfr_prec_t fewest_bits = 48;
 
+/// The indices of the eigenvectors in the order of BulkWave; the eigenvalues are in ascending order.
+std::array<Matrix::Index, 3> in_order(const Matrix& vectors) {
+  Matrix::Index upright = 0;
+  for (const Matrix::Index k : {1, 2}) {
+    if (abs(vectors(2, k)) > abs(vectors(2, upright))) upright = k;
+  }
+  const Matrix::Index slower = upright == 0 ? 1 : 0, faster = upright == 2 ? 1 : 2;
+  return {upright, faster, slower};
+}
+
 }  // namespace
 
 void refuse_proof(const SurfaceDirection& psi, const char* what) {
@@ -197,6 +210,28 @@ bool is_subcritical(const ExactStiffness& solid, const SurfaceDirection& psi,
     if (impedance && is_positive_definite(*impedance)) return true;
   }
   return false;
+}
+
+Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+                         int digits) {
+  check_digits(digits);
+  const mpfr_prec_t precision = static_cast<mpfr_prec_t>(3.33 * digits) + 128;
+  const WorkingDigits working(digits_of(precision));
+  const IntervalMatrix q = acoustic_matrices(solid, direction, Interval(precision)).q;
+  const Matrix matrix = middle(q).re;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Float, 3, 3>> eigen(matrix);
+  const Matrix vectors = eigen.eigenvectors();
+  const Matrix::Index number = in_order(vectors)[static_cast<std::size_t>(wave)];
+  const Vector vector = vectors.col(number);
+  const Float eigenvalue = eigen.eigenvalues()(number);
+  const Float residual = (matrix * vector - eigenvalue * vector).norm() / vector.norm();
+  const Float modulus = to_float(solid.voigt[2][2]);
+  const Float density = to_float(solid.density);
+  const Float speed = sqrt(eigenvalue * modulus / density);
+  // The speed has half the relative error of the eigenvalue, rounding included.
+  const Float rounding = matrix.norm() * pow(Float(2), 16 - static_cast<long>(precision));
+  const Float error = speed * (residual + rounding) / eigenvalue;
+  return {speed, error, digits};
 }
 
 }  // namespace nipref::ref

@@ -2,7 +2,6 @@
 #include <memory>
 #include <optional>
 
-#include <nipref/ref/partial_slip/internal/cauchy_sums.hpp>
 #include <nipref/ref/partial_slip/internal/smooth_sums.hpp>
 
 namespace nipref::ref {
