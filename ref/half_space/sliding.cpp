@@ -69,20 +69,9 @@ struct SlidingLine {
 struct LineMoment {
   Float front, back;
 };
-/// The part over x > 0, x from 0 to `ahead`. The part over x < 0 is the same with both shares exchanged.
-Float moment_ahead(const Float& ahead, const Float& behind, int power, int digits) {
-  // The nodes of the rule come with their logarithms.
-  const Float log_ahead = log(ahead);
-  return unit_integral(digits, [&](const UnitNode& node) -> Float {
-    const Float x = ahead * node.left;
-    return ahead * (power == 1 ? x : Float(x * x)) *
-           exp(behind * (log_ahead + node.log_right) + ahead * log(x + behind));
-  });
-}
-
-/// The same with x = ahead (1 - w) and the power series of (x + behind)^ahead = (1 - ahead w)^ahead, whose terms
-/// decrease like ahead^n.
-Float moment_ahead_by_series(const Float& ahead, const Float& behind, int power) {
+/// The part over x > 0, with x = ahead (1 - w) and the power series of (x + behind)^ahead = (1 - ahead w)^ahead, whose
+/// terms decrease like ahead^n. The part over x < 0 is the same with both shares exchanged.
+Float moment_ahead(const Float& ahead, const Float& behind, int power) {
   Float sum = 0, coefficient = 1, term = 1;
   for (long n = 0; abs(term) > std::numeric_limits<Float>::epsilon() * sum; ++n) {
     // int (1 - w)^power w^(behind + n) dw
@@ -95,12 +84,15 @@ Float moment_ahead_by_series(const Float& ahead, const Float& behind, int power)
   return sum * pow(ahead, power + 1 + behind);
 }
 
-LineMoment line_moment(const SlidingLine& line, int power, int digits) {
-  const auto of = [&](const Float& share, const Float& other) -> Float {
-    return share < 0.9 ? moment_ahead_by_series(share, other, power)
-                       : moment_ahead(share, other, power, digits);
-  };
-  return {of(line.ahead, line.behind), of(line.behind, line.ahead)};
+/// The part of the shorter side; the other is the rest of int x^power v^a (1 - v)^b dv with v = x + b, by Euler's integral.
+LineMoment line_moment(const SlidingLine& line, int power) {
+  const bool leads = line.ahead > line.behind;
+  const Float &a = leads ? line.ahead : line.behind, &b = leads ? line.behind : line.ahead;
+  const Float shorter = moment_ahead(b, a, power), size = a * b * pi() / (2 * sin(pi() * b));
+  const Float longer = power == 1
+                           ? Float(size * (4 * a - 2) / 3 + shorter)
+                           : Float(size * ((1 + a) * (2 + a) / 12 - 2 * b * (1 + a) / 3 + b * b) - shorter);
+  return leads ? LineMoment{longer, shorter} : LineMoment{shorter, longer};
 }
 
 /// The curvature of the body along a line.
@@ -208,10 +200,10 @@ struct SlidingContact::Implementation final : ScaledContact {
   [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
     const SlidingLine along = line_at(Exact(0.0));
     // Without friction the moment is the same on all lines.
-    const LineMoment moment_along = line_moment(along, power, working);
+    const LineMoment moment_along = line_moment(along, power);
     return half_turn_integral(digits, directions(along), [&](const Exact& degrees) -> Float {
       const SlidingLine line = line_at(degrees);
-      const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power, working);
+      const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power);
       return curvature_of(body, degrees) * pow(ratio(along, line, degrees), power + 2) / line.h *
              weight(moment, degrees);
     });
