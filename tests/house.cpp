@@ -75,11 +75,12 @@ Names subjects_of(const fs::path& room) {
   return subjects;
 }
 
-/// Names with their namespaces of the types that a source defines for all sources: "nipref::fast::Estimate".
+/// Names with their namespaces of the types that a source defines for all sources, "nipref::fast::Estimate", without
+/// specializations of templates.
 Names types_of(const std::string& source) {
   static const std::regex line(
       R"(^(?:namespace ([\w:]*) ?\{|(\})  // namespace)"
-      R"(|(?:struct|class|union|enum(?: class)?) (\w+)\b(?!::)[^;]*\{|using (\w+) =))");
+      R"(|(?:struct|class|union|enum(?: class)?) (\w+)\b(?!::|<)[^;]*\{|using (\w+) =))");
   std::istringstream text(text_of_file(top / source));
   std::vector<std::string> spaces;
   Names types;

@@ -1,7 +1,7 @@
 // The replay of the tables of the two papers on half-spaces: what made each cell, and what is right.
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
@@ -24,22 +24,25 @@ bool says(const ReplayedCell& cell, const std::string& part) { return contains(c
 }  // namespace
 
 TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot") {
-  const verify::ScaledModuli scaled{4, 4, 2, 1, 1, 1, 2};
-  const fast::Direction line = fast::Direction::of_angle(0.6);
+  const verify::GivenNumbers scaled{{"c11", 4}, {"c33", 4},   {"c13", 2}, {"c44", 1},
+                                    {"c66", 1}, {"scale", 1}, {"c_D", 2}};
+  const auto in_plane = [&](double sign) {
+    return verify::printed("in_plane_compliance", {sign, std::cos(0.6), std::sin(0.6), 1, 0.5}, scaled);
+  };
   const double right = fast::isotropic_response(isotropic, 0.5, {1, 0}).compliance;
   CHECK(right == Approx(0.83010914587).epsilon(1e-10));
-  CHECK(verify::in_plane_compliance(verify::InPlaneForm::tabulated, scaled, line, 1, 0.5) ==
-        Approx(1.316).epsilon(1e-3));
-  CHECK(verify::in_plane_compliance(verify::InPlaneForm::printed, scaled, line, 1, 0.5) ==
-        Approx(0.0144).epsilon(1e-2));
-  CHECK(verify::sphere_compliance(scaled, 1, 0.5) == Approx(right).epsilon(1e-14));
-  CHECK(verify::rolling_span_ratio_as_printed(1.0 / 3, 1e-3) == Approx(std::sqrt(2.0)).epsilon(1e-4));
-  CHECK(verify::branch_radicand_as_printed({0.18, 2.08, 0.083, 0.0916, 0.0453, 0.46, 1.86}, line) < 0);
+  CHECK(in_plane(-1) == Approx(1.316).epsilon(1e-3));
+  CHECK(in_plane(1) == Approx(0.0144).epsilon(1e-2));
+  CHECK(verify::printed("sphere_compliance", {0.5}, scaled) == Approx(right).epsilon(1e-14));
+  CHECK(verify::printed("rolling_span_ratio_printed", {1.0 / 3, 1e-3}) ==
+        Approx(std::sqrt(2.0)).epsilon(1e-4));
+  CHECK(verify::printed("branch_radicand_printed", {0.6 * 180 / std::numbers::pi},
+                        {{"c11", 0.18}, {"c33", 2.08}, {"c13", 0.083}, {"c44", 0.0916}}) < 0);
   // Without friction the printed, the tabulated and the right span of the die agree.
   const double die = fast::isotropic_response(isotropic, 0, {1, 0}).compliance / right;
-  CHECK(verify::die_span_ratio_as_printed(1.0 / 3, 0, 0.5) == Approx(die).epsilon(1e-12));
-  CHECK(verify::die_span_ratio_as_tabulated(1.0 / 3, 0, 0.5, std::nullopt) == Approx(die).epsilon(1e-12));
-  CHECK(verify::die_span_ratio_as_tabulated(1.0 / 3, 0, 0.1, 5) != Approx(die).epsilon(1e-4));
+  CHECK(verify::printed("die_span_ratio_printed", {1.0 / 3, 0, 0.5}) == Approx(die).epsilon(1e-12));
+  CHECK(verify::printed("die_span_ratio_tabulated", {1.0 / 3, 0, 0.5, 0}) == Approx(die).epsilon(1e-12));
+  CHECK(verify::printed("die_span_ratio_tabulated", {1.0 / 3, 0, 0.1, 5}) != Approx(die).epsilon(1e-4));
 }
 
 TEST_CASE("the verdicts of the five tables") {

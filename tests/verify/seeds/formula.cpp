@@ -8,7 +8,7 @@ using namespace nipref;
 namespace {
 
 double value(const std::string& formula, const std::string& given = "") {
-  verify::Formulas formulas(verify::solved_numbers());
+  verify::StatedFormulas formulas(verify::solved_numbers());
   formulas.define(given);
   return formulas.value(formula).value();
 }

@@ -7,11 +7,6 @@
 namespace nipref::verify {
 namespace {
 
-// L/B that an audit draws: the reference solves longer contacts slowly, so that only few thin ones are drawn.
-constexpr double longest_direct = 12, longest_gripped_audited = 2;
-constexpr double shortest_thin = 14, longest_audited = 1e3;
-constexpr double largest_long_gripped_poisson = 0.499;
-
 bool is_gripped(const NamedPoint& x) { return x["friction"] != 0; }
 data::Friction friction_of(const NamedPoint& x) {
   return is_gripped(x) ? data::Friction::full : data::Friction::none;
@@ -56,23 +51,6 @@ NipReferences nip_by_ref(const NamedPoint& x, int digits) {
   return numbers_of(contact, mpq_class(2 * (1 - poisson * poisson)), length);
 }
 
-void keep_nip_in_domain(const NamedNumbers& x) {
-  const bool thin = x["L_over_B"] >= shortest_thin, gripped = is_gripped(x);
-  x["L_over_B"] =
-      std::clamp(x["L_over_B"], 1e-6, gripped && !thin ? longest_gripped_audited : longest_audited);
-  x["poisson"] = std::clamp(x["poisson"], -0.9, gripped && thin ? largest_long_gripped_poisson : 0.5);
-}
-
-void draw_nip(Random& random, const NamedNumbers& x) {
-  const bool gripped = random.chance(0.3);
-  const bool thin = !gripped && random.chance(0.2);
-  x["L_over_B"] =
-      draw_nip_length(random, thin ? shortest_thin : 1e-6, thin ? longest_audited : longest_direct);
-  x["poisson"] = draw_nip_poisson(random);
-  x["friction"] = gripped ? 1 : 0;
-  keep_nip_in_domain(x);
-}
-
 }  // namespace
 
 std::vector<Quantity> elastic_nip_entries() {
@@ -80,7 +58,7 @@ std::vector<Quantity> elastic_nip_entries() {
   // The least scale of errors is 1 + L/B divided by this number; 0: there is none.
   constexpr std::array parts{0, 0, 10, 0, 2};
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i] = sampled(entries[i], draw_nip, keep_nip_in_domain);
+    Quantity& entry = entries[i];
     // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding
     // errors. The scale of long ones is such that the promise is the error that fast states. An ulp is at least 2^-53 of the
     // scale.

@@ -104,14 +104,14 @@ Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure r
       [of_fast](NamedPoint x) { return answer(anisotropic_surface(x), direction_of(x, "psi_deg"), of_fast); },
       largest_answer);
   const auto draw = [](Random& random, NamedNumbers x) {
-    x["theta_deg"] = draw_degrees(random);
-    x["psi_deg"] = draw_degrees(random);
+    x["theta_deg"] = drawn("degrees()", random);
+    x["psi_deg"] = drawn("degrees()", random);
     put_stiffness(x, draw_stiffness(random));
-    x["speed"] = draw_share(random) * largest_speed(x);
+    x["speed"] = drawn("share()", random) * largest_speed(x);
   };
   return sampled(entry, draw, [](NamedNumbers x) {
     keep_physical_stiffness(x);
-    x["speed"] = std::min(x["speed"], nearest_critical * largest_speed(x));
+    x["speed"] = std::min(x["speed"], (1 - 1e-9) * largest_speed(x));
   });
 }
 
@@ -138,7 +138,7 @@ Quantity entry_anisotropic_critical() {
       },
       [](NamedPoint x) { return fast::critical_speed(stiffness_of(x), direction_of(x, "theta_deg")).speed; });
   const auto draw = [](Random& random, NamedNumbers x) {
-    x["theta_deg"] = draw_angle(random);
+    x["theta_deg"] = drawn("angle()", random);
     put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
   };
   return sampled(entry, draw, keep_physical_stiffness);

@@ -6,7 +6,6 @@
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
 namespace nipref::verify {
@@ -15,20 +14,6 @@ namespace {
 using fast::Direction;
 using ref::Exact;
 using ref::SurfaceDirection;
-
-constexpr double largest_poisson = 0.4999;
-
-double draw_poisson(Random& random) {
-  return random.chance(0.3) ? 0.5 - random.log_uniform(1e-4, 1) : random.uniform(-0.9, largest_poisson);
-}
-
-void keep_poisson(const NamedNumbers& x) { x["poisson"] = std::clamp(x["poisson"], -0.9, largest_poisson); }
-
-void draw_line(Random& random, const NamedNumbers& x) {
-  x["poisson"] = draw_poisson(random);
-  x["speed"] = draw_share(random) * fast::isotropic_rayleigh_speed(x["poisson"]);
-  x["psi_deg"] = draw_degrees(random);
-}
 
 /// A line as the reference takes it.
 struct Line {
@@ -63,10 +48,7 @@ Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast, Size size
     ref::check_subcritical(line.solid, line.speed, line.motion, line.psi);
     return by_ref(line, digits);
   };
-  return sampled(line_entry(name, checked, by_fast, size), draw_line, [](NamedNumbers x) {
-    keep_poisson(x);
-    x["speed"] = std::min(x["speed"], nearest_critical * fast::isotropic_rayleigh_speed(x["poisson"]));
-  });
+  return line_entry(name, checked, by_fast, size);
 }
 
 Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
@@ -76,27 +58,8 @@ Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
       [of_fast](const auto&... line) { return fast::isotropic_response(line...).*of_fast; });
 }
 
-/// Draws lines along which the load is faster than Rayleigh waves and slower than shear waves, close to either too.
-void draw_line_beyond(Random& random, const NamedNumbers& x) {
-  x["poisson"] = draw_poisson(random);
-  x["psi_deg"] = random.chance(0.5) ? 0 : random.uniform(-80, 80);
-  const double rayleigh = fast::isotropic_rayleigh_speed(x["poisson"]), gap = 1 - rayleigh;
-  const double share = random.uniform(1e-9, 1 - 1e-9), edge = gap * random.log_uniform(1e-9, 1);
-  const double along =
-      random.chance(0.4) ? rayleigh + gap * share : (random.chance(0.5) ? rayleigh + edge : 1 - edge);
-  x["speed"] = along / std::cos(x["psi_deg"] * (std::numbers::pi / 180));
-}
-
-/// Keeps a part of 1e-9 of the range away from either end.
-void keep_line_beyond(const NamedNumbers& x) {
-  keep_poisson(x);
-  x["psi_deg"] = std::clamp(x["psi_deg"], -80.0, 80.0);
-  const double rayleigh = fast::isotropic_rayleigh_speed(x["poisson"]), least = 1e-9 * (1 - rayleigh);
-  const double cosine = std::cos(x["psi_deg"] * (std::numbers::pi / 180));
-  x["speed"] = std::clamp(x["speed"], (rayleigh + least) / cosine, (1 - least) / cosine);
-}
-
-/// The answer of such lines, which line_response() has as it solves the equations there too. Throws BadInput at other
+/// The answer of lines along which the load is faster than Rayleigh waves and slower than shear waves, which line_response()
+/// has as it solves the equations there too. Throws BadInput at other
 /// speeds.
 ref::LineResponse response_beyond(const Line& line, int digits) {
   ref::LineResponse found = line.response(digits);
@@ -106,16 +69,12 @@ ref::LineResponse response_beyond(const Line& line, int digits) {
   return found;
 }
 
-template <class Ref, class Fast, class Size = ValueItself>
-Quantity beyond_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
-  return sampled(line_entry(name, by_ref, by_fast, size), draw_line_beyond, keep_line_beyond);
-}
-
 Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_fast,
                                ref::Enclosure ref::LineResponse::*of_ref) {
-  return beyond_entry(
+  return line_entry(
       name, [of_ref](const Line& line, int digits) { return response_beyond(line, digits).*of_ref; },
-      [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
+      [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; },
+      ValueItself());
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
@@ -139,20 +98,17 @@ ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, Line line
 }
 
 Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
-                         ref::Enclosure ref::LineResponse::*of_ref,
-                         double (*as_printed)(double, double, double)) {
-  Quantity entry = subcritical_entry(
+                         ref::Enclosure ref::LineResponse::*of_ref) {
+  return subcritical_entry(
       name, [of_ref](const Line& line, int digits) { return shear_by_ref(of_ref, line, digits); },
       [of_fast](const auto&... line) { return fast::isotropic_shear_response(line...).*of_fast; });
-  set_forms(entry, [as_printed](NamedPoint x) { return as_printed(x["poisson"], x["speed"], x["psi_deg"]); });
-  return entry;
 }
 
 Quantity entry_separation() {
   // The square of the angle is proportional to the excess of the speed over the Rayleigh speed, which fast knows as the
   // sum of two doubles: errors next to that speed, where the angle vanishes, are measured against this size.
   constexpr double least_size = 1e-5;
-  const Quantity entry = entry_of(
+  return entry_of(
       "halfspace.separation", {"poisson", "speed"},
       [](const Exact& poisson, const Exact& speed, int digits) {
         if (speed.value() > 1)
@@ -163,19 +119,6 @@ Quantity entry_separation() {
         return fast::separation_angle(poisson, speed) * (180 / std::numbers::pi);
       },
       [](double, double) { return least_size; });
-  const auto next_to_rayleigh = [](double poisson) {
-    return std::nextafter(fast::isotropic_rayleigh_speed(poisson), 1);
-  };
-  const auto draw = [=](Random& random, NamedNumbers x) {
-    x["poisson"] = draw_poisson(random);
-    const double least = next_to_rayleigh(x["poisson"]);
-    const double share = random.chance(0.5) ? random.log_uniform(1e-16, 1) : random.uniform(0, 1);
-    x["speed"] = least + share * (1 - least);
-  };
-  return sampled(entry, draw, [=](NamedNumbers x) {
-    keep_poisson(x);
-    x["speed"] = std::clamp(x["speed"], next_to_rayleigh(x["poisson"]), 1.0);
-  });
 }
 
 }  // namespace
@@ -185,15 +128,13 @@ std::vector<Quantity> half_space_entries() {
   using fast::ShearResponse;
   return {isotropic_line("halfspace.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
           isotropic_line("halfspace.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
-          isotropic_shear("halfspace.in_line", &ShearResponse::in_line, &ref::LineResponse::in_line,
-                          in_line_as_printed),
-          isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across,
-                          across_as_printed),
+          isotropic_shear("halfspace.in_line", &ShearResponse::in_line, &ref::LineResponse::in_line),
+          isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across),
           response_beyond_entry("halfspace.compliance_beyond", &LineResponse::compliance,
                                 &ref::LineResponse::compliance),
           response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
                                 &ref::LineResponse::coupling),
-          beyond_entry(
+          line_entry(
               "halfspace.rolling_index_beyond",
               [](const Line& line, int digits) {
                 const auto answer = [&](const Exact&, int some) {
@@ -208,15 +149,13 @@ std::vector<Quantity> half_space_entries() {
                 return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
               },
               fast::isotropic_condition, [](double, double, double) { return 1.0; }),
-          sampled(
-              entry_of(
-                  "halfspace.rayleigh", {"poisson"},
-                  [](const Exact& poisson, int digits) {
-                    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-                    return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
-                  },
-                  fast::isotropic_rayleigh_speed),
-              [](Random& random, NamedNumbers x) { x["poisson"] = draw_poisson(random); }, keep_poisson),
+          entry_of(
+              "halfspace.rayleigh", {"poisson"},
+              [](const Exact& poisson, int digits) {
+                const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+                return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
+              },
+              fast::isotropic_rayleigh_speed),
           entry_separation()};
 }
 

@@ -3,7 +3,9 @@
 #include <stdexcept>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/support/formula.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -85,6 +87,91 @@ void add_arguments(Quantity& quantity, const std::string& text) {
   }
 }
 
+const Formulas<double>& sampling_formulas() {
+  static const Formulas<double> all(
+      {}, definitions_table()["sampling"]["functions"].value<std::string>().value());
+  return all;
+}
+
+bool has_argument(const std::vector<Argument>& arguments, const std::string& name) {
+  return std::ranges::find(arguments, name, &Argument::name) != arguments.end();
+}
+
+/// What formulas of [sampling] have in brackets. `random`: null where a point is only moved.
+double sampled_number(const std::string& words, Formulas<double>& scope,
+                      const std::vector<Argument>& arguments, Random* random) {
+  const std::vector<std::string> all = words_of(words);
+  const std::string& kind = all.front();
+  const auto at = [&](std::size_t i) { return sampling_formulas().compiled(all.at(i))(scope); };
+  const auto index = [&](std::size_t count) { return static_cast<double>(random->index(count)); };
+  if (kind == "uniform") return random->uniform(at(1), at(2));
+  if (kind == "log") return random->log_uniform(at(1), at(2));
+  if (kind == "chance") return random->chance(at(1)) ? 1 : 0;
+  if (kind == "index") return index(static_cast<std::size_t>(at(1)));
+  if (kind == "pick") return at(1 + random->index(all.size() - 1));
+  const Point point = mapped(arguments, [&](const Argument& one) { return scope.number(one.name); });
+  return point_functions().at(kind)(NamedPoint(arguments, point));
+}
+
+/// The lines for these arguments, with those of [sampling] in place of @NAME.
+std::string whole_lines(const std::string& text, const std::vector<Argument>& arguments) {
+  std::string lines;
+  for (const std::string& line : parts_of(text, "\n")) {
+    if (line.starts_with('@')) {
+      const auto more = definitions_table()["sampling"][line.substr(1)].value<std::string>();
+      lines += whole_lines(more.value(), arguments);
+    } else if (!line.starts_with('?') || has_argument(arguments, line.substr(1, line.find(' ') - 1))) {
+      lines += line.substr(line.starts_with('?') ? 1 : 0) + "\n";
+    }
+  }
+  return lines;
+}
+
+/// Changes a point by such lines.
+std::function<void(Point& point, Random* random)> changed_by(const std::string& text, double nearest,
+                                                             const std::vector<Argument>& arguments,
+                                                             const std::vector<ModelKey>& solid) {
+  using Lines = std::vector<std::pair<std::string, Formulas<double>::Expression>>;
+  return [=](Point& point, Random* random) {
+    static Cache<std::string, Lines> compiled;
+    const auto lines = compiled.at(text, [&] { return sampling_formulas().compiled_lines(text); });
+    Formulas<double> scope([&](const std::string& words, Formulas<double>& inner) {
+      return sampled_number(words, inner, arguments, random);
+    });
+    const auto put_default = [&](const std::string& name) {
+      scope.define(name, default_number(arguments[argument_number(arguments, name)]));
+    };
+    scope.define("nearest", nearest);
+    for (std::size_t i = 0; i < point.size(); ++i) scope.define(arguments[i].name, point[i]);
+    for (const auto& [name, formula] : *lines) {
+      scope.define(name, formula(scope));
+      if (name == "default_solid" && scope.number(name) != 0)
+        for (const ModelKey& key : solid) std::ranges::for_each(key.arguments, put_default);
+    }
+    for (std::size_t i = 0; i < point.size(); ++i) point[i] = scope.number(arguments[i].name);
+  };
+}
+
+/// How audits draw points of the quantity, by a table of [sampling].
+void set_sampling(Quantity& quantity, const std::string& name, double nearest) {
+  const auto table = definitions_table()["sampling"][name];
+  const auto lines_of = [&](const char* key) {
+    return whole_lines(table[key].value<std::string>().value_or(""), quantity.arguments);
+  };
+  const auto change = [&](const std::string& lines) {
+    return changed_by(lines, nearest, quantity.arguments,
+                      quantity.solid ? quantity.solid->models.front().keys : std::vector<ModelKey>());
+  };
+  const std::string keep = lines_of("keep");
+  quantity.draw = [drawn = change(lines_of("draw") + keep),
+                   defaults = point_of(quantity, {})](Random& random) {
+    Point point = defaults;
+    drawn(point, &random);
+    return point;
+  };
+  if (!keep.empty()) quantity.keep_off = [kept = change(keep)](Point& point) { kept(point, nullptr); };
+}
+
 /// What a quantity has of its own, or else what its section has.
 class Row {
  public:
@@ -97,17 +184,41 @@ class Row {
     return own != nullptr && own->contains(key) ? (*own)[key].value<Value>() : section_[key].value<Value>();
   }
   [[nodiscard]] std::string text(std::string_view key) const { return get<std::string>(key).value(); }
-  [[nodiscard]] std::vector<SeedForm> forms() const {
+  [[nodiscard]] std::vector<SeedForm> forms(const std::vector<Argument>& arguments) const {
     std::vector<SeedForm> forms;
     if (!own_.is_table()) return forms;
     if (const toml::table* const all = (*own_.as_table())["forms"].as_table()) {
-      for (const auto& [name, differs] : *all)
-        forms.push_back({std::string(name.str()), differs.value<std::string>().value(), {}});
+      for (const auto& [name, form] : *all) {
+        const toml::table& stated = *form.as_table();
+        forms.push_back({std::string(name.str()), stated["differs"].value<std::string>().value(), {}});
+        if (const auto formula = stated["is"].value<std::string>())
+          forms.back().value = form_of(*formula, arguments);
+      }
     }
     return forms;
   }
 
  private:
+  [[nodiscard]] decltype(SeedForm::value) form_of(const std::string& formula,
+                                                  const std::vector<Argument>& arguments) const {
+    std::string before = get<std::string>("given").value_or("");
+    if (before.starts_with('@'))
+      before = definitions_table()["given"][before.substr(1)].value<std::string>().value();
+    return [=, needs = parts_of(get<std::string>("needs").value_or(""), "\n")](std::span<const double> x) {
+      GivenNumbers given;
+      for (std::size_t i = 0; i < x.size(); ++i) given.emplace_back(arguments[i].name, x[i]);
+      for (const std::string& need : needs) {
+        const std::vector<std::string> parts = parts_of(need, " | ");
+        if (printed_value(parts.at(1), given) != 0) continue;
+        const std::size_t number = argument_number(arguments, parts.front());
+        if (arguments[number].kind != ArgumentKind::choice)
+          throw data::BadInput(parts.front(), x[number], parts.at(2));
+        throw data::BadInput(parts.front(), arguments[number].choice(x[number]), parts.at(2));
+      }
+      return printed_value(before + formula, given);
+    };
+  }
+
   const toml::table& section_;
   const toml::node& own_;
 };
@@ -127,7 +238,9 @@ Quantity quantity_of(std::string_view name, const Row& row) {
   quantity.scale = row.get<std::string>("scale").value_or("the value");
   quantity.notation = row.text("definition");
   quantity.definition = without_marks(quantity.notation);
-  quantity.seed_forms = row.forms();
+  quantity.seed_forms = row.forms(quantity.arguments);
+  if (const auto sampling = row.get<std::string>("sampling"))
+    set_sampling(quantity, *sampling, row.get<double>("nearest").value_or(1 - 1e-9));
   return quantity;
 }
 
@@ -155,6 +268,13 @@ const std::vector<Quantity>& described_quantities() {
 const Quantity& described(std::string_view name) {
   if (const auto* row = item_with(described_quantities(), &Quantity::name, name)) return *row;
   throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));
+}
+
+double drawn(const std::string& formula, Random& random) {
+  Formulas<double> scope([&](const std::string& words, Formulas<double>& inner) {
+    return sampled_number(words, inner, {}, &random);
+  });
+  return sampling_formulas().compiled(formula)(scope);
 }
 
 void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys) {

@@ -75,6 +75,13 @@ auto of_point(const Quantity& entry, Function function) {
   };
 }
 
+/// Functions of a point by the names that formulas of quantities.toml have for them.
+using PointFunctions = std::map<std::string, double (*)(const NamedPoint& x)>;
+const PointFunctions& point_functions();
+
+/// The value of a formula with the functions of [sampling] in quantities.toml.
+double drawn(const std::string& formula, Random& random);
+
 /// The largest number of arguments of a quantity; the catalogue's test checks every entry.
 inline constexpr std::size_t most_arguments = 160;
 

@@ -106,16 +106,4 @@ int most_digits_in_time(const std::function<double(int digits)>& seconds) {
   return 0;
 }
 
-double draw_nip_length(Random& random, double shortest, double longest) {
-  const std::array special{shortest, longest, 1.0};
-  const std::size_t way = random.index(20);
-  return way < special.size() ? special[way] : random.log_uniform(shortest, longest);
-}
-
-double draw_nip_poisson(Random& random) {
-  const std::size_t way = random.index(8);
-  if (way == 0) return 0;
-  return way < 3 ? 0.5 - random.log_uniform(1e-12, 0.3) : random.uniform(-0.9, 0.4999);
-}
-
 }  // namespace nipref::verify

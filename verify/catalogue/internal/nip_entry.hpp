@@ -55,10 +55,4 @@ inline constexpr int terms_in_long_time = 750;
 /// `seconds` may throw BadInput for digits that the reference refuses.
 int most_digits_in_time(const std::function<double(int digits)>& seconds);
 
-/// A log-uniform length within [shortest, longest], sometimes one of the ends.
-double draw_nip_length(Random& random, double shortest, double longest);
-
-/// A Poisson's ratio anywhere, near 1/2, or 0.
-double draw_nip_poisson(Random& random);
-
 }  // namespace nipref::verify

@@ -26,26 +26,20 @@ Quantity residue_entry() {
     return fast::residue_coefficients(static_cast<fast::PlainKernel>(static_cast<int>(kernel)),
                                       whole_number(ref::Exact(n, "n")));
   };
-  return sampled(
-      entry_of(
-          "residue", {"n", "kernel", "coefficient"},
-          [](const ref::Exact& n, const ref::Exact& kernel, const ref::Exact& coefficient, int digits) {
-            const auto which = static_cast<ref::PlainKernel>(static_cast<int>(kernel.approximate()));
-            const ref::ResidueCoefficients both = ref::residue_coefficients(which, whole_number(n), digits);
-            return coefficient.sign() == 0 ? both.A : both.B;
-          },
-          [coefficients](double n, double kernel, double coefficient) {
-            const fast::ResidueCoefficients both = coefficients(n, kernel);
-            return coefficient == 0 ? both.A : both.B;
-          },
-          [coefficients](double n, double kernel, double /*coefficient*/) {
-            const fast::ResidueCoefficients both = coefficients(n, kernel);
-            return std::hypot(both.A, both.B);
-          }),
-      [](Random& random, const NamedNumbers& x) {
-        x["n"] = std::floor(random.log_uniform(1, largest_index));
-        x["kernel"] = static_cast<double>(random.index(7));
-        x["coefficient"] = static_cast<double>(random.index(2));
+  return entry_of(
+      "residue", {"n", "kernel", "coefficient"},
+      [](const ref::Exact& n, const ref::Exact& kernel, const ref::Exact& coefficient, int digits) {
+        const auto which = static_cast<ref::PlainKernel>(static_cast<int>(kernel.approximate()));
+        const ref::ResidueCoefficients both = ref::residue_coefficients(which, whole_number(n), digits);
+        return coefficient.sign() == 0 ? both.A : both.B;
+      },
+      [coefficients](double n, double kernel, double coefficient) {
+        const fast::ResidueCoefficients both = coefficients(n, kernel);
+        return coefficient == 0 ? both.A : both.B;
+      },
+      [coefficients](double n, double kernel, double /*coefficient*/) {
+        const fast::ResidueCoefficients both = coefficients(n, kernel);
+        return std::hypot(both.A, both.B);
       });
 }
 

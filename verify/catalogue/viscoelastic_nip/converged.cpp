@@ -12,13 +12,7 @@ namespace {
 /// contacts grow like this factor.
 double amplification(double L_over_B, double softening) { return 1 + softening * std::log1p(1 / L_over_B); }
 
-// The domain of audits, and the part of it, chosen for speed, from which points are drawn unless ranges are given.
-constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memory = 1e-3,
-                 longest_memory = 1e8;
-constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
-/// The largest softening for which fast keeps its promise: a sheet that softens much within a small part of the contact
-/// carries almost no load.
-double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
+constexpr double shortest_rolling = 1e-6;
 
 /// The nip at speed 1 with theta = at_once [delta + (softening - 1)/tau e^(-t/tau)]; in theta2 the misprinted solid has
 /// twice the rate.
@@ -85,32 +79,6 @@ NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
                             mpq_class(x["L_over_B"]));
 }
 
-/// The misprinted solid is passive for the thesis's constants; for others it may gain energy.
-void keep_rolling_in_domain(const NamedNumbers& x) {
-  const auto keep = [&](const char* name, double least, double most) {
-    x[name] = std::clamp(x[name], least, most);
-  };
-  keep("L_over_B", shortest_rolling, longest_rolling);
-  keep("memory_over_L", shortest_memory, longest_memory);
-  if (x["material"] == 0) {
-    keep("poisson", -0.9, 0.5 - 1e-9);
-    keep("softening", 1.001, most_softening(x["memory_over_L"]));
-  } else {
-    x["poisson"] = 1.0 / 3;
-    x["softening"] = 2;
-  }
-}
-
-void draw_rolling_nip(Random& random, const NamedNumbers& x) {
-  const double memory = random.chance(0.5) ? random.log_uniform(shortest_drawn_memory, 10)
-                                           : random.log_uniform(10, longest_memory);
-  x["memory_over_L"] = memory;
-  x["softening"] = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, most_softening(memory) - 1);
-  x["L_over_B"] = draw_nip_length(random, shortest_rolling, longest_drawn);
-  x["poisson"] = draw_nip_poisson(random);
-  x["material"] = random.chance(0.2) ? 1 : 0;
-}
-
 }  // namespace
 
 std::vector<Quantity> viscoelastic_nip_entries() {
@@ -120,7 +88,7 @@ std::vector<Quantity> viscoelastic_nip_entries() {
   constexpr double (*least_sizes[])(double) = {[](double) { return 0.1; }, none, none, none,
                                                [](double length) { return (1 + length) / 10; }};
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i] = sampled(entries[i], draw_rolling_nip, keep_rolling_in_domain);
+    Quantity& entry = entries[i];
     entry.envelope = [least = least_sizes[i], value_at = entry.by_fast,
                       named = of_point(entry, {"L_over_B", "softening"}, [](double length, double softening) {
                         return std::pair(length, amplification(length, softening));

@@ -32,7 +32,7 @@ struct FigureScope {
 struct FigureContacts {
   std::map<std::vector<double>, SolvedInDouble> nips;
   std::map<std::string, SolvedInDouble> scenes;
-  Formulas::Solve others = solved_numbers();
+  StatedFormulas::Solve others = solved_numbers();
 };
 
 /// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have
@@ -67,7 +67,7 @@ class FigureFormulas {
   void define_parameters(const data::Table& table);
 
   FigureContacts& contacts_;
-  Formulas formulas_;
+  StatedFormulas formulas_;
   const RowValues* replayed_ = nullptr;  ///< in the row of the cell that was entered
 };
 

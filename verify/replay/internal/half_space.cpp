@@ -108,7 +108,7 @@ SphereOnHalfSpace::SphereOnHalfSpace(const data::Table& table) {
   sphere = {mu0, (c_d * c_d - 2) / (2 * (c_d * c_d - 1)), value("rho0")};
   half_space = {value("C11"), value("C33"), value("C13"), value("C55"), value("C66"), value("rho")};
   scaled = scaled_moduli(half_space, sphere);
-  scaled.sphere_dilatation = c_d;  // as printed
+  scaled.back().second = c_d;
 }
 
 fast::SurfaceResponse SphereOnHalfSpace::in_contact(data::SymmetryAxis axis, fast::Direction motion,

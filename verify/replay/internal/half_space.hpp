@@ -3,7 +3,7 @@
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/half_space/direction.hpp>
 #include <nipref/fast/half_space/response.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
@@ -67,7 +67,7 @@ CellOf sphere_on_axis_in_plane_cells(const data::Table& table);  ///< brock2013-
 struct SphereOnHalfSpace {
   data::IsotropicSolid sphere;
   data::TransverselyIsotropicSolid half_space;
-  ScaledModuli scaled;
+  GivenNumbers scaled;  ///< c_D as printed
 
   explicit SphereOnHalfSpace(const data::Table& table);
 

@@ -5,7 +5,6 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
@@ -21,8 +20,9 @@ class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
 
-  [[nodiscard]] double by(InPlaneForm form, double phi, double speed) const {
-    return in_plane_span_ratio(form, bodies_.scaled, theta_, phi, speed);
+  /// sign: 1 as printed, -1 as tabulated
+  [[nodiscard]] double by(double sign, double phi, double speed) const {
+    return printed("in_plane_span_ratio", {sign, theta_, phi, speed}, bodies_.scaled);
   }
   [[nodiscard]] double corrected(double phi, double speed) {
     return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi)).value;
@@ -70,7 +70,7 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
 /// The table's formula at phi with the K_X by which the column's cell in another row was divided.
 Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& table, double phi,
                               std::size_t other_row, const data::TableColumn& column) {
-  const auto tabulated = [&](double at) { return spans.by(InPlaneForm::tabulated, at, *column.coordinate); };
+  const auto tabulated = [&](double at) { return spans.by(-1, at, *column.coordinate); };
   const double other = key_of_row(table, other_row);
   return {table.cell(other_row, column.name).number->rounding.times(tabulated(phi) / tabulated(other)),
           Verdict::seed_error,
@@ -93,12 +93,14 @@ CellOf sliding_die_cells(const data::Table& table) {
   return [&table](std::size_t row, const data::TableColumn& column) {
     const double poisson = table.parameter("poisson").value, speed = *column.coordinate,
                  friction = table.cell(row, "gamma").number->value;
-    const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
-    const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
+    const auto tabulated = [&](double decimals) {
+      return printed("die_span_ratio_tabulated", {poisson, friction, speed, decimals});
+    };
+    const double exact_roots = tabulated(0), rounded_roots = tabulated(table_root_decimals);
     const std::string error = fmt::format(
         "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
         "(Delta_1, Q_1); as printed it gives {:.5f}",
-        die_span_ratio_as_printed(poisson, friction, speed));
+        printed("die_span_ratio_printed", {poisson, friction, speed}));
     return of_sliding(row, column, isotropic_surface(poisson, speed), friction,
                       {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
                        {data::Interval::only(rounded_roots), Verdict::match,
@@ -112,11 +114,12 @@ CellOf rolling_sphere_cells(const data::Table& table) {
     const double poisson = table.parameter("poisson").value, speed = *column.coordinate;
     const double corrected =
         fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways).value;
-    const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
+    const double rounded_roots =
+        printed("rolling_span_ratio_tabulated", {poisson, speed, table_root_decimals});
     const std::string loss = fmt::format(
         "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
         "but {:.5f} with w_S and w_D to five decimals",
-        rolling_span_ratio_as_printed(poisson, speed), corrected, rounded_roots);
+        printed("rolling_span_ratio_printed", {poisson, speed}), corrected, rounded_roots);
     return {row,
             column.name,
             corrected,
@@ -132,10 +135,10 @@ CellOf sphere_on_normal_axis_cells(const data::Table& table) {
     const std::string error = fmt::format(
         "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
         "circle demands 1; and (25c) adds the couplings, which subtract",
-        sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-    const double printed = sphere_span_ratio_as_printed(bodies.scaled, friction, speed);
+        printed("sphere_span_ratio_printed", {0, 0}, bodies.scaled));
+    const double made = printed("sphere_span_ratio_printed", {friction, speed}, bodies.scaled);
     return of_sliding(row, column, bodies.in_contact(data::SymmetryAxis::normal, forwards, speed), friction,
-                      {{data::Interval::only(printed), Verdict::seed_error, "reproduced so"}}, error, error);
+                      {{data::Interval::only(made), Verdict::seed_error, "reproduced so"}}, error, error);
   };
 }
 
@@ -155,7 +158,8 @@ CellOf branch_speed_cells(const data::Table& table) {
     const double made = speed(is_transverse ? bodies.half_space : with_printed_d1);
     const std::string how =
         fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
-                    bodies.scaled.c11, branch_radicand_as_printed(bodies.scaled, motion));
+                    bodies.half_space.c11 / bodies.sphere.shear,
+                    printed("branch_radicand_printed", {key_of_row(table, row)}, bodies.scaled));
     return {row,
             column.name,
             speed(bodies.half_space),
@@ -167,14 +171,14 @@ CellOf branch_speed_cells(const data::Table& table) {
 CellOf sphere_on_axis_in_plane_cells(const data::Table& table) {
   return [&table, spans = InPlaneSpans(table)](std::size_t row, const data::TableColumn& column) mutable {
     const double phi = key_of_row(table, row), speed = *column.coordinate;
-    const double tabulated = spans.by(InPlaneForm::tabulated, phi, speed);
+    const double tabulated = spans.by(-1, phi, speed);
     HalfSpaceCell cell{row,
                        column.name,
                        spans.corrected(phi, speed),
                        {{data::Interval::only(tabulated), Verdict::match, "reproduced so"}},
                        fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
                                    "wrong too, {:.4f}",
-                                   spans.by(InPlaneForm::printed, phi, speed)),
+                                   spans.by(1, phi, speed)),
                        in_plane_proof(table, row, column.name),
                        spans.exact(phi, speed)};
     constexpr std::size_t row_of_90 = 0, row_of_45 = 2;

@@ -2,7 +2,7 @@
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 namespace nipref::verify {
@@ -113,10 +113,8 @@ const std::map<std::string, std::function<Propagated()>>& computed_numbers() {
       {"graphite_epoxy_c11", [] { return Propagated(epoxy.c11); }},
       {"steel_shear", [] { return Propagated(steel.shear); }},
       {"graphite_epoxy_speed_scale", [] { return sqrt(Propagated(epoxy.density) / steel.density); }},
-      {"branch_radicand_as_printed", [] {
-         return printed_form(
-             branch_radicand_as_printed(scaled_moduli(epoxy, steel), fast::Direction::of_degrees(45)));
-       }}};
+      {"branch_radicand_as_printed",
+       [] { return printed_form(printed("branch_radicand_printed", {45}, scaled_moduli(epoxy, steel))); }}};
   return all;
 }
 

@@ -16,9 +16,9 @@ using data::ViscoelasticMaterial;
 /// The words of a formula's brackets.
 struct Request : NumberWords {
   std::string kind, name;
-  Formulas& formulas;
+  StatedFormulas& formulas;
 
-  Request(const std::string& words, Formulas& scope)
+  Request(const std::string& words, StatedFormulas& scope)
       : NumberWords(words), kind(NumberWords::name(0)), name(NumberWords::name(1)), formulas(scope) {
     if (names.size() > 2) refuse("KEY=VALUE");
   }
@@ -271,9 +271,9 @@ std::string with_fields(const std::string& text,
   return all;
 }
 
-Formulas::Solve solved_numbers() {
+StatedFormulas::Solve solved_numbers() {
   auto contacts = std::make_shared<std::map<std::map<std::string, std::string>, SolvedInDouble>>();
-  return [contacts](const std::string& words, Formulas& formulas) {
+  return [contacts](const std::string& words, StatedFormulas& formulas) {
     const Request request(words, formulas);
     const auto solve = contacts_by_kind.find(request.kind);
     if (solve == contacts_by_kind.end()) return request.entry(other_kinds, request.kind)(request);

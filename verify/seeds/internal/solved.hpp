@@ -1,49 +1,25 @@
 #pragma once
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/formulas.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
 
-/// Evaluates formulas of data/statements; every number has its error (see Propagated). A formula is made of
-///   - decimal numbers, pi and names that were defined,
-///   - + - * / ^ (the exponent is a whole number), parentheses, and x < y and x > y, which compare values and are 1 or 0,
-///   - sqrt(x) and the other functions of Propagated, min(x, ...) and max(x, ...) by value,
-///   - certain(x): 1 if x is positive beyond its error, otherwise 0; within(e): 0 with the error e; exactly(x): x without
-///     its error; if(condition, x, y), of which only one is evaluated,
-///   - integral(t, a, b, f(t)) and the other functions of a Function below, whose first argument names the variable,
-///   - [WORDS]: a number that the program computes, as StatementFormulas describes.
-class Formulas {
- public:
-  using Solve = std::function<Propagated(const std::string& words, Formulas& formulas)>;
-  using Expression = std::function<Propagated()>;
-
-  explicit Formulas(Solve solve) : solve_(std::move(solve)) {}
-  Formulas(const Formulas&) = delete;
-  Formulas& operator=(const Formulas&) = delete;
-
-  /// Lines "name = formula", evaluated in their order, or "name(argument, ...) = formula".
-  void define(const std::string& lines);
-  void define(const std::string& name, const Propagated& number);
-  /// BadInput that names the formula if it cannot be understood, or a name in it is not defined.
-  [[nodiscard]] Propagated value(std::string_view formula);
-
- private:
-  friend class FormulaParser;
-  struct Definition {
-    std::vector<std::string> parameters;
-    Expression body;
-  };
-  [[nodiscard]] Propagated number(const std::string& name) const;
-  /// Evaluates a body with additional numbers, which hide others of the same names.
-  [[nodiscard]] Propagated with(const std::vector<std::string>& names, const std::vector<Propagated>& numbers,
-                                const Expression& body);
-
-  Solve solve_;
-  std::vector<std::pair<std::string, Propagated>> numbers_;
-  std::map<std::string, Definition> functions_;
+/// Besides the functions of Propagated: certain(x), 1 if x is positive beyond its error, otherwise 0; within(e), 0 with the
+/// error e; exactly(x), x without its error.
+template <>
+struct FormulaWords<Propagated> {
+  using OfOne = verify::OfOne;
+  using OfTwo = verify::OfTwo;
+  static Propagated pi() { return Propagated::pi(); }
+  static Propagated exact(double value) { return Propagated::exact(value); }
+  static double value(const Propagated& x) { return x.value(); }
+  static const std::map<std::string, OfOne*> of_one;
+  static const std::map<std::string, OfTwo*> of_two;
+  static const std::map<std::string, FormulaFunctional<Propagated>> functionals;
 };
+using StatedFormulas = Formulas<Propagated>;
 
 /// The words of a formula's brackets: names, the kind of number first, and KEY=VALUE.
 struct NumberWords {
@@ -79,7 +55,7 @@ std::string with_fields(const std::string& text,
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
 /// Each contact is solved only once.
-[[nodiscard]] Formulas::Solve solved_numbers();
+[[nodiscard]] StatedFormulas::Solve solved_numbers();
 
 /// A very thin frictionless sheet of the solid with one relaxation time tau that ends up twice as compliant as it
 /// begins: springs with N p + (N/tau) int e^(-t/tau) p = 2 u/b, in closed form.
@@ -111,7 +87,7 @@ class StatementFormulas {
 
  private:
   const TomlTable& entry_;
-  Formulas formulas_;
+  StatedFormulas formulas_;
   std::string setting_;
 };
 

@@ -78,10 +78,6 @@ double critical_speed_of(const NamedPoint& x) {
       fast::critical_speed(transverse_of(x), symmetry_axis(x), direction_of(x, "theta_deg")).speed);
 }
 
-ScaledModuli scaled_moduli_of(const NamedPoint& x) {
-  return scaled_moduli(transverse_of(x), data::seed::steel);
-}
-
 ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis) {
   const ref::ExactTransverse given(x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]);
   return stiffness_of(
@@ -130,31 +126,6 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
   mpfr_set_q(ref::raw(error), ref::Exact::parse("1e-" + std::to_string(digits + 2)).value().get_mpq_t(),
              MPFR_RNDU);
   return {slope, error, digits};
-}
-
-double draw_share(Random& random) {
-  const std::size_t way = random.index(4);
-  if (way == 0) return random.log_uniform(1e-8, 1);
-  return way == 1 ? 1 - random.log_uniform(1e-9, 1e-3) : random.uniform(0, 0.999);
-}
-
-double draw_degrees(Random& random) {
-  const double sign = random.chance(0.5) ? 1 : -1;
-  const std::size_t way = random.index(4);
-  if (way == 0) return sign * (90 - random.log_uniform(1e-12, 1));
-  return way == 1 ? sign * random.log_uniform(1e-6, 1) : draw_angle(random);
-}
-
-double draw_share(Random& random, double least, double largest) {
-  return random.chance(0.5) ? 1 - random.log_uniform(1 - largest, 1) : random.uniform(least, largest);
-}
-
-double draw_angle(Random& random) { return random.uniform(-90, 90); }
-double draw_friction(Random& random) { return random.chance(0.2) ? 0 : random.uniform(0, 1); }
-
-void put_epoxy(const NamedNumbers& x) {
-  static const std::vector<ModelKey> constants = described("ti.compliance").solid->models.front().keys;
-  set_defaults(x, constants);
 }
 
 }  // namespace nipref::verify

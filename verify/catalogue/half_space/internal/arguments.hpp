@@ -4,7 +4,6 @@
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
-#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
 
 namespace nipref::verify {
@@ -43,8 +42,6 @@ fast::LineResponse in_steel(const fast::LineResponse& line);
 double speed_in_steel(double speed);
 /// The smallest critical speed of loads that move in the direction theta_deg, in steel's shear wave speeds.
 double critical_speed_of(const NamedPoint& x);
-/// The moduli in the units of steel, for a contact with the seed's sphere.
-ScaledModuli scaled_moduli_of(const NamedPoint& x);
 ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis);
 /// BadInput naming the speed unless it is subcritical on every line.
 void check_subcritical(const NamedExact& x);
@@ -53,21 +50,5 @@ void check_subcritical(const NamedExact& x);
 ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
                               const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
                               int digits);
-
-// Sampling.
-
-/// The largest speeds in audits over the critical speed; the second holds where the reference integrates over lines.
-inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
-
-/// Draws a speed over the critical speed, from 1e-8 to 1 - 1e-9.
-double draw_share(Random& random);
-/// The same from `least` to `largest`, in half of all cases near `largest`.
-double draw_share(Random& random, double least, double largest);
-/// Draws an angle in degrees, often close to 0 or to 90.
-double draw_degrees(Random& random);
-double draw_angle(Random& random);  ///< degrees
-double draw_friction(Random& random);
-/// Sets the constants to those of the seed's graphite epoxy.
-void put_epoxy(const NamedNumbers& x);
 
 }  // namespace nipref::verify
