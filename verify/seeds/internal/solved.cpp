@@ -211,11 +211,6 @@ const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
     {"material", of_material},
     {"table", printed_cell},
     {"started", started_resistance},
-    {"thin_solid",
-     [](const Request& one) {
-       const ThinStandardSolid solid = thin_standard_solid(one.number("memory", "1"));
-       return one.name == "resistance" ? solid.resistance : solid.leading_share;
-     }},
     {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
 
 }  // namespace
@@ -289,7 +284,7 @@ StatedFormulas::Solve solved_numbers() {
 }
 
 StatementFormulas::StatementFormulas(const TomlTable& file, const TomlTable& entry)
-    : entry_(entry), formulas_(solved_numbers()) {
+    : entry_(entry), formulas_(solved_numbers(), statements_file("claims.toml").text("functions")) {
   if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
     const TomlTable& setting = file.entry("setting", named);
     setting.located([&] { formulas_.define(setting.text("given")); });

@@ -51,21 +51,10 @@ std::string with_fields(const std::string& text,
 ///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed, in
 ///     that of the sphere's shear waves;
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
-///   - thin_solid: leading_share or resistance of thin_standard_solid(). Key: memory;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
 /// Each contact is solved only once.
 [[nodiscard]] StatedFormulas::Solve solved_numbers();
-
-/// A very thin frictionless sheet of the solid with one relaxation time tau that ends up twice as compliant as it
-/// begins: springs with N p + (N/tau) int e^(-t/tau) p = 2 u/b, in closed form.
-struct ThinStandardSolid {
-  Propagated leading_share;  ///< L1/L
-  Propagated resistance;     ///< mu_R R/L
-};
-
-/// memory: F0 tau/L, > 0.
-ThinStandardSolid thin_standard_solid(double memory);
 
 /// Numbers that no formula describes, by name.
 const std::map<std::string, std::function<Propagated()>>& computed_numbers();
@@ -74,7 +63,8 @@ const std::map<std::string, std::function<Propagated()>>& computed_numbers();
 /// trusted, enough to tell it from the truth.
 Propagated printed_form(double value);
 
-/// Evaluates the formulas of an entry, with the definitions of the [[setting]] that it names, then with its own in `given`.
+/// Evaluates the formulas of an entry, with the functions of claims.toml, the definitions of the [[setting]] that it names, then its
+/// own in `given`.
 class StatementFormulas {
  public:
   StatementFormulas(const TomlTable& file, const TomlTable& entry);
