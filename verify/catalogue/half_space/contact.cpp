@@ -104,12 +104,14 @@ struct ContactRow {
   const char* name;
   ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
-  double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
+  double (*size)(const NamedPoint& x) = nullptr;  ///< if it is none of its row
 };
 
 std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
-  return mapped(rows,
-                [](const ContactRow& row) { return entry_of(row.name, row.by_ref, row.by_fast, row.size); });
+  return mapped(rows, [](const ContactRow& row) {
+    return row.size == nullptr ? entry_of(row.name, row.by_ref, row.by_fast)
+                               : entry_of(row.name, row.by_ref, row.by_fast, row.size);
+  });
 }
 
 template <class Bodies>
@@ -192,14 +194,12 @@ std::vector<Quantity> half_space_contact_entries() {
          place.value = -place.value - ref::Float(1) / 2;
          return place;
        },
-       [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; },
-       [](const NamedPoint&) { return 0.5; }},
+       [](const NamedPoint& x) { return slide<Bodies>(x).along(psi_of(x)).leading_share - 0.5; }},
       {"die.span_ratio", exactly<Bodies>(ref::sliding_span_ratio, "friction", Exact(90.0)),
        [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(across_motion).value; }},
       {"die.force", exactly<Bodies>(ref::sliding_force, "friction"), force<Bodies>},
       {"rolling.index", exactly<Bodies>(ref::rolling_index, "psi_deg"),
-       [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; },
-       [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
+       [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; }},
       {"rolling.span_ratio", exactly<Bodies>(ref::rolling_span_ratio, Exact(90.0)),
        [](const NamedPoint& x) { return roll(x).span_ratio(across_motion).value; }},
       {"rolling.finite_span_ratio",

@@ -28,8 +28,8 @@ struct Line {
 };
 
 /// An entry by functions `by_ref` of a line and digits, and `by_fast` of solid, speed and direction.
-template <class Ref, class Fast, class Size>
-Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
+template <class Ref, class Fast>
+Quantity line_entry(const char* name, Ref by_ref, Fast by_fast) {
   return entry_of(
       name, {"poisson", "speed", "psi_deg"},
       [by_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
@@ -37,18 +37,17 @@ Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
       },
       [by_fast](double poisson, double speed, double psi_deg) {
         return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
-      },
-      size);
+      });
 }
 
 /// One of lines along which the load is slower than Rayleigh waves: the reference solves the equations beyond, too.
-template <class Ref, class Fast, class Size = ValueItself>
-Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
+template <class Ref, class Fast>
+Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast) {
   const auto checked = [by_ref](const Line& line, int digits) {
     ref::check_subcritical(line.solid, line.speed, line.motion, line.psi);
     return by_ref(line, digits);
   };
-  return line_entry(name, checked, by_fast, size);
+  return line_entry(name, checked, by_fast);
 }
 
 Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
@@ -73,8 +72,7 @@ Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_
                                ref::Enclosure ref::LineResponse::*of_ref) {
   return line_entry(
       name, [of_ref](const Line& line, int digits) { return response_beyond(line, digits).*of_ref; },
-      [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; },
-      ValueItself());
+      [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
@@ -105,9 +103,6 @@ Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
 }
 
 Quantity entry_separation() {
-  // The square of the angle is proportional to the excess of the speed over the Rayleigh speed, which fast knows as the
-  // sum of two doubles: errors next to that speed, where the angle vanishes, are measured against this size.
-  constexpr double least_size = 1e-5;
   return entry_of(
       "halfspace.separation", {"poisson", "speed"},
       [](const Exact& poisson, const Exact& speed, int digits) {
@@ -117,8 +112,7 @@ Quantity entry_separation() {
       },
       [](double poisson, double speed) {
         return fast::separation_angle(poisson, speed) * (180 / std::numbers::pi);
-      },
-      [](double, double) { return least_size; });
+      });
 }
 
 }  // namespace
@@ -142,13 +136,13 @@ std::vector<Quantity> half_space_entries() {
                 };
                 return ref::rolling_index_beyond(answer, line.psi_deg, digits);
               },
-              fast::rolling_index_beyond, [](double, double, double) { return 0.1; }),
+              fast::rolling_index_beyond),
           subcritical_entry(
               "halfspace.condition",
               [](const Line& line, int digits) {
                 return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
               },
-              fast::isotropic_condition, [](double, double, double) { return 1.0; }),
+              fast::isotropic_condition),
           entry_of(
               "halfspace.rayleigh", {"poisson"},
               [](const Exact& poisson, int digits) {

@@ -15,14 +15,14 @@ using fast::Direction;
 using fast::LineResponse;
 
 /// `by_ref` is a function of solid, speed, motion, psi and digits.
-template <class Ref, class Fast, class Size>
-Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
+template <class Ref, class Fast, class... Size>
+Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size... size) {
   const auto of_line = [by_ref](NamedExact x, int digits) {
     check_subcritical(x);
     return by_ref(exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
                   direction_of(x, "psi_deg"), digits);
   };
-  return entry_of(name, of_line, by_fast, size);
+  return entry_of(name, of_line, by_fast, size...);
 }
 
 Quantity transverse_line(const char* name, double LineResponse::*of_fast,
@@ -92,8 +92,7 @@ std::vector<Quantity> transverse_half_space_entries() {
                           &ref::LineResponse::coupling_across),
           transverse_line_entry(
               "ti.condition", exact_condition,
-              [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); },
-              [](NamedPoint) { return 1.0; }),
+              [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); }),
           entry_transverse_rayleigh(),
           entry_branch(),
           entry_transverse_critical()};

@@ -87,10 +87,25 @@ void add_arguments(Quantity& quantity, const std::string& text) {
   }
 }
 
+/// What the functions of [sampling] or of [sizes] are.
+std::string functions_in(const char* part) {
+  return definitions_table()[part]["functions"].value<std::string>().value();
+}
+
 const Formulas<double>& sampling_formulas() {
-  static const Formulas<double> all(
-      {}, definitions_table()["sampling"]["functions"].value<std::string>().value());
+  static const Formulas<double> all({}, functions_in("sampling"));
   return all;
+}
+
+/// The size of a quantity by its formula.
+decltype(Quantity::envelope) size_of(const std::string& formula, const std::vector<Argument>& arguments) {
+  static const Formulas<double> functions({}, functions_in("sizes"));
+  return [names = mapped(arguments, [](const Argument& one) { return one.name; }),
+          size = functions.compiled(formula)](std::span<const double> x) {
+    Formulas<double> scope;
+    for (std::size_t i = 0; i < x.size(); ++i) scope.define(names[i], x[i]);
+    return size(scope);
+  };
 }
 
 bool has_argument(const std::vector<Argument>& arguments, const std::string& name) {
@@ -239,6 +254,7 @@ Quantity quantity_of(std::string_view name, const Row& row) {
   quantity.notation = row.text("definition");
   quantity.definition = without_marks(quantity.notation);
   quantity.seed_forms = row.forms(quantity.arguments);
+  quantity.envelope = size_of(row.get<std::string>("size").value_or("0"), quantity.arguments);
   if (const auto sampling = row.get<std::string>("sampling"))
     set_sampling(quantity, *sampling, row.get<double>("nearest").value_or(1 - 1e-9));
   return quantity;

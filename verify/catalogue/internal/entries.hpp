@@ -101,30 +101,25 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
   };
 }
 
-/// The size of a quantity whose errors are measured against the value itself.
-struct ValueItself {
-  double operator()(const auto&...) const { return 0; }
-};
-
-/// An entry by functions of the numbers of those names, followed by the digits or the accuracy.
-template <std::size_t n, class Ref, class Fast, class Size = ValueItself>
-Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size size = {}) {
+/// An entry by functions of the numbers of those names, followed by the digits or the accuracy. `size`: if its row has none.
+template <std::size_t n, class Ref, class Fast, class... Size>
+Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size... size) {
   Quantity entry = described(name);
   entry.by_ref = of_point(entry, names, by_ref);
   set_fast(entry, of_point(entry, names, by_fast));
-  entry.envelope = of_point(entry, names, size);
+  ((entry.envelope = of_point(entry, names, size)), ...);
   return entry;
 }
 
 /// An entry by functions `by_ref` of a NamedExact and digits, `by_fast` of a NamedPoint and an accuracy, and `size` of a
 /// NamedPoint.
-template <class Ref, class Fast, class Size = ValueItself>
-Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
+template <class Ref, class Fast, class... Size>
+Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size... size) {
   Quantity entry = described(name);
   entry.by_ref = of_point(entry, by_ref);
   // Looking the numbers up by name takes longer than a call of std::function.
   set_fast(entry, decltype(entry.by_fast)(of_point(entry, by_fast)));
-  entry.envelope = of_point(entry, size);
+  ((entry.envelope = of_point(entry, size)), ...);
   return entry;
 }
 

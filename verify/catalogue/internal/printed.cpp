@@ -28,6 +28,11 @@ void define_all(Formulas<double>& scope, const GivenNumbers& given) {
 const std::map<std::string, DoubleWords::OfOne*> DoubleWords::of_one{
     {"floor", std::floor},
     {"fabs", std::fabs},
+    {"exp", std::exp},
+    {"log", std::log},
+    {"log1p", std::log1p},
+    {"cosh", std::cosh},
+    {"sinh", std::sinh},
     {"sqrt", std::sqrt},
     {"round", std::round},
     {"atan", std::atan},
@@ -37,6 +42,7 @@ const std::map<std::string, DoubleWords::OfOne*> DoubleWords::of_one{
     {"sine", [](double degrees) { return Direction::of_degrees(degrees).sine; }}};
 const std::map<std::string, DoubleWords::OfTwo*> DoubleWords::of_two{
     {"hypot", std::hypot},
+    {"atan2", std::atan2},
     {"pow", std::pow},
     {"nextafter", std::nextafter},
     {"turned_cosine",

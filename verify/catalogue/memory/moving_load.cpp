@@ -7,7 +7,6 @@
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
-#include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -73,7 +72,14 @@ ref::ExactMaterial exact_material_of(const NamedExact& x) {
       x["relaxation_time"]);
 }
 
-double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::fabs(w))); }
+// Of the kernels, by those of quantities.toml.
+double magnitude_I1(double w) {
+  return std::max(2 * pi * 0.25584797756897609 * std::exp(-2.1061961152453303 * std::fabs(w)),
+                  -std::log(std::fabs(w)));
+}
+double magnitude_I3(double w) { return std::min(0.76858 * std::fabs(w), 0.787); }
+double magnitude_I4(double w) { return std::min(1.05372 * std::fabs(w), 0.791); }
+double magnitude_I5(double w) { return std::min(1.83496 * std::fabs(w), 0.905); }
 
 /// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`, by Gauss's rule on pieces that
 /// resolve the exponential, the logarithm at 0 and the kernels.

@@ -3,7 +3,6 @@
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -25,50 +24,36 @@ auto at_place(auto function) {
 
 using RefStress = ref::Enclosure (*)(const Exact&, const Exact&, SheetLoad, int);
 
-Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefStress by_ref,
-                      double (FieldSize::*size)() const) {
+Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefStress by_ref) {
   return entry_of(name, {"alpha", "depth", "load"}, at_place(by_ref),
                   at_place([part](double alpha, double depth, SheetLoad load) {
                     return fast::sheet_stresses(alpha, depth, load).*part;
-                  }),
-                  at_place([size](double alpha, double depth, SheetLoad load) {
-                    return (FieldSize{alpha, depth, load}.*size)();
                   }));
 }
 
-/// The modulus of the root of the slowest residue term, the factor by which a derivative has a larger amplitude.
-constexpr double slowest_root = 2.388;
-
 Derivative derivative_of(double number) { return number == 0 ? Derivative::first : Derivative::second; }
 
-/// kernel: the amplitude of the slowest residue term of the displacement's kernel.
 Quantity slope_entry(const char* name, ref::Enclosure (*by_ref)(const Exact&, Derivative, int),
-                     double (*by_fast)(double, Derivative), double (*kernel)(double)) {
+                     double (*by_fast)(double, Derivative)) {
   return entry_of(
       name, {"alpha", "order"},
       [by_ref](const Exact& alpha, const Exact& order, int digits) {
         return by_ref(alpha, derivative_of(order.approximate()), digits);
       },
-      [by_fast](double alpha, double order) { return by_fast(alpha, derivative_of(order)); },
-      [kernel](double alpha, double order) {
-        return std::pow(slowest_root, order + 1) * kernel(alpha) / std::numbers::pi;
-      });
+      [by_fast](double alpha, double order) { return by_fast(alpha, derivative_of(order)); });
 }
 
 }  // namespace
 
 std::vector<Quantity> field_entries() {
-  return {slope_entry("un.slope", ref::un_slope, fast::un_slope, envelope_I1),
-          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope, envelope_I3),
-          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope, envelope_r),
-          stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
-          stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
-          stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
+  return {slope_entry("un.slope", ref::un_slope, fast::un_slope),
+          slope_entry("vn.slope", ref::vn_slope, fast::vn_slope),
+          slope_entry("vs.slope", ref::vs_slope, fast::vs_slope),
+          stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across),
+          stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along),
+          stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear),
           entry_of("sheet.u", {"alpha", "depth", "load", "poisson"}, at_place(ref::sheet_u),
-                   at_place(fast::sheet_u),
-                   at_place([](double alpha, double depth, SheetLoad load, double poisson) {
-                     return FieldSize{alpha, depth, load}.u(poisson);
-                   })),
+                   at_place(fast::sheet_u)),
           entry_of("sheet.v", {"alpha", "depth", "load", "eta", "poisson"},
                    at_place([](const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& eta,
                                const Exact& poisson, int digits) {
@@ -76,9 +61,6 @@ std::vector<Quantity> field_entries() {
                    }),
                    at_place([](double alpha, double depth, SheetLoad load, double eta, double poisson) {
                      return fast::sheet_v(alpha, eta, depth, load, poisson);
-                   }),
-                   at_place([](double alpha, double depth, SheetLoad load, double eta, double poisson) {
-                     return FieldSize{alpha, depth, load}.v(eta, poisson);
                    }))};
 }
 

@@ -1,7 +1,6 @@
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
-#include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 
 namespace nipref::verify {
@@ -11,29 +10,27 @@ using fast::Accuracy;
 using Columns = Quantity::Columns;
 using Values = std::span<double>;
 
-/// A kernel of one argument. One that oscillates about 0 is measured against the amplitude of the oscillation.
+/// A kernel of one argument.
 struct KernelRow {
   const char* name;
   const char* argument;
   ref::Enclosure (*by_ref)(const ref::Exact&, int);
   double (*by_fast)(double, Accuracy);
   void (*by_fast_batch)(std::span<const double>, Values, Accuracy);
-  double (*envelope)(double) = [](double) { return 0.0; };
 };
 
 constexpr KernelRow kernels_of_one_argument[] = {
-    {"I1", "alpha", ref::I1, fast::I1, fast::I1, envelope_I1},
+    {"I1", "alpha", ref::I1, fast::I1, fast::I1},
     {"I2", "alpha", ref::I2, [](double alpha, Accuracy) { return fast::I2(alpha); }, nullptr},
     {"I3", "alpha", ref::I3, fast::I3, fast::I3},
     {"I4", "eta", ref::I4, fast::I4, fast::I4},
     {"I5", "eta", ref::I5, fast::I5, fast::I5},
-    {"I7", "eta", ref::I7, fast::I7, fast::I7, envelope_I7}};
+    {"I7", "eta", ref::I7, fast::I7, fast::I7}};
 
 Quantity entry_I6() {
-  Quantity entry = entry_of(
-      "I6", {"alpha", "eta"}, ref::I6,
-      [](double alpha, double eta, Accuracy accuracy) { return fast::I6(alpha, eta, accuracy); },
-      [](double alpha, double eta) { return envelope_r(alpha) + envelope_s(eta); });
+  Quantity entry = entry_of("I6", {"alpha", "eta"}, ref::I6, [](double alpha, double eta, Accuracy accuracy) {
+    return fast::I6(alpha, eta, accuracy);
+  });
   entry.by_fast_batch = [alpha = argument_number(entry.arguments, "alpha"),
                          eta = argument_number(entry.arguments, "eta")](Columns columns, Values values,
                                                                         Accuracy accuracy) {
@@ -47,7 +44,7 @@ Quantity entry_I6() {
 std::vector<Quantity> kernel_entries() {
   std::vector<Quantity> entries{entry_I6()};
   for (const KernelRow& row : kernels_of_one_argument) {
-    Quantity entry = entry_of(row.name, {row.argument}, row.by_ref, row.by_fast, row.envelope);
+    Quantity entry = entry_of(row.name, {row.argument}, row.by_ref, row.by_fast);
     if (row.by_fast_batch != nullptr) {
       entry.by_fast_batch = [batch = row.by_fast_batch](Columns columns, Values values, Accuracy accuracy) {
         batch(columns[0], values, accuracy);
