@@ -147,7 +147,7 @@ foreach(program IN LISTS programs)
   expect_not("\\[lib(fmt|gsl|gmp|mpfr|mpc|mpfi|boost)[^]]*")
 endforeach()
 
-# Everything from C, Fortran and Python, by one shared library that shows its C functions alone.
+# Everything from C and Fortran, by one shared library that shows its C functions alone.
 if(shared)
   set(c_interface ${work}/c_interface)
   run(${CMAKE_COMMAND} -S ${source}/c_interface -B ${c_interface} -D nipref_ROOT=${moved} ${without})
@@ -162,11 +162,6 @@ if(shared)
   run(nm --dynamic --defined-only ${library})
   expect(" nipref_ref")
   expect_not("\n[0-9a-f]* [A-Za-z] _Z[^\n]*")
-  find_program(python NAMES python3)
-  if(python AND NOT sanitize)
-    run(${python} ${source}/c_interface/from_python.py ${library})
-    expect("I1\\(0.73\\) = 0\\.20699024464081[0-9]+\nI1\\(0.73\\) = 0\\.2069902446408192670[0-9]+ \\+- .*alpha = 0")
-  endif()
 endif()
 
 # What is read when all its headers are, and when all of all components are.

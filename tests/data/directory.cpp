@@ -2,7 +2,6 @@
 #include <nipref/data/scene/file.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

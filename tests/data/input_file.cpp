@@ -3,7 +3,6 @@
 #include <nipref/data/input_file.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -2,7 +2,6 @@
 #include <nipref/data/directory.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 /// A data folder of its own with an empty folder of golden values, which the program and this process take for theirs
 /// while it lives.

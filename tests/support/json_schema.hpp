@@ -40,14 +40,10 @@ class JsonSchema {
     }
   }
 
-  static bool is_of_type(const Json& value, const std::string& type) {
-    if (type == "integer") return value.is_number_integer();
-    return type == value.type_name();
-  }
-
   static bool has_type(const Json& value, const Json& types) {
-    if (types.is_string()) return is_of_type(value, types);
-    return std::ranges::any_of(types, [&](const Json& type) { return is_of_type(value, type); });
+    if (types.is_array())
+      return std::ranges::any_of(types, [&](const Json& type) { return has_type(value, type); });
+    return types == "integer" ? value.is_number_integer() : types == value.type_name();
   }
 
   [[nodiscard]] std::string misfit_of_members(const Json& schema, const Json& value,

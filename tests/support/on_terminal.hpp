@@ -1,5 +1,6 @@
 #pragma once
 #include <fcntl.h>
+#include <pty.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,7 +9,6 @@
 
 #include "support/paths.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 /// Bare chroots have no pseudo-terminals; a test that needs one is skipped then, and says so.
 inline bool has_terminals() {
@@ -20,22 +20,23 @@ inline bool has_terminals() {
 /// The program with a terminal of its own for its standard error, so that what it tells can be waited for.
 class OnTerminal {
  public:
-  OnTerminal(std::vector<std::string> arguments, const char* term, unsigned short columns)
-      : terminal_(posix_openpt(O_RDWR | O_NOCTTY)) {
-    REQUIRE(terminal_ >= 0);
-    REQUIRE(grantpt(terminal_) == 0);
-    REQUIRE(unlockpt(terminal_) == 0);
+  OnTerminal(std::vector<std::string> arguments, const char* term, unsigned short columns) {
     const winsize size{24, columns, 0, 0};
-    REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
+    int other_end = -1;
+    REQUIRE(openpty(&terminal_, &other_end, nullptr, nullptr, &size) == 0);
     arguments.insert(arguments.begin(), program());
     std::vector<char*> words;
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
-    const std::string name = ptsname(terminal_);
     child_ = fork();
-    if (child_ != 0) return;
+    if (child_ != 0) {
+      close(other_end);
+      return;
+    }
     dup2(open(output_.path().c_str(), O_WRONLY), STDOUT_FILENO);
-    dup2(open(name.c_str(), O_RDWR | O_NOCTTY), STDERR_FILENO);
+    dup2(other_end, STDERR_FILENO);
+    close(terminal_);
+    close(other_end);
     setenv("TERM", term, 1);
     std::signal(SIGINT, SIG_DFL);
     execv(words[0], words.data());
@@ -83,7 +84,7 @@ class OnTerminal {
   }
 
   ScratchFile output_;
-  int terminal_;
+  int terminal_ = -1;
   pid_t child_ = -1;
   bool running_ = true;
   std::string told_;

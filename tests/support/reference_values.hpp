@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstdlib>
+#include <random>
 #include <string>
 
 #include <nipref/ref/number/estimate.hpp>
@@ -38,4 +39,9 @@ inline int number_from(const char* variable, int always) {
 inline int random_contacts(int always) { return number_from("NIPREF_RANDOM_CONTACTS", always); }
 inline unsigned random_seed(int always) {
   return static_cast<unsigned>(number_from("NIPREF_RANDOM_SEED", always));
+}
+
+/// Log-uniform from `low` to `high`.
+inline double between(double low, double high, std::mt19937_64& random) {
+  return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
 }

@@ -7,7 +7,6 @@
 
 #include "support/paths.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 struct Outcome {
   int status;

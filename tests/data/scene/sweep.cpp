@@ -1,52 +1,32 @@
+#include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/sweep.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 
-namespace {
-
-const std::string nip_without_load = R"(title = "a nip"
-wanted = ["contact_length"]
-[roller]
-radius = 6
-[sheet]
-thickness = 1.0
-[material]
-model = "elastic"
-young = 1.45e5
-poisson = 0.3
-[load]
-[friction]
-model = "full"
-[method]
-kind = "converged"
-)";
-
-}  // namespace
-
 TEST_CASE("a sweep's keys are read with dots and in quotes, as lists or as ranges") {
   const data::SceneSweep sweep = data::scene_sweep(
-      {"given", nip_without_load +
-                    "[sweep]\npoints = 7\nload.per_length = [50, 1e2, 0.1]\n"
-                    "\"material.poisson\" = \"0..0.5:linear\"\nfriction.model = [\"none\", \"full\"]\n"});
+      {"given",
+       "[sweep]\npoints = 7\nload.per_length = [50, 1e2, 0.1]\n"
+       "\"material.poisson\" = \"0..0.5:linear\"\nfriction.model = [\"none\", \"full\"]\n"});
   CHECK(sweep.points == 7);
   CHECK(sweep.keys ==
         std::vector<std::pair<std::string, std::string>>{{"friction.model", "none, full"},
                                                          {"load.per_length", "50, 100, 0.1"},
                                                          {"material.poisson", "0..0.5:linear"}});
-  CHECK(data::scene_sweep({"given", nip_without_load}).keys.empty());
+  CHECK(data::scene_sweep({"given", "title = \"a nip\"\n"}).keys.empty());
 }
 
 TEST_CASE("a scene with a sweep is one contact only with a value for each swept key") {
-  const ScratchFile file(nip_without_load + "[sweep]\nload.per_length = [50, 100]\n");
+  const ScratchFile file(text_of_file(data::example_scene("thick-frictionless")) +
+                         "[sweep]\nload.per_length = [50, 100]\n");
   CHECK_REFUSED(data::load_scene(file.path()),
                 file.path() +
-                    ":17: sweep.load.per_length = 50, 100: must be solved by nipref solve, or have "
+                    ":26: sweep.load.per_length = 50, 100: must be solved by nipref solve, or have "
                     "one value given beside the file");
-  CHECK(data::load_scene(file.path(), {{"load.per_length", "75"}}).wanted.size() == 1);
+  CHECK(data::load_scene(file.path(), {{"load.per_length", "75"}}).wanted.size() == 4);
 }
 
 TEST_CASE("what is no list of numbers or texts is refused with its line") {

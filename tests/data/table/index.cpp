@@ -10,15 +10,11 @@ using namespace nipref::data;
 TEST_CASE("all tables of the seeds are there, in the order of the seeds") {
   const auto ids = table_ids();
   REQUIRE(ids.size() == 24 + 5);
-  for (const auto& [place, id] : {std::pair(0U, "thesis-III"),
-                                  {1, "thesis-IV"},
-                                  {4, "thesis-VII"},
-                                  {6, "thesis-IX"},
-                                  {16, "thesis-XIX"},
-                                  {23, "thesis-XXVI"},
-                                  {24, "brock2012-1"},
-                                  {28, "brock2013-3"}})
-    CHECK(ids[place] == id);
+  std::string all;
+  for (const std::string& id : ids) all += id + " ";
+  CHECK(
+      all.starts_with("thesis-III thesis-IV thesis-V thesis-VI thesis-VII thesis-VIII thesis-IX thesis-X "));
+  CHECK(all.ends_with(" thesis-XXVI brock2012-1 brock2012-2 brock2013-1 brock2013-2 brock2013-3 "));
 }
 
 TEST_CASE("a table is found by what stands behind its hyphen, or by its Arabic number") {

@@ -4,7 +4,6 @@
 
 #include "support/scratch.hpp"
 #include "support/table_rows.hpp"
-#include "support/test.hpp"
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
 

@@ -1,9 +1,6 @@
-#include <cctype>
-
 #include <nipref/data/table/index.hpp>
 
 #include "support/paths.hpp"
-#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 // The cells are the seed's own text: each is looked for between the words that stand before and after its

@@ -1,4 +1,3 @@
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 
 #include "support/test.hpp"
@@ -10,11 +9,7 @@ using fast::LoadSearch;
 using fast::Work;
 using namespace nipref::test;
 
-namespace {
-
 using Counts = std::array<std::uint64_t, 7>;
-
-}  // namespace
 
 TEST_CASE("a load is carried by the shortest length that carries it, however wide its elements are") {
   // The loads grow beyond all bounds towards half an element of about 1.24 half-thicknesses, where their kernel

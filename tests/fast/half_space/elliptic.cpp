@@ -9,7 +9,6 @@
 #include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/half_space.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Direction;

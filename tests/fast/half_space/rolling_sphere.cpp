@@ -3,7 +3,6 @@
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 
 #include "support/half_space.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Direction;

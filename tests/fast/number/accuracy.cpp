@@ -1,5 +1,4 @@
 #include "support/kernels.hpp"
-#include "support/test.hpp"
 
 using namespace fast_tests;
 

@@ -2,7 +2,6 @@
 #include <nipref/fast/sheet/displacements.hpp>
 
 #include "support/kernels.hpp"
-#include "support/test.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

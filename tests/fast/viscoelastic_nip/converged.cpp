@@ -1,12 +1,10 @@
 // The converged viscoelastic nip: fluids, two discretisations, memories that are hard, errors of what is small.
-#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 
 #include "support/covered.hpp"
 #include "support/softening_sheet.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::test;

@@ -1,8 +1,5 @@
 // The thesis's own way through the viscoelastic nip: its plain sums against exact displacements, its line
 // loads at their matching points, its search for m2.
-#include <tuple>
-
-#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>

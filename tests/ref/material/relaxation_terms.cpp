@@ -1,4 +1,3 @@
-#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/relaxation_terms.hpp>
 
 #include "support/test.hpp"

@@ -153,9 +153,7 @@ TEST_CASE("moving load: bad arguments are refused") {
 
 TEST_CASE("moving load: what a displacement changes by is bounded, and not loosely") {
   std::mt19937_64 random(3);
-  const auto rational = [&](double low, double high) {
-    return Exact(std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random))).value();
-  };
+  const auto rational = [&](double low, double high) { return Exact(between(low, high, random)).value(); };
   const auto sign = [&] { return std::uniform_int_distribution(0, 1)(random) == 0 ? -1 : 1; };
   const mpq_class small("1/1000000000");
   double loosest[2][3] = {};

@@ -1,5 +1,4 @@
 // Converged contacts in multiprecision, of every kind: against the double path, each other and themselves.
-#include <nipref/data/material/viscoelastic_models.hpp>
 
 #include "support/covered.hpp"
 #include "support/nip_kinds.hpp"
@@ -7,18 +6,8 @@
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;
-using data::ElasticNip;
-using data::Friction;
-using data::ViscoelasticNip;
-using test::frictionless;
-using test::gripped;
-using test::Kind;
-using test::nip_of;
-using test::Numbers;
-using test::numbers_of;
-using test::Places;
-using test::quarter_inch_nip;
-using test::rolling;
+using namespace nipref::test;
+using data::ElasticNip, data::Friction, data::ViscoelasticNip;
 
 namespace {
 
@@ -89,15 +78,12 @@ TEST_CASE("ref contact: the double path's estimates cover what they are off by a
 
 TEST_CASE("ref contact: random ones are proven, digits and panels meet, double is within its errors") {
   std::mt19937_64 random(random_seed(7));
-  const auto between = [&](double low, double high) {
-    return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
-  };
   int softened = 0, proven = 0;
   for (int i = 0; i < random_contacts(3); ++i) {
-    const double length = between(1e-3, 4), memory = length * between(0.1, 1e2);
-    const ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : 1.4 - between(0.9, 2.3)}};
+    const double length = between(1e-3, 4, random), memory = length * between(0.1, 1e2, random);
+    const ElasticNip nip{100, 1, {1, i == 0 ? 0.5 : 1.4 - between(0.9, 2.3, random)}};
     const auto softening = i % 3 == 0
-                               ? data::standard_linear_solid({1, between(0.5, 2), 2, 3, memory, 2 * memory})
+                               ? data::standard_linear_solid({1, between(0.5, 2, random), 2, 3, memory, 2 * memory})
                            : i % 3 == 1 ? data::single_relaxation_time_solid(1, 0.375, memory)
                                         : data::misprinted_thesis_solid(1, 0.375, memory);
     const Places places{-0.4 * length, 0.4999 * length};

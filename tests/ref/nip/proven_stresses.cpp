@@ -60,11 +60,8 @@ void check_stresses(const ref::ConvergedNip& few, const ref::ConvergedNip& many,
 
 TEST_CASE("proven stresses inside meet those with more digits and the estimated, and those in double") {
   std::mt19937_64 random(random_seed(11));
-  const auto between = [&](double low, double high) {
-    return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
-  };
   for (int i = 0; i < random_contacts(1); ++i) {
-    const double length = between(1e-3, 4);
+    const double length = between(1e-3, 4, random);
     CAPTURE(length);
     const data::ElasticNip elastic{100, 1, {1, 0.3}};
     const auto contact = [&](int digits, int most_terms) {
@@ -73,7 +70,7 @@ TEST_CASE("proven stresses inside meet those with more digits and the estimated,
     const auto panels = contact(20, 0);
     check_stresses(contact(16, 500), contact(20, 500), &panels,
                    fast::converged_for_length(elastic, data::Friction::none, length, 1e-10), length);
-    const double memory = length * between(0.3, 10);
+    const double memory = length * between(0.3, 10, random);
     const data::ViscoelasticNip rolling{100, 1, data::single_relaxation_time_solid(1, 0.375, memory), 1};
     check_stresses(ref::converged_for_length(rolling, length, 16),
                    ref::converged_for_length(rolling, length, 20), nullptr,

@@ -89,11 +89,6 @@ TEST_CASE("parity in both arguments") {
   CHECK(I6(x, minus_x, 30).value_text() == I6(minus_x, x, 30).value_text());
 }
 
-TEST_CASE("the decimal and the double 0.1 are different arguments") {
-  CHECK(I1(exact("0.1"), 30).value_text() != I1(Exact(0.1), 30).value_text());
-  CHECK(I1(exact("0x1.999999999999ap-4"), 30).value_text() == I1(Exact(0.1), 30).value_text());
-}
-
 TEST_CASE("error_of is exact: the error of a correctly rounded double is below half a unit") {
   const Enclosure pi_half = I2(exact("1"), 40);
   const double rounded = pi_half.to_double();

@@ -1,7 +1,6 @@
 #include <gmpxx.h>
 
 #include <nipref/ref/number/caches.hpp>
-#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 #include <nipref/ref/sheet/kernels.hpp>

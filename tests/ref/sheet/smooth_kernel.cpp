@@ -1,6 +1,5 @@
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
-#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 #include "support/intervals.hpp"
 #include "support/test.hpp"

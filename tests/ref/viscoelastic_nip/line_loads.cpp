@@ -32,19 +32,17 @@ void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& thei
 TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
   constexpr int nips = 3;  // 200 were run once
   std::mt19937_64 random(1);
-  const auto between = [&](double low, double high) {
-    return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
-  };
   const auto count = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
   for (int i = 1; i <= nips; ++i) {
-    const double tau = between(1e-2, 1e2), load = between(1, 300);
+    const double tau = between(1e-2, 1e2, random), load = between(1, 300, random);
     const auto material =
-        i % 3 == 0   ? data::standard_linear_solid({1e5, between(2e4, 2e5), 2e5, 1e5, 1e5 * tau, 2e5 * tau})
+        i % 3 == 0
+            ? data::standard_linear_solid({1e5, between(2e4, 2e5, random), 2e5, 1e5, 1e5 * tau, 2e5 * tau})
         : i % 3 == 1 ? data::single_relaxation_time_solid(1e5, 3.75e4, tau)
                      : data::misprinted_thesis_solid(1e5, 3.75e4, tau);
-    const data::ViscoelasticNip nip{6, between(0.05, 2), material, 1};
+    const data::ViscoelasticNip nip{6, between(0.05, 2, random), material, 1};
     const int terms = i % 4 == 3 ? count(1, 60) : 0, leading = count(1, 3), trailing = count(1, leading);
-    const double approach = between(0.1, 20);
+    const double approach = between(0.1, 20, random);
     CAPTURE(i);
     const auto coarse = ref::line_loads_for_load(nip, {leading, trailing, approach, terms}, load, 16);
     const auto fine = ref::line_loads_for_load(nip, {leading, trailing, approach, terms}, load, 20);

@@ -1,12 +1,9 @@
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
 
 #include "support/json_schema.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

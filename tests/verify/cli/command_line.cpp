@@ -1,6 +1,3 @@
-#include <nlohmann/json.hpp>
-#include <regex>
-
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -9,11 +6,8 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/json_schema.hpp"
-#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
 #include "support/table_rows.hpp"
-#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;

@@ -1,7 +1,4 @@
-#include <nlohmann/json.hpp>
-
 #include "support/run_nipref.hpp"
-#include "support/test.hpp"
 
 using nlohmann::json;
 

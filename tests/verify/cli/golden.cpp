@@ -1,12 +1,8 @@
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 
 #include "support/golden_folder.hpp"
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
 
 namespace {
 

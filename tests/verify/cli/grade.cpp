@@ -2,15 +2,12 @@
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <nlohmann/json.hpp>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using nlohmann::json;

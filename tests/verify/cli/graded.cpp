@@ -1,15 +1,10 @@
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
-#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using nlohmann::json;

@@ -2,7 +2,6 @@
 #include <nipref/verify/cli/house.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using nipref::verify::touched_subjects;
 using Subjects = std::set<std::string>;

@@ -2,13 +2,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
 #include "support/json_schema.hpp"
-#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using nlohmann::json;
 

@@ -1,5 +1,3 @@
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
@@ -7,10 +5,7 @@
 #include <nipref/verify/support/random.hpp>
 
 #include "support/json_schema.hpp"
-#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;

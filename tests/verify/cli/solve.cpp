@@ -1,10 +1,15 @@
-#include <nlohmann/json.hpp>
+#include <nipref/data/directory.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
-#include "support/test.hpp"
+#include "support/table_rows.hpp"
 
 using nlohmann::json;
+
+namespace {
+
+std::string example() { return text_of_file(nipref::data::example_scene("thick-frictionless")); }
+
+}  // namespace
 
 TEST_CASE("solve --full tells the thesis's search: each length by (2.13), the last load met") {
   struct Search {
@@ -38,40 +43,13 @@ TEST_CASE("a bad scene: status 2, one line with file, line, key and value, nothi
         ":5: material.model = ela stic: ");
   check(std::string("\x7f\0\x01", 3), ": syntax = (binary): must be text: this has zero bytes");
   // Its contact would be longer than the radius, which only solving tells.
-  check(
-      "title = \"too much\"\nwanted = [\"load\"]\n[roller]\nradius = 1\n[sheet]\nthickness = 1\n[material]\n"
-      "model = \"elastic\"\nyoung = 1\npoisson = 0.3\n[load]\nper_length = 10\n[friction]\nmodel = \"none\"\n"
-      "[method]\nkind = \"converged\"\n",
-      ":12: load.per_length = 10: ");
+  check(replaced_in(example(), "young = 1.45e5", "young = 1"), ":18: load.per_length = 100: ");
 }
 
-namespace {
-
-const std::string swept_nip = R"(title = "a nip"
-wanted = ["contact_length", "peak_pressure"]
-[roller]
-radius = 6
-[sheet]
-thickness = 1.0
-[material]
-model = "elastic"
-young = 1.45e5
-poisson = 0.3
-[load]
-per_length = 50
-[friction]
-[method]
-kind = "converged"
-[sweep]
-points = 3
-friction.model = ["none", "full"]
-load.per_length = "25..100:log"
-)";
-
-}  // namespace
-
 TEST_CASE("a scene's sweep solves each combination as solve does, and no other verb goes through it") {
-  const ScratchFile file(swept_nip);
+  const ScratchFile file(example() +
+                         "[sweep]\npoints = 3\nfriction.model = [\"none\", \"full\"]\n"
+                         "load.per_length = \"25..100:log\"\n");
   const json answer = answer_to("solve " + file.path() + " material.poisson=0.3,0.6", 1),
              columns = answer.at("columns");
   REQUIRE(answer.at("refused").size() == 12);
@@ -110,6 +88,6 @@ TEST_CASE("profiles and fields of a sweep are lists in JSON, and a row for each 
 }
 
 TEST_CASE("a scene is read from a pipe, which can be read once only") {
-  const ScratchFile file(swept_nip);
-  CHECK(run_with_pipe("solve", file.path(), "").out == run("solve " + file.path()).out);
+  const ScratchFile file(example());
+  CHECK(run_with_pipe("solve", file.path(), "--csv").out == run("solve --csv " + file.path()).out);
 }

@@ -1,11 +1,11 @@
 #include <nipref/data/directory.hpp>
+#include <nipref/data/table/csv.hpp>
+#include <nipref/data/table/table.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/scratch.hpp"
 #include "support/table_rows.hpp"
-#include "support/test.hpp"
 
 namespace {
 
@@ -223,24 +223,19 @@ TEST_CASE("a figure's CSV has numbers everywhere") {
         points += panel.contours->values.size();
       }
     }
-    std::istringstream csv(verify::figure_csv(all));
-    std::string line;
-    std::getline(csv, line);
-    CHECK(line == "panel,label,role,x,y,low,high,value");
-    std::size_t rows = 0;
-    for (; std::getline(csv, line); ++rows) {
+    const ScratchFile file(verify::figure_csv(all));
+    const auto records = data::read_csv(file.path()).records;
+    CHECK(verify::figure_csv(all).starts_with("panel,label,role,x,y,low,high,value\n"));
+    CHECK(records.size() == 1 + points);
+    for (std::size_t row = 1; row < records.size(); ++row) {
       // The last column is of contours alone, and all that they have but their place.
-      const bool of_contours = !line.ends_with(',');
-      if (!of_contours) line.pop_back();
-      for (int column = 0; column < (of_contours ? 1 : 4); ++column) {
-        const std::size_t comma = line.rfind(',');
-        char* end = nullptr;
-        const double number = std::strtod(line.c_str() + comma + 1, &end);
-        if (*end != '\0' || end == line.c_str() + comma + 1 || !std::isfinite(number)) FAIL_CHECK(line);
-        line.resize(comma);
+      const auto& fields = records[row];
+      const bool of_contours = !fields.back().text.empty();
+      for (std::size_t column = of_contours ? 7 : 3; column < (of_contours ? 8U : 7U); ++column) {
+        CAPTURE(row, column, fields[column].text);
+        CHECK(std::isfinite(data::read_exact_number(fields[column].text).value_or(infinite)));
       }
     }
-    CHECK(rows == points);
   }
 }
 

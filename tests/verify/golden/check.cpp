@@ -1,10 +1,8 @@
-#include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/check.hpp>
 
 #include "support/golden_folder.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using verify::GoldenFault;
@@ -18,9 +16,7 @@ std::vector<GoldenFault> faults_of(const verify::CheckedGolden& checked) {
   return faults;
 }
 
-verify::GoldenFile golden(const char* quantity) {
-  return verify::read_golden(verify::golden_path(quantity));
-}
+verify::GoldenFile golden(const char* quantity) { return verify::read_golden(verify::golden_path(quantity)); }
 
 /// The last `rows` ones.
 verify::GoldenFile last_of(verify::GoldenFile file, std::ptrdiff_t rows) {
@@ -149,12 +145,6 @@ TEST_CASE("files that checksums do not list or that are gone are found, one's ow
   sums.set("I3.csv", "x");
   std::ofstream(folder.file("SHA256SUMS")) << sums.text();
   check("SHA256SUMS lists I3.csv, which is not there");
-}
-
-TEST_CASE("SHA-256 of the standard's own examples") {
-  // FIPS 180-4 examples, as NIST gives them.
-  CHECK(verify::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  CHECK(verify::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
 TEST_CASE("checksums are read as they are written, and what are none are refused") {

@@ -4,7 +4,6 @@
 #include <nipref/verify/golden/contacts.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using verify::ContactsFile;

@@ -2,7 +2,6 @@
 #include <nipref/verify/golden/golden.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,7 +1,6 @@
 #include <nipref/verify/grade/baseline.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref::verify;
 using nipref::data::BadInput;

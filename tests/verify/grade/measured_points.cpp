@@ -2,7 +2,6 @@
 #include <nipref/verify/grade/measured_points.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using verify::MeasuredPoints;

@@ -3,10 +3,8 @@
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using doctest::Approx;

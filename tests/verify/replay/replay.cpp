@@ -5,10 +5,8 @@
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Verdict;
@@ -127,10 +125,7 @@ TEST_CASE("a wrong number of elements does not reproduce the table") {
 }
 
 TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one says what was tried") {
-  double cells = 0;
-  double met = 0;
-  double seed_errors = 0;
-  double without_number = 0;
+  double cells = 0, met = 0, seed_errors = 0, without_number = 0;
   for (const verify::LineLoadTable& table : verify::line_load_tables()) {
     const std::string id(table.id);
     const verify::Replay& replay = replayed(id);

@@ -4,10 +4,8 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
-#include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using verify::Replay;

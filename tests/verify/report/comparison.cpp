@@ -1,10 +1,7 @@
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/report/report.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/test.hpp"
 
 using namespace nipref::verify;
 using nlohmann::json;

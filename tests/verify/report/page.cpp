@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <boost/property_tree/detail/rapidxml.hpp>
-#include <nlohmann/json.hpp>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
@@ -14,8 +13,8 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/json_schema.hpp"
+#include "support/proven_pages.hpp"
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using namespace nipref::verify;
@@ -56,8 +55,7 @@ const Report& small_report() {
     small.limits = {
         {"limit.none", "W < 0", "nobody", "L/B", 2, {{0.1, {1, 1e-9}, 1.1}, {0.05, {1, 1e-9}, 1.025}}}};
     small.errata = settle_all({formula_errata().front()});
-    small.golden = {
-        {read_golden(golden_path("I1")), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
+    small.golden = {{read_golden(golden_path("I1")), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
     const std::vector<FigurePlan> plans = figures();
     small.figures = {compute(*std::ranges::find(plans, "thesis-9", &FigurePlan::id))};
     return small;
@@ -85,13 +83,7 @@ const std::string& small_page() {
 
 /// What all attributes of a name hold.
 std::vector<std::string> attributes_of(const std::string& page, const std::string& name) {
-  std::vector<std::string> values;
-  const std::string start = " " + name + "=\"";
-  for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at + 1)) {
-    const std::size_t first = at + start.size();
-    values.push_back(page.substr(first, page.find('"', first) - first));
-  }
-  return values;
+  return matches_in(page, " " + name + "=\"([^\"]*)\"");
 }
 
 /// Reads markup strictly, as XML is: what is wrong with it, or nothing.

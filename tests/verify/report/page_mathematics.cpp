@@ -1,7 +1,5 @@
 // The pages of ref as one page of HTML.
-#include "support/paths.hpp"
 #include "support/proven_pages.hpp"
-#include "support/test.hpp"
 
 TEST_CASE("the mathematics as one page has each section of the table, MathML and no dead link") {
   const auto file = std::filesystem::path(program()).parent_path() / "mathematics.html";

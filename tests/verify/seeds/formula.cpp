@@ -1,7 +1,6 @@
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 #include "support/scratch.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

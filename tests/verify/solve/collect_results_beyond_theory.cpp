@@ -1,9 +1,7 @@
 // Nips that cannot be, and those that linear theory says little of, by both paths.
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,12 +1,9 @@
 // Work and loss of rolling nips, by either path.
-#include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 
 #include "support/softening_sheet.hpp"
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,11 +1,8 @@
 // Scenes of bodies on half-spaces: what they give, by either path.
 #include <fmt/format.h>
 
-#include <nipref/verify/solve/solve.hpp>
-
 #include "support/reference_values.hpp"
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -1,10 +1,8 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 using fast::Estimate;

@@ -1,10 +1,7 @@
-#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/partial_slip/line_loads.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

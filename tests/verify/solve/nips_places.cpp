@@ -1,8 +1,6 @@
 // Where the tractions of a nip are largest and the shear changes its sign, by both paths and all methods.
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

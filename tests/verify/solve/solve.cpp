@@ -1,8 +1,6 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 #include "support/thesis_nips.hpp"
 
 using namespace nipref;

@@ -6,13 +6,10 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 
@@ -22,27 +19,20 @@ std::string text_of(const std::string& scene) {
   return data::text_of_input_file(data::example_scene(scene), "scene");
 }
 
-/// With "key = old" replaced by "key = value".
-std::string with(std::string text, const std::string& key, const std::string& value) {
-  const std::size_t begin = text.find("\n" + key + " = ");
-  REQUIRE(begin != std::string::npos);
-  const std::size_t end = text.find('\n', begin + 1);
-  return text.replace(begin, end - begin, "\n" + key + " = " + value);
-}
-
 /// The sheet of "viscoelastic-short-memory" with another relaxation time.
-std::string relaxing_in(const std::string& time, const std::string& accuracy = "1e-10") {
-  return with(with(text_of("viscoelastic-short-memory"), "relaxation_time", time), "accuracy", accuracy);
+data::Scene relaxing_in(const std::string& time) {
+  return loaded_example("viscoelastic-short-memory",
+                        {{"material.relaxation_time", time}, {"accuracy", "1e-10"}});
 }
 
 /// Its elastic sheet with the moduli divided by `softening`: E = 9 K G/(3 K + G), nu = (3 K - 2 G)/(6 K + 2 G).
-std::string elastic(double softening) {
+data::Scene elastic(double softening) {
   const double bulk = 1.45e5, shear = 5.4375e4;
-  std::string text = text_of("viscoelastic-elastic-limit");
-  text = with(text, "young", fmt::format("{}", 9 * bulk * shear / (3 * bulk + shear) / softening));
-  text = with(text, "poisson", fmt::format("{}", (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)));
-  text = with(text, "thickness", "1.0");
-  return with(text, "wanted", "[\"contact_length\", \"indentation\", \"creep_ratio\", \"peak_pressure\"]");
+  return loaded_example(
+      "viscoelastic-elastic-limit",
+      {{"material.young", fmt::format("{}", 9 * bulk * shear / (3 * bulk + shear) / softening)},
+       {"material.poisson", fmt::format("{}", (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear))},
+       {"sheet.thickness", "1.0"}});
 }
 
 constexpr const char* same_when_elastic[] = {"contact_length", "indentation", "creep_ratio", "peak_pressure"};
@@ -75,10 +65,10 @@ std::string edited(std::string text, std::mt19937_64& engine) {
 }  // namespace
 
 TEST_CASE("a memory that is far shorter or longer than the contact leaves the elastic contact") {
-  const auto relaxed = solved(elastic(2)), stiff = solved(elastic(1));
+  const auto relaxed = verify::solve(elastic(2)), stiff = verify::solve(elastic(1));
   for (const std::string time : {"1e-308", "1e-100", "1e-12"}) {
     CAPTURE(time);
-    const auto rolling = solved(relaxing_in(time));
+    const auto rolling = verify::solve(relaxing_in(time));
     // Lengths change by about the relaxation length, which is this time at speed 1.
     const double relaxation = std::strtod(time.c_str(), nullptr);
     for (const char* name : same_when_elastic) {
@@ -96,16 +86,19 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
   }
   for (const std::string time : {"1e20", "1e308"}) {
     CAPTURE(time);
-    const auto rolling = solved(relaxing_in(time));
+    const auto rolling = verify::solve(relaxing_in(time));
     for (const char* name : same_when_elastic) check_covered(rolling[name], stiff[name]);
   }
 }
 
 TEST_CASE("an angle of many turns keeps its digits") {
-  const std::string text = with(text_of("half-space-sliding-die"), "wanted", "[\"span\"]");
-  const auto near = solved(with(text, "positions", "[45.0]"));
-  const auto far = solved(with(text, "positions", "[3600000000000045.0]"));  // exact in double
-  CHECK(near.profile("span")[0].value == far.profile("span")[0].value);
+  const auto span_at = [](const char* angle) {
+    return verify::solve(loaded_example("half-space-sliding-die",
+                                        {{"wanted", R"(["span"])"}, {"profile.positions", angle}}))
+        .profile("span")[0]
+        .value;
+  };
+  CHECK(span_at("[45.0]") == span_at("[3600000000000045.0]"));  // exact in double
 }
 
 TEST_CASE("a result that is no number is refused by its name") {

@@ -1,10 +1,8 @@
 // The scenes of data/scenes/hard, which were once solved wrongly: each begins with what was wrong.
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/covered.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 
@@ -35,7 +33,7 @@ bool is_best(const verify::SceneSolution<fast::Estimate>& found,
 
 }  // namespace
 
-TEST_CASE("hard scenes are within their errors of solutions to 1e-13 at all accuracies, and meet 1e-8") {
+TEST_CASE("hard scenes are within their errors of finer solutions at all accuracies, and meet 1e-8") {
   for (const auto& file : hard_scenes()) {
     CAPTURE(file.stem().string());
     data::Scene scene = data::load_scene(file);
@@ -43,7 +41,8 @@ TEST_CASE("hard scenes are within their errors of solutions to 1e-13 at all accu
     std::vector<double> accuracies{scene.accuracy, 1e-8};
     for (int digits = 2; is_thorough() && digits < 12; ++digits) accuracies.push_back(std::pow(10, -digits));
     std::ranges::sort(accuracies, std::greater());
-    scene.accuracy = 1e-13;
+    // By day the truth is 100 times as accurate as what is asked, which takes a fifth of the time.
+    scene.accuracy = is_thorough() || scene.accuracy < 1e-9 ? 1e-13 : 1e-11;
     const auto truth = verify::solve(scene);
     auto coarser = truth;
     for (const double accuracy : accuracies) {

@@ -1,10 +1,8 @@
 // What follows from the results of a nip: eccentricity, resistance, lost power, moments of the pressure.
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
-#include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

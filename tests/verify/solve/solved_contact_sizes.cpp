@@ -3,11 +3,9 @@
 
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
-#include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/solved_scene.hpp"
-#include "support/test.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;

@@ -1,14 +1,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 #include "support/on_terminal.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

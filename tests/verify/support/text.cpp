@@ -1,7 +1,6 @@
 #include <nipref/verify/support/text.hpp>
 
 #include "support/on_terminal.hpp"
-#include "support/test.hpp"
 
 using namespace nipref::verify;
 

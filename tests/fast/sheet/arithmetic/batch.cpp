@@ -1,7 +1,6 @@
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
 #include "support/kernels.hpp"
-#include "support/test.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

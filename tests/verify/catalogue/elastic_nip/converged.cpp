@@ -53,9 +53,3 @@ TEST_CASE("an audit finds an error that is larger than fast says it is, though i
   // Of somebody else's values only the promise is asked.
   CHECK(verify::audit(modest, verify::fast_evaluator(modest, {}), options).kept());
 }
-
-TEST_CASE("dimensionless nips: what does not take the reference longer than ten seconds is not refused") {
-  CHECK_NOTHROW(static_cast<void>(nip_reference("nip.load", {1, 0.3, 1})));
-  CHECK_NOTHROW(
-      static_cast<void>(verify::ref_value(verify::find_quantity("nip.load"), Point{90, 0.3, 0}, 22)));
-}

@@ -7,7 +7,6 @@
 #include <nipref/verify/catalogue/named_point.hpp>
 
 #include "support/run_nipref.hpp"
-#include "support/test.hpp"
 
 using namespace nipref;
 

@@ -186,9 +186,9 @@ double bare_I6(double alpha, double eta) {
 double bare_shares(double alpha) { return by_shared(alpha); }
 
 #define KERNEL(name, quantity, arity, flags, open, evaluate, close) \
-  static const nipref_kernel k_##evaluate = {                       \
-      NIPREF_KERNEL_ABI, sizeof(nipref_kernel), name, quantity, arity, flags, open, evaluate, close};
-#define I3(evaluate) KERNEL(#evaluate, "I3", 1, 0, 0, evaluate, 0)
+  static const nipref_kernel k_##name = {                           \
+      NIPREF_KERNEL_ABI, sizeof(nipref_kernel), #name, quantity, arity, flags, open, evaluate, close};
+#define I3(evaluate) KERNEL(evaluate, "I3", 1, 0, 0, evaluate, 0)
 #define ADDRESS(evaluate) &k_##evaluate,
 /* Those that need nothing else, each by what is to be done with it. */
 #define OF_I3(DO) \
@@ -196,25 +196,20 @@ double bare_shares(double alpha) { return by_shared(alpha); }
   DO(exits) DO(prints) DO(aborts) DO(first_is_other) DO(crashes_in_batches) DO(slow) DO(one_too_many) DO(one_too_early) \
   DO(reads_too_much) DO(changes_arguments) DO(leaves_out) DO(refuses)
 
-KERNEL("all_sound", "I3", 1, nipref_kernel_thread_safe, 0, all_sound, 0)
-KERNEL("all_sound_I1", "I1", 1, nipref_kernel_thread_safe, 0, all_sound_I1, 0)
-KERNEL("sound_I6", "I6", 2, nipref_kernel_thread_safe, 0, sound_I6, 0)
-KERNEL("with_state", "I3", 1, nipref_kernel_thread_safe, make, with_state, unmake)
-KERNEL("shares", "I3", 1, nipref_kernel_thread_safe, 0, shares, 0)
+KERNEL(all_sound, "I3", 1, nipref_kernel_thread_safe, 0, all_sound, 0)
+KERNEL(all_sound_I1, "I1", 1, nipref_kernel_thread_safe, 0, all_sound_I1, 0)
+KERNEL(sound_I6, "I6", 2, nipref_kernel_thread_safe, 0, sound_I6, 0)
+KERNEL(with_state, "I3", 1, nipref_kernel_thread_safe, make, with_state, unmake)
+KERNEL(shares, "I3", 1, nipref_kernel_thread_safe, 0, shares, 0)
+KERNEL(not_opened, "I3", 1, 0, not_made, all_sound, 0)
+KERNEL(not_closed, "I3", 1, 0, 0, all_sound, crash_at_the_end)
+KERNEL(speaks, "I3", 1, 0, speak, all_sound, 0)
+KERNEL(speaks_last, "I3", 1, 0, 0, all_sound, speak_at_the_end)
 OF_I3(I3)
-
-static const nipref_kernel not_opened = {
-    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_opened", "I3", 1, 0, not_made, all_sound, 0};
-static const nipref_kernel not_closed = {
-    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_closed", "I3", 1, 0, 0, all_sound, crash_at_the_end};
-static const nipref_kernel speaks = {
-    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "speaks", "I3", 1, 0, speak, all_sound, 0};
-static const nipref_kernel speaks_last = {
-    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "speaks_last", "I3", 1, 0, 0, all_sound, speak_at_the_end};
 
 const nipref_kernel* const* nipref_kernels(void) {
   static const nipref_kernel* const all[] = {
       &k_all_sound, &k_all_sound_I1, &k_sound_I6, &k_with_state, &k_shares, OF_I3(ADDRESS)
-      &not_opened, &not_closed, &speaks, &speaks_last, NULL};
+      &k_not_opened, &k_not_closed, &k_speaks, &k_speaks_last, NULL};
   return all;
 }
