@@ -61,11 +61,12 @@ TEST_CASE("the stopwatch plans by a run that finds what the first built, and ask
                                             std::this_thread::sleep_for(std::chrono::milliseconds(20));
                                         },
                                         1, 1};
-  verify::time_interleaved({slow_at_first}, 3, 1e-3);
+  // A run of either is far shorter, even where the machine does something else in between.
+  verify::time_interleaved({slow_at_first}, 3, 0.05);
   CHECK(runs > 20);
   std::set<std::size_t> counts;
   const verify::Contender contender{[&](std::size_t count) { counts.insert(count); }, 8, 100};
-  const auto timings = verify::time_interleaved({contender}, 3, 1e-4);
+  const auto timings = verify::time_interleaved({contender}, 3, 0.05);
   REQUIRE(timings.size() == 1);
   CHECK(timings[0].count == 100);
   CHECK(timings[0].seconds >= 0);
