@@ -110,10 +110,9 @@ Solution::Parts Solution::parts(const Functional& f) const {
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
   // Far away kernels underflow, which act on the tractions over the whole contact.
-  const double acting = 1 + 2 * half_length() * coefficients_.cwiseAbs().sum();
-  return {
-      value(f), tails_.dot(of_left_out.cwiseAbs()),
-      equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow * acting};
+  const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
+  return {value(f), tails_.dot(of_left_out.cwiseAbs()),
+          equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};
 }
 
 }  // namespace nipref::fast
