@@ -174,19 +174,16 @@ struct ConvergedNip::Implementation {
   [[nodiscard]] double size(TractionComponent component, double position) const {
     return std::fabs(value(component, position));
   }
-  [[nodiscard]] Estimate size_estimate(TractionComponent component, double position) const {
-    const ContactPlace there = place(position);
-    const Estimate found = solved.estimate(
-        [&](const Solution& solution) { return equations->traction(solution, component, there); });
-    return {std::fabs(found.value), found.error};
-  }
   /// Of the magnitude of a traction.
   [[nodiscard]] std::vector<LocalMaximum> maxima(TractionComponent component) const {
     return local_maxima([&](double position) { return size(component, position); }, places());
   }
   [[nodiscard]] Estimate peak(TractionComponent component) const {
     // To first order the place does not matter.
-    return times(units.pressure, size_estimate(component, largest_of(maxima(component)).place));
+    const ContactPlace there = place(largest_of(maxima(component)).place);
+    const Estimate found = solved.estimate(
+        [&](const Solution& solution) { return equations->traction(solution, component, there); });
+    return times(units.pressure, {std::fabs(found.value), found.error});
   }
   /// Y of the largest magnitude of a traction.
   [[nodiscard]] Estimate peak_position(TractionComponent component) const {

@@ -85,7 +85,7 @@ struct Part {
 
 /// The parts where a contact is not what it should be, but for what its accuracy leaves.
 std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, double nats) {
-  const double tolerance = std::exp(-0.5 * nats);
+  const double tolerance = left_by_accuracy(nats);
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
   const std::vector<double> excess = excesses(contact, friction);
   std::vector<Part> parts;
@@ -232,7 +232,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
       least = wrong;
       best = std::move(contact);
     }
-    return least < std::exp(-rough / 2);
+    return least < left_by_accuracy(rough);
   };
   const ElementContact elements = element_contact(task, 60);
   const auto by_elements = [&] {
@@ -255,7 +255,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
   if (!is_found && least > too_wrong) return std::nullopt;
   // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;
-  for (double finer = rough + stride; finer < nats && least > std::exp(-nats / 2); finer += stride) {
+  for (double finer = rough + stride; finer < nats && least > left_by_accuracy(nats); finer += stride) {
     if (auto contact = find_zones(task, *best, finer)) best = std::move(contact);
     least = wrongness(*best, task.friction);
   }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 
 #include <nipref/fast/partial_slip/internal/zone_contact.hpp>
@@ -16,6 +17,8 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 /// How far each sample of a contact is from what it should be, where it sticks with what follows up to the next: the shear
 /// beyond friction where it sticks, over friction, and slip along the shear over the largest slip; 0 in the contact itself.
 std::vector<double> excesses(const ZoneContact& contact, double friction);
+/// What a contact made for an accuracy of e^-nats may leave of them where its zones are right.
+inline double left_by_accuracy(double nats) { return std::exp(-nats / 2); }
 /// Their mean over the contact.
 double wrongness(const ZoneContact& contact, double friction);
 

@@ -50,7 +50,7 @@ double relative_difference(const ZoneContact& coarser, const ZoneContact& contac
 /// Whether other zones belong where a sample is: more is wrong there than the accuracy leaves, or slip goes along the shear up to an
 /// end of the contact, where no boundary that is a little displaced can make it.
 std::vector<bool> left_out(const ZoneContact& contact, const std::vector<double>& excess, double nats) {
-  const double tolerance = std::exp(-nats / 2);
+  const double tolerance = left_by_accuracy(nats);
   std::vector<bool> result;
   for (const double one : excess) result.push_back(one > tolerance);
   const auto from_end = [&](auto sample, auto wrong, const auto& end, auto marked) {

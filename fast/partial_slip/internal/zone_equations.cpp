@@ -254,6 +254,8 @@ bool ZoneEquations::iterate() {
   // After a shorter step the same derivatives do.
   constexpr double short_step = 1e-3;
   constexpr int most_steps = 30;
+  // e^-39, over the contact: no accuracy in double sees shorter ones.
+  constexpr double shortest_zone = 1e-17;
   const double longest = 2 * length();
   const auto size_of = [&](const Eigen::VectorXd& change) {
     return change.tail(static_cast<Index>(zones_.size())).cwiseAbs().maxCoeff();
@@ -280,8 +282,9 @@ bool ZoneEquations::iterate() {
       unknowns_ = unknowns;
       zones_ = zones;
       step(change, part);
-      if (length() > longest ||
-          std::ranges::any_of(zones_, [&](const Zone& zone) { return zone.length < 1e-17 * length(); }))
+      if (length() > longest || std::ranges::any_of(zones_, [&](const Zone& zone) {
+            return zone.length < shortest_zone * length();
+          }))
         return false;
       kernels = this->kernels();
       remains = residual(kernels);
