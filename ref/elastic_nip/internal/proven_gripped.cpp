@@ -183,7 +183,7 @@ void GrippedContact::solve(const System<Interval>& system) {
   };
   Vector right(unknowns);
   right(0) = 1;
-  const std::optional<Vector> solution = refined_solution(matrix, right, apply);
+  const std::optional<Vector> solution = refined_solution(EliminatedInDouble(matrix), right, apply);
   for (long k = 0; k < unknowns; ++k)
     alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
 }

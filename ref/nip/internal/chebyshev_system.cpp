@@ -5,7 +5,6 @@
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
-#include <nipref/ref/number/internal/refined_solution.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -46,11 +45,8 @@ SlopeSeries SlopeSeries::line(int size) {
 
 std::vector<ChebyshevSystem> ChebyshevSystem::of_half_length(const Float& half_length, int size,
                                                              SmoothKernel& kernel, bool both) {
-  Nodes nodes{Cosines(2L * size, working_bits()), {}, {}};
-  for (long k = 0; k < 8L * size; ++k) {
-    nodes.middles.push_back(middle_of(nodes.cosines(k)));
-    nodes.in_double.push_back(static_cast<double>(nodes.middles.back()));
-  }
+  Nodes nodes{Cosines(2L * size, working_bits()), {}};
+  for (long k = 0; k < 8L * size; ++k) nodes.middles.push_back(middle_of(nodes.cosines(k)));
   std::vector<Float> places, odd, even;
   for (int i = 0; i < size; ++i) places.push_back(half_length * nodes.middles[at(2L * i + 1)]);
   odd.reserve(place(size - 1, size - 1) + 1);
@@ -69,7 +65,7 @@ std::vector<ChebyshevSystem> ChebyshevSystem::of_half_length(const Float& half_l
   return systems;
 }
 
-/// cos(k pi/(4n)) in intervals, their middles, or in double.
+/// cos(k pi/(4n)) in intervals, or their middles.
 template <>
 const Interval& ChebyshevSystem::cosine<Interval>(long k) const {
   return nodes_->cosines(k);
@@ -77,10 +73,6 @@ const Interval& ChebyshevSystem::cosine<Interval>(long k) const {
 template <>
 const Float& ChebyshevSystem::cosine<Float>(long k) const {
   return nodes_->middles[at(k % (8L * size_))];
-}
-template <>
-const double& ChebyshevSystem::cosine<double>(long k) const {
-  return nodes_->in_double[at(k % (8L * size_))];
 }
 
 ChebyshevSystem::ChebyshevSystem(bool is_odd, const Float& half_length, int size,
@@ -92,34 +84,18 @@ ChebyshevSystem::ChebyshevSystem(bool is_odd, const Float& half_length, int size
       nodes_(std::move(nodes)),
       part_(std::move(part)),
       kernel_error_(kernel_error) {
-  // f(k) = sum_m cos(m k pi/(2n))/m: the logarithm between the nodes i and j is f(i - j) + f(i + j + 1). Where the values
-  // at the nodes have no mean, a constant does not change what solves the system, but makes it definite.
-  Eigen::VectorXd logarithm = Eigen::VectorXd::Zero(2 * size);
-  for (long k = 0; k < 2L * size; ++k)
-    for (long m = first(); m < end(); m += 2)
-      logarithm(k) += cosine<double>(2 * m * k) / static_cast<double>(m);
-  Eigen::MatrixXd system(size, size);
-  cosines_in_double_.resize(size, size);
+  Eigen::MatrixXd cosines(size, unknowns()), kernel(size, size);
   for (int i = 0; i < size; ++i) {
-    for (int j = 0; j < size; ++j) {
-      system(i, j) = logarithm(std::abs(i - j)) + logarithm(i + j + 1) +
-                     static_cast<double>(this->part(i, j)) + (is_odd ? 0 : 1);
-      cosines_in_double_(i, j) = cosine<double>((first() + 2L * j) * (2L * i + 1));
-    }
+    for (int j = 0; j < size; ++j) kernel(i, j) = static_cast<double>(this->part(i, j));
+    for (Vector::Index k = 0; k < unknowns(); ++k)
+      cosines(i, k) = static_cast<double>(cosine<Float>((first() + 2 * k) * (2L * i + 1)));
   }
-  factor_.compute(system);
-}
-
-/// Of the right-hand side of m = first(), first() + 2, ..
-Eigen::VectorXd ChebyshevSystem::solved_in_double(const Eigen::VectorXd& right) const {
-  Eigen::VectorXd y = factor_.solve(size_ * (cosines_in_double_ * right));
-  if (!is_odd_) {
-    const Eigen::VectorXd constant = factor_.solve(Eigen::VectorXd::Ones(size_));
-    y -= constant * (y.sum() / constant.sum());
+  Eigen::MatrixXd system = cosines.transpose() * (kernel * cosines);
+  for (Vector::Index k = 0; k < unknowns(); ++k) {
+    system.col(k) *= 2 * static_cast<double>(first() + 2 * k) / (double{size} * size);
+    system(k, k) += 1;
   }
-  Eigen::VectorXd c = cosines_in_double_.transpose() * y;
-  for (int k = 0; k < size_; ++k) c(k) *= 2.0 / (size_ * (2.0 * k + (is_odd_ ? 1 : 2)));
-  return c;
+  eliminated_.compute(system);
 }
 
 const Float& ChebyshevSystem::part(int i, int j) const { return part_[place(i, j)]; }
@@ -145,28 +121,23 @@ ChebyshevSystem::Applied<Number> ChebyshevSystem::applied_to(const std::vector<N
 }
 
 std::vector<Float> ChebyshevSystem::solution(const SlopeSeries& right) const {
-  const Vector::Index unknowns = (end() - first() + 1) / 2;
   const auto spread = [&](const Vector& x) {
     std::vector<Float> c(at(end()));
-    for (Vector::Index k = 0; k < unknowns; ++k) c[at(first() + 2 * k)] = x(k);
+    for (Vector::Index k = 0; k < x.size(); ++k) c[at(first() + 2 * k)] = x(k);
     return c;
   };
   const auto apply = [&](const Vector& x) {
     const std::vector<Float> smooth = applied_to(spread(x)).smooth;
     Vector result = x;
-    for (Vector::Index k = 0; k < unknowns; ++k)
+    for (Vector::Index k = 0; k < x.size(); ++k)
       result(k) += 2 * smooth[at(first() + 2 * k)] / (Float(size_) * size_);
     return result;
   };
-  Vector wanted(unknowns);
-  for (Vector::Index k = 0; k < unknowns; ++k) wanted(k) = middle_of(right.coefficients[at(first() + 2 * k)]);
-  const auto solve = [&](const Eigen::VectorXd& rest) -> Eigen::VectorXd {
-    Eigen::VectorXd padded = Eigen::VectorXd::Zero(size_);
-    padded.head(unknowns) = rest;
-    return solved_in_double(padded).head(unknowns);
-  };
+  Vector wanted(unknowns());
+  for (Vector::Index k = 0; k < wanted.size(); ++k)
+    wanted(k) = middle_of(right.coefficients[at(first() + 2 * k)]);
   // No proof relies on it, as proven() bounds what it leaves.
-  return spread(refined_by(solve, wanted, apply).value_or(Vector(unknowns)));
+  return spread(refined_solution(eliminated_, wanted, apply).value_or(Vector(unknowns())));
 }
 
 BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, const SlopeSeries& right,

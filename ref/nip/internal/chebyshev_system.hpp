@@ -4,7 +4,7 @@
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
@@ -55,7 +55,6 @@ class ChebyshevSystem {
   struct Nodes {
     Cosines cosines;
     std::vector<Float> middles;
-    std::vector<double> in_double;
   };
   /// What of sum_k k c_k cos(k theta) at the nodes t > 0, and of the kernel times that.
   template <class Number>
@@ -67,12 +66,11 @@ class ChebyshevSystem {
                   std::vector<Float> part, const Float& kernel_error);
   [[nodiscard]] long first() const { return is_odd_ ? 1 : 2; }
   [[nodiscard]] long end() const { return 2L * size_; }
+  [[nodiscard]] Vector::Index unknowns() const { return (end() - first() + 1) / 2; }
   template <class Number>
   [[nodiscard]] const Number& cosine(long k) const;
   template <class Number>
   [[nodiscard]] Applied<Number> applied_to(const std::vector<Number>& coefficients) const;
-
-  [[nodiscard]] Eigen::VectorXd solved_in_double(const Eigen::VectorXd& right) const;
 
   bool is_odd_;
   Float half_length_;
@@ -80,8 +78,7 @@ class ChebyshevSystem {
   std::shared_ptr<const Nodes> nodes_;
   std::vector<Float> part_;  ///< its lower triangle
   Float kernel_error_;
-  Eigen::MatrixXd cosines_in_double_;   ///< cos(m theta_i), m = first(), first() + 2, ..
-  Eigen::LLT<Eigen::MatrixXd> factor_;  ///< of the system of the values of q sin(theta) at the nodes
+  EliminatedInDouble eliminated_;
 };
 
 /// The solutions of odd and even m together.

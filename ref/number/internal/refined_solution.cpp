@@ -11,8 +11,8 @@ constexpr int most_corrections = 60;
 
 }  // namespace
 
-std::optional<Vector> refined_by(const SolvedInDouble& solved, const Vector& right,
-                                 const std::function<Vector(const Vector&)>& apply) {
+std::optional<Vector> refined_solution(const EliminatedInDouble& approximate, const Vector& right,
+                                       const std::function<Vector(const Vector&)>& apply) {
   const Vector::Index size = right.size();
   Vector x(size), rest = right;
   const Float enough = size * std::numeric_limits<Float>::epsilon() * largest_entry(right);
@@ -20,7 +20,7 @@ std::optional<Vector> refined_by(const SolvedInDouble& solved, const Vector& rig
     const Float scale = largest_entry(rest);
     Eigen::VectorXd correction(size);
     for (Vector::Index i = 0; i < size; ++i) correction(i) = static_cast<double>(rest(i) / scale);
-    correction = solved(correction);
+    correction = approximate.solve(correction);
     if (!correction.allFinite()) return {};
     Vector better = x;
     for (Vector::Index i = 0; i < size; ++i) better(i) += correction(i) * scale;
@@ -32,15 +32,9 @@ std::optional<Vector> refined_by(const SolvedInDouble& solved, const Vector& rig
   return largest_entry(rest) <= 1000 * enough ? std::optional(std::move(x)) : std::nullopt;
 }
 
-std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
-                                       const std::function<Vector(const Vector&)>& apply) {
-  const Eigen::PartialPivLU<Eigen::MatrixXd> eliminated(matrix);
-  return refined_by([&](const Eigen::VectorXd& rest) -> Eigen::VectorXd { return eliminated.solve(rest); },
-                    right, apply);
-}
-
 Vector refined_solution(const Matrix& matrix, const Vector& right) {
-  auto solution = refined_solution(matrix.cast<double>(), right, [&](const Vector& x) { return matrix * x; });
+  auto solution = refined_solution(EliminatedInDouble(matrix.cast<double>()), right,
+                                   [&](const Vector& x) { return matrix * x; });
   return solution ? *std::move(solution) : solve(matrix, right);
 }
 

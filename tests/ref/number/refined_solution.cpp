@@ -46,7 +46,7 @@ TEST_CASE("a solution whose residual is not a number is refused") {
   Vector right(1);
   right(0) = 1;
   const Float zero = 0;
-  CHECK_FALSE(refined_solution(identity, right, [&](const Vector&) {
+  CHECK_FALSE(refined_solution(EliminatedInDouble(identity), right, [&](const Vector&) {
                 Vector none(1);
                 none(0) = zero / zero;
                 return none;
