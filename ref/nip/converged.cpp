@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -103,52 +104,22 @@ std::vector<Float> samples_of(const NipSolution& of) {
   return samples;
 }
 
-/// f'(x) of a function that is analytic at least within four times `reach` of x, from the polynomial through Chebyshev
-/// points within `reach`. The rounding errors of f are divided by `reach`; no other digits of the working precision are
-/// lost.
-template <class Function>
-Float local_slope(const Function& f, const Float& x, const Float& reach) {
-  // The interpolation error is about (4 + sqrt 15)^-nodes.
-  const int pairs = static_cast<int>(working_bits()) / 5 + 4, nodes = 2 * pairs;
-  Float sum = 0;
-  for (int j = 0; j < pairs; ++j) {
-    // sum_k a_k T_k'(0) over odd k, a_k = (2/nodes) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2).
-    const Float theta = (2 * j + 1) * pi() / (2 * nodes), place = cos(theta);
-    Float weight = 0, before = place, now = place;  // cos(-theta), cos(theta)
-    const Float twice = 2 * cos(2 * theta);
-    for (int k = 1; k < nodes; k += 2) {
-      weight += (k % 4 == 1 ? k : -k) * now;
-      Float next = twice * now - before;
-      before = std::move(now);
-      now = std::move(next);
-    }
-    sum += weight * (f(x + reach * place) - f(x - reach * place));
-  }
-  return 2 * sum / (nodes * reach);
-}
-
-/// x of the largest |part| of the tractions, to all digits: the zero of its slope between the neighbours of the largest
-/// sample. Of places that are alike the leading one.
+/// x of the largest |part| of the tractions, to all digits: near the largest sample. As they are flat there, half of the
+/// digits with which they are computed tell the place. Of places that are alike the leading one.
 Float place_of_largest(const NipSolution& of, Traction part) {
   const std::vector<Float> samples = samples_of(of);
-  std::size_t best = 1;
-  Float largest = 0;
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    const Float here = abs(of.tractions(samples[i]).*part);
-    if (here > largest) largest = here, best = i;
+  const auto size = [&](const Float& x) -> Float { return abs(of.tractions(x).*part); };
+  const auto largest = std::ranges::max_element(samples.begin() + 1, samples.end() - 1, {}, size);
+  const int digits = digits_of(working_bits());
+  Float place;
+  {
+    const WorkingDigits more(2 * digits);
+    place = boost::math::tools::brent_find_minima([&](const Float& x) -> Float { return -size(x); },
+                                                  *(largest - 1), *(largest + 1),
+                                                  static_cast<int>(working_bits()))
+                .first;
   }
-  const Float end = 2 * of.half_length(), near = samples[best];
-  const int sign = of.tractions(near).*part < 0 ? -1 : 1;
-  const auto traction = [&](const Float& x) -> Float { return sign * (of.tractions(x).*part); };
-  const auto slope = [&](const Float& x) -> Float {
-    return local_slope(traction, x, std::min({Float(x / 5), Float((end - x) / 5), Float(1)}));
-  };
-  // Not at the ends themselves, where the slope is infinite.
-  const Float low = std::max(samples[best - 1], Float(near / 64)),
-              high = std::min(samples[best + 1], Float(end - (end - near) / 64));
-  const auto zero =
-      bracketed_root<Float>(slope, low, high, near * std::numeric_limits<Float>::epsilon() * 1e4);
-  return zero ? *zero : near;
+  return at_working_precision(place);
 }
 
 /// Places x over the half length, falling, between which and the next the shear of both solutions changes its sign.
