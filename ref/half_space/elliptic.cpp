@@ -25,82 +25,69 @@ struct Ellipse {
 };
 
 /// The square of the half-width along a line over a b, which is e^eta C^2 + e^-eta S^2 with C and S the cosine and
-/// sine of the angle from the major axis, and its derivatives.
+/// sine of the angle from the major axis.
 class SquaredWidth {
  public:
-  explicit SquaredWidth(const Ellipse& ellipse) : eta_(ellipse.eta()), wide_(exp(eta_)), narrow_(1 / wide_) {
-    const bool is_round = eta_ == Float(0);
-    cosine2_ = is_round ? Float(1) : Float(ellipse.p / eta_);
-    sine2_ = is_round ? Float(0) : Float(ellipse.q / eta_);
+  explicit SquaredWidth(const Ellipse& ellipse) : wide_(exp(ellipse.eta())), narrow_(1 / wide_) {
+    const bool is_round = wide_ == Float(1);
+    const Float cosine2 = is_round ? Float(1) : Float(ellipse.p / ellipse.eta()),
+                sine2 = is_round ? Float(0) : Float(ellipse.q / ellipse.eta());
     // alpha from its double, |alpha| <= 90 degrees, without cancellation
     const bool is_forward = ellipse.p >= Float(0);
-    const Float larger = sqrt((1 + abs(cosine2_)) / 2), smaller = abs(sine2_) / (2 * larger);
+    const Float larger = sqrt((1 + abs(cosine2)) / 2), smaller = abs(sine2) / (2 * larger);
     cosine_ = is_forward ? larger : smaller;
     sine_ = is_forward ? smaller : larger;
-    if (sine2_ < Float(0)) sine_ = -sine_;
-    turning_ = is_round ? Float(1) : Float(sinh(eta_) / eta_);
+    if (sine2 < Float(0)) sine_ = -sine_;
   }
 
-  struct Value {
-    Float value, over_p, over_q;
-  };
-  [[nodiscard]] Value at(const CrowdedDirections::Direction& line) const {
+  [[nodiscard]] Float at(const CrowdedDirections::Direction& line) const {
     const Float c = line.cosine * cosine_ + line.sine * sine_, s = line.sine * cosine_ - line.cosine * sine_;
-    const Float grown = wide_ * c * c - narrow_ * s * s, turned = 2 * c * s * turning_;
-    return {wide_ * c * c + narrow_ * s * s, grown * cosine2_ - turned * sine2_,
-            grown * sine2_ + turned * cosine2_};
+    return wide_ * c * c + narrow_ * s * s;
   }
 
  private:
-  Float eta_, wide_, narrow_;
-  Float cosine2_, sine2_, cosine_, sine_;
-  Float turning_;  ///< sinh(eta)/eta
+  Float wide_, narrow_, cosine_, sine_;
 };
 
-/// A function of the ellipse and its derivatives with respect to p and q.
-struct Sloped {
-  Float value, over_p, over_q;
+/// What is 0 if m = int K n n/w^3 dpsi is proportional to the curvatures: ln(m11/m22) less the logarithm of their ratio, and
+/// m12 over the mean of the others. By the trapezoidal sums.
+struct Mismatch {
+  Float ratio, turn;
 
-  void add(const Float& term, const Float& slope, const SquaredWidth::Value& width) {
-    value += term;
-    over_p += slope * width.over_p;
-    over_q += slope * width.over_q;
+  Mismatch(const Lines& lines, const Float& curvature_ratio, const Ellipse& ellipse) {
+    const SquaredWidth squared_width(ellipse);
+    Float m11, m12, m22;
+    for (const auto& [at, compliance] : lines) {
+      const Float width = squared_width.at(at), term = at.weight * compliance / (width * sqrt(width));
+      m11 += term * at.cosine * at.cosine;
+      m12 += term * at.cosine * at.sine;
+      m22 += term * at.sine * at.sine;
+    }
+    ratio = log(m11 / m22 * curvature_ratio);
+    turn = m12 / sqrt(m11 * m22);
   }
 };
 
-/// The ellipse for which m = int K n n/w^3 dpsi is proportional to the curvatures: ln(m11/m22) is the logarithm of
-/// their ratio and m12 = 0. By Newton's method for the trapezoidal sums; nothing if it does not converge.
+/// The ellipse without mismatch, by Newton's method with differences over so little that each step about doubles the digits;
+/// nothing if it does not converge.
 std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_ratio, Ellipse ellipse) {
+  const Float little = sqrt(std::numeric_limits<Float>::epsilon());
   for (int step = 0; step < 60; ++step) {
-    const SquaredWidth squared_width(ellipse);
-    Sloped m11, m12, m22;
-    for (const auto& [at, compliance] : lines) {
-      const auto width = squared_width.at(at);
-      const Float term = at.weight * compliance / (width.value * sqrt(width.value));
-      const Float slope = Float(-1.5) * term / width.value;
-      const Float cc = at.cosine * at.cosine, cs = at.cosine * at.sine, ss = at.sine * at.sine;
-      m11.add(term * cc, slope * cc, width);
-      m12.add(term * cs, slope * cs, width);
-      m22.add(term * ss, slope * ss, width);
-    }
-    const Float size = sqrt(m11.value * m22.value);
-    const Float r1 = log(m11.value / m22.value * curvature_ratio), r2 = m12.value / size;
-    const auto along = [&](Float Sloped::*over) { return m11.*over / m11.value; };
-    const auto across = [&](Float Sloped::*over) { return m22.*over / m22.value; };
-    const auto first = [&](Float Sloped::*over) { return along(over) - across(over); };
-    const auto second = [&](Float Sloped::*over) {
-      return m12.*over / size - r2 * (along(over) + across(over)) / 2;
+    const auto at = [&](const Float& p, const Float& q) -> Mismatch {
+      return {lines, curvature_ratio, {ellipse.p + p, ellipse.q + q}};
     };
-    const Float j11 = first(&Sloped::over_p), j12 = first(&Sloped::over_q);
-    const Float j21 = second(&Sloped::over_p), j22 = second(&Sloped::over_q);
+    const Mismatch here = at(0, 0), beside = at(little, 0), above = at(0, little);
+    const Float j11 = (beside.ratio - here.ratio) / little, j12 = (above.ratio - here.ratio) / little,
+                j21 = (beside.turn - here.turn) / little, j22 = (above.turn - here.turn) / little;
     const Float determinant = j11 * j22 - j12 * j21;
-    Float dp = -(r1 * j22 - r2 * j12) / determinant, dq = -(r2 * j11 - r1 * j21) / determinant;
+    const Float dp = (here.turn * j12 - here.ratio * j22) / determinant,
+                dq = (here.ratio * j21 - here.turn * j11) / determinant;
     const Float length = hypot(dp, dq);
     if (mpfr_number_p(raw(length)) == 0) return std::nullopt;
     const Float part = 1 / std::max(Float(1), length);
     ellipse.p += part * dp;
     ellipse.q += part * dq;
-    if (length < sqrt(std::numeric_limits<Float>::epsilon()) * Float(1e-3)) return ellipse;
+    if (length < little * Float(1e-3)) return ellipse;
   }
   return std::nullopt;
 }
@@ -130,7 +117,7 @@ struct Level {
   Level(const Ellipse& found, const Lines& lines) : ellipse(found) {
     const SquaredWidth squared_width(found);
     for (const auto& [at, compliance] : lines) {
-      const Float square = squared_width.at(at).value;
+      const Float square = squared_width.at(at);
       const Float term = at.weight * compliance / sqrt(square);
       first += term;
       third += term / square;
@@ -144,7 +131,7 @@ struct Level {
   [[nodiscard]] Float radius(const Exact& degrees) const {
     const Float psi = to_float(degrees) * pi() / 180, c = cos(psi), s = sin(psi);
     // The half-width of the ellipse turned by 90 degrees is 1 over the radius of this one.
-    return 1 / sqrt(SquaredWidth({-ellipse.p, -ellipse.q}).at({degrees, c, s, 1}).value);
+    return 1 / sqrt(SquaredWidth({-ellipse.p, -ellipse.q}).at({degrees, c, s, 1}));
   }
 };
 
