@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include <nipref/ref/nip/internal/end_integrals.hpp>
+#include <nipref/ref/nip/internal/singular_integrals.hpp>
 #include <nipref/ref/nip/internal/tractions.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
@@ -23,81 +23,30 @@ constexpr double nats_of_degree = 1.25;
 /// Gaps between a place and a piece, over the piece's width, from which on fewer nodes suffice.
 constexpr std::array<double, 2> distances{2, 8};
 
-/// int P_k(t) ln|x - t| dt and int P_k(t) sign(x - t) dt over -1 <= t <= 1, k < count.
-struct LegendreMoments {
-  std::vector<Float> logarithm, sign;
-};
-
-/// With Q_k = (1/2) int P_k(t)/(x - t) dt, as P_k is the derivative of (P_{k+1} - P_{k-1})/(2k + 1), k > 0, which is 0 at
-/// both ends: 2 (Q_{k+1} - Q_{k-1})/(2k + 1), and the same of P for the sign. Beyond the ends Q_k falls where its
-/// recurrence's other solution grows, which takes more digits.
-LegendreMoments legendre_moments(const Float& x, int count) {
-  const double size = std::fabs(static_cast<double>(x));
-  const double lost = size > 1 ? 2 * count * std::log10(size + std::sqrt(size * size - 1)) : 0;
-  const int digits = digits_of(working_bits()) + static_cast<int>(lost) + 2;
-  LegendreMoments moments;
-  {
-    const WorkingDigits more(digits);
-    const Float above = 1 + x, below = 1 - x;
-    const Float log_above = above == 0 ? Float(0) : log(abs(above)),
-                log_below = below == 0 ? Float(0) : log(abs(below));
-    std::vector<Float> p{1, x}, q{(log_above - log_below) / 2};
-    q.push_back(x * q[0] - 1);
-    for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k) {
-      p.push_back(((2 * k + 1) * x * p[k] - k * p[k - 1]) / (k + 1));
-      q.push_back(((2 * k + 1) * x * q[k] - k * q[k - 1]) / (k + 1));
-    }
-    moments.logarithm.push_back(above * log_above + below * log_below - 2);
-    moments.sign.push_back(2 * x);
-    for (std::size_t k = 1; k < static_cast<std::size_t>(count); ++k) {
-      moments.logarithm.push_back(2 * (q[k + 1] - q[k - 1]) / (2 * k + 1));
-      moments.sign.push_back(2 * (p[k + 1] - p[k - 1]) / (2 * k + 1));
-    }
+/// The values of T_k(2x - 1), k < terms, a row a place.
+Matrix chebyshev_at(const std::vector<Float>& places, int terms) {
+  Matrix values(static_cast<Index>(places.size()), terms);
+  std::vector<Float> here(static_cast<std::size_t>(terms));
+  for (Index j = 0; j < values.rows(); ++j) {
+    chebyshev_values(2 * places[static_cast<std::size_t>(j)] - 1, here);
+    for (Index k = 0; k < terms; ++k) values(j, k) = here[static_cast<std::size_t>(k)];
   }
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    moments.logarithm[k] = at_working_precision(moments.logarithm[k]);
-    moments.sign[k] = at_working_precision(moments.sign[k]);
-  }
-  return moments;
+  return values;
 }
 
-/// Interpolation at Chebyshev's points of 0 .. 1: the values at `places` of the polynomials that are 1 at one point, a row a
-/// point.
+/// The coefficients of the polynomials that are 1 at one of Chebyshev's points of 0 .. 1, a row a point.
+Matrix coefficients_by(const std::vector<Float>& points) {
+  const int count = static_cast<int>(points.size());
+  Matrix coefficients = chebyshev_at(points, count);
+  coefficients *= Float(2) / count;
+  coefficients.col(0) /= Float(2);
+  return coefficients;
+}
+
+/// The values of these polynomials, a row a point.
 Matrix interpolation(const std::vector<Float>& points, const std::vector<Float>& places) {
-  const auto values = [&](const std::vector<Float>& at) {
-    Matrix chebyshev(static_cast<Index>(at.size()), static_cast<Index>(points.size()));
-    std::vector<Float> here(points.size());
-    for (Index j = 0; j < chebyshev.rows(); ++j) {
-      chebyshev_values(2 * at[static_cast<std::size_t>(j)] - 1, here);
-      for (Index l = 0; l < chebyshev.cols(); ++l) chebyshev(j, l) = here[static_cast<std::size_t>(l)];
-    }
-    return chebyshev;
-  };
-  Matrix weights = values(points);
-  weights *= Float(2) / static_cast<int>(points.size());
-  weights.col(0) /= Float(2);
-  return weights * Matrix(values(places).transpose());
+  return coefficients_by(points) * Matrix(chebyshev_at(places, static_cast<int>(points.size())).transpose());
 }
-
-/// Gauss's rule and (2k + 1) P_k at its nodes: a row a node.
-struct GaussNodes {
-  UnitRule rule;
-  Matrix legendre;
-
-  explicit GaussNodes(int count) : rule(gauss_rule(count)), legendre(count, count) {
-    for (Index j = 0; j < count; ++j) {
-      const Float x = 2 * rule.from_left[static_cast<std::size_t>(j)] - 1;
-      Float last = 0, now = 1;
-      for (Index k = 0; k < count; ++k) {
-        legendre(j, k) = (2 * k + 1) * now;
-        Float next = ((2 * k + 1) * x * now - k * last) / (k + 1);
-        last = std::move(now);
-        now = std::move(next);
-      }
-    }
-  }
-  [[nodiscard]] Index size() const { return legendre.rows(); }
-};
 
 bool any_has(const std::vector<LineFunctional>& functionals, Influence kind) {
   const auto number = static_cast<std::size_t>(kind);
@@ -126,17 +75,17 @@ struct Tractions::Rules {
     Matrix to_plain, to_end;
   };
 
-  GaussNodes plain;
+  UnitRule plain;
   std::vector<Float> end;
   std::vector<Distant> distant;
 
   Rules(int terms, double nats)
-      : plain(std::max(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6, terms)),
+      : plain(gauss_rule(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6)),
         end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {
     for (const double gap : distances) {
       const std::vector<Float> points =
           chebyshev_points(static_cast<int>(nats / std::acosh(2 * gap + 1)) + 3);
-      distant.push_back({points, interpolation(points, plain.rule.from_left), interpolation(points, end)});
+      distant.push_back({points, interpolation(points, plain.from_left), interpolation(points, end)});
     }
   }
 };
@@ -152,6 +101,7 @@ struct Tractions::Piece {
   std::size_t panel;
   Float from, width;
   std::vector<Nodes> nodes;  ///< for places near, and at one of `distances` each where the panel is one piece
+  Matrix own;  ///< T_k in those of the piece's own variable, a row each; nothing where they are these
   /// Of a panel without w, from its first piece to this one: the integrals of T_k, then those of e T_k.
   Vector sums;
 };
@@ -201,15 +151,15 @@ void Tractions::add_end_piece() {
   for (const Float& x : rules_->end) nodes.places.push_back(panel.width * x);
   nodes.real = weights.leftCols(panel.terms);
   if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms);
-  pieces_.push_back({0, 0, panel.width, {std::move(nodes)}, {}});
+  pieces_.push_back({0, 0, panel.width, {std::move(nodes)}, {}, {}});
   add_distant_nodes(pieces_.back());
 }
 
 void Tractions::add_piece(std::size_t number, const Float& from, const Float& width) {
   const TractionPanel& panel = panels_[number];
-  const UnitRule& rule = rules_->plain.rule;
-  Piece piece{number, from, width, {}, Vector(2 * panel.terms)};
-  Nodes nodes{{}, Matrix(rules_->plain.size(), panel.terms), {}};
+  const UnitRule& rule = rules_->plain;
+  Piece piece{number, from, width, {}, {}, Vector(2 * panel.terms)};
+  Nodes nodes{{}, Matrix(static_cast<Index>(rule.size()), panel.terms), {}};
   if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
   std::vector<Float> values(static_cast<std::size_t>(panel.terms));
   for (std::size_t j = 0; j < rule.size(); ++j) {
@@ -223,7 +173,14 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
     }
   }
   piece.nodes.push_back(std::move(nodes));
-  if (width == panel.width) add_distant_nodes(piece);
+  if (width == panel.width) {
+    add_distant_nodes(piece);
+  } else {
+    const std::vector<Float> points = chebyshev_points(panel.terms);
+    std::vector<Float> in_panel;
+    for (const Float& x : points) in_panel.push_back((from + width * x - panel.left) / panel.width);
+    piece.own = Matrix(chebyshev_at(in_panel, panel.terms).transpose()) * coefficients_by(points);
+  }
   pieces_.push_back(std::move(piece));
 }
 
@@ -243,14 +200,8 @@ void Tractions::add_distant_nodes(Piece& piece) const {
 Matrix Tractions::end_weights() const {
   const auto nodes = static_cast<Index>(rules_->end.size());
   const int terms = panels_.front().terms;
-  const EndIntegrals moments(epsilon_, terms + static_cast<int>(nodes));
-  Matrix chebyshev(nodes, nodes), products(nodes, 2 * terms);
-  std::vector<Float> values(static_cast<std::size_t>(nodes));
-  for (Index j = 0; j < nodes; ++j) {
-    chebyshev_values(2 * rules_->end[static_cast<std::size_t>(j)] - 1, values);
-    for (Index l = 0; l < nodes; ++l)
-      chebyshev(j, l) = (l == 0 ? 1 : 2) * values[static_cast<std::size_t>(l)];
-  }
+  const SingularIntegrals moments(exponent(0), terms + static_cast<int>(nodes));
+  Matrix products(nodes, 2 * terms);
   for (Index l = 0; l < nodes; ++l) {
     for (Index k = 0; k < terms; ++k) {
       const ComplexFloat product = moments.plain(l + k) + moments.plain(std::abs(l - k));
@@ -258,82 +209,72 @@ Matrix Tractions::end_weights() const {
       products(l, terms + k) = product.im;
     }
   }
-  return panels_.front().width / (2 * nodes) * (chebyshev * products);
+  return panels_.front().width / 2 * (coefficients_by(rules_->end) * products);
 }
 
-/// The values of a kernel at the nodes of a piece; on the panel at the end, if the place is near, those of its analytic part.
+bool Tractions::is_near(const Piece& piece, const Image& image) {
+  return abs((image.place - piece.from) / piece.width - Float(1) / 2) < Float(1) / 2 + near;
+}
+
+/// The values of a kernel at the nodes of a piece; if the place is near, those of its analytic part.
 Vector Tractions::at_nodes(const Piece& piece, const Nodes& nodes, const Image& image, Influence kind,
                            SheetKernels& kernels) const {
-  const GaussNodes& gauss = rules_->plain;
-  const Float x = 2 * (image.place - piece.from) / piece.width - 1;
-  const bool is_near = abs(x) < 1 + 2 * near, at_end = piece.panel == 0;
+  const bool near_by = is_near(piece, image);
   Vector values(static_cast<Index>(nodes.places.size()));
   for (Index j = 0; j < values.size(); ++j) {
     const Float alpha = image.side * (nodes.places[static_cast<std::size_t>(j)] - image.place);
     if (kind == Influence::normal) {
-      values(j) = is_near ? kernels.smooth_normal(alpha) : kernels.normal(alpha);
+      values(j) = near_by ? kernels.smooth_normal(alpha) : kernels.normal(alpha);
     } else if (kind == Influence::sign) {
-      values(j) = is_near && at_end ? 0 : alpha < 0 ? -1 : 1;
+      values(j) = near_by ? 0 : alpha < 0 ? -1 : 1;
     } else if (kind == Influence::coupling) {
       values(j) = kernels.coupling(alpha);
     } else if (kind == Influence::stretch) {
       values(j) = kernels.stretch(alpha);
     } else if (kind == Influence::normal_slope) {
       values(j) = kernels.smooth_normal_slope(alpha);
-      if (!is_near || !at_end) values(j) -= 1 / alpha;
+      if (!near_by) values(j) -= 1 / alpha;
     } else {
       values(j) = kernels.coupling_slope(alpha);
-    }
-  }
-  const bool is_sign = kind == Influence::sign, has_place = abs(x) < 1;
-  if (!is_near || at_end || !(kind == Influence::normal || (is_sign && has_place))) return values;
-  const int terms = panels_[piece.panel].terms;
-  const LegendreMoments moments = legendre_moments(x, terms);
-  const Float scale = log(piece.width / 2);
-  Float product;
-  for (Index j = 0; j < values.size(); ++j) {
-    Float sum = 0;
-    for (Index k = 0; k < terms; ++k) {
-      const auto degree = static_cast<std::size_t>(k);
-      add_product(sum, product, gauss.legendre(j, k),
-                  is_sign ? moments.sign[degree] : moments.logarithm[degree]);
-    }
-    if (is_sign) {
-      values(j) = -image.side * sum / 2;
-    } else {
-      values(j) -= scale + sum / 2;
     }
   }
   return values;
 }
 
-void Tractions::add_end(const Image& image, const std::vector<LineFunctional>& functionals,
-                        std::vector<Vector>& rows) const {
+/// Adds what the analytic parts of the kernels lack on a piece near the place.
+void Tractions::add_singular(const Piece& piece, const Image& image,
+                             const std::vector<LineFunctional>& functionals,
+                             std::vector<Vector>& rows) const {
   const bool is_wanted = any_has(functionals, Influence::normal) || any_has(functionals, Influence::sign) ||
                          any_has(functionals, Influence::normal_slope);
   if (!is_wanted) return;
-  const TractionPanel& panel = panels_.front();
-  const EndIntegrals moments(epsilon_, image.place / panel.width, panel.terms);
-  const Float scale = log(panel.width);
-  for (std::size_t f = 0; f < functionals.size(); ++f) {
-    const LineFunctional& functional = functionals[f];
-    const auto on = [&](Influence kind, const auto& integral) {
-      const Float pressure =
-          image.parity_of_pressure(functional) * functional.on_pressure[static_cast<std::size_t>(kind)];
-      const Float shear =
-          image.parity_of_shear(functional) * functional.on_shear[static_cast<std::size_t>(kind)];
-      if (pressure == 0 && shear == 0) return;
-      for (Index k = 0; k < panel.terms; ++k) {
-        const ComplexFloat here = integral(k);
-        rows[f](k) += pressure * here.re + shear * here.im;
-        if (has_shear_) rows[f](panel.terms + k) += shear * here.re - pressure * here.im;
+  const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
+  const SingularIntegrals own(exponent(piece.panel), (image.place - piece.from) / piece.width, terms);
+  const auto add = [&](Influence kind, const auto& own_integral) {
+    if (!any_has(functionals, kind)) return;
+    Matrix integrals(terms, 2);  // real and imaginary parts
+    for (Index k = 0; k < terms; ++k) {
+      const ComplexFloat here = own_integral(k);
+      integrals(k, 0) = here.re;
+      integrals(k, 1) = here.im;
+    }
+    if (piece.own.size() > 0) integrals = piece.own * integrals;
+    for (std::size_t f = 0; f < functionals.size(); ++f) {
+      const auto number = static_cast<std::size_t>(kind);
+      const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number],
+                  shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
+      if (pressure == 0 && shear == 0) continue;
+      for (Index k = 0; k < terms; ++k) {
+        rows[f](first + k) += pressure * integrals(k, 0) + shear * integrals(k, 1);
+        if (has_shear_) rows[f](first + terms + k) += shear * integrals(k, 0) - pressure * integrals(k, 1);
       }
-    };
-    on(Influence::normal,
-       [&](Index k) { return (moments.logarithm(k) + moments.plain(k) * scale) * Float(-panel.width); });
-    on(Influence::sign, [&](Index k) { return moments.sign(k) * Float(-image.side * panel.width); });
-    on(Influence::normal_slope, [&](Index k) { return moments.inverse(k) * Float(image.side); });
-  }
+    }
+  };
+  const Float scale = log(piece.width);
+  add(Influence::normal,
+      [&](Index k) { return (own.logarithm(k) + own.plain(k) * scale) * Float(-piece.width); });
+  add(Influence::sign, [&](Index k) { return own.sign(k) * Float(-image.side * piece.width); });
+  add(Influence::normal_slope, [&](Index k) { return own.inverse(k) * Float(image.side); });
 }
 
 /// Adds the pieces that only the sign and its integrals reach: on each side of the place these are lines, c_0 + c_1 e.
@@ -437,12 +378,10 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
         if (sets[i] == set) here.push_back(images[i]);
       if (!here.empty()) add_nodes(piece, piece.nodes[set], here, functionals, kernels, rows);
     }
+    for (const Image& image : images)
+      if (is_near(piece, image)) add_singular(piece, image, functionals, rows);
   }
-  for (const Image& image : images) {
-    add_far(image, functionals, kernels, rows);
-    const Float x = 2 * image.place / panels_.front().width - 1;
-    if (abs(x) < 1 + 2 * near) add_end(image, functionals, rows);
-  }
+  for (const Image& image : images) add_far(image, functionals, kernels, rows);
   return rows;
 }
 

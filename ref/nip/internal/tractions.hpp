@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
 namespace nipref::ref {
@@ -41,7 +42,7 @@ struct LineFunctional {
 ///
 /// without friction epsilon = 0 and b = 0. What the other half has follows by parity.
 ///
-/// Functionals are sums over nodes of pieces of the panels; next to a place and at the end what is singular is in closed form:
+/// Functionals are sums over nodes of pieces of the panels; next to a place what is singular is in closed form:
 /// ref/nip/README.md, Tractions on panels.
 class Tractions {
  public:
@@ -88,8 +89,13 @@ class Tractions {
   [[nodiscard]] Vector weighted(const std::function<Float(const Float& e)>& factor) const;
   void add_far(const Image& image, const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                std::vector<Vector>& rows) const;
-  void add_end(const Image& image, const std::vector<LineFunctional>& functionals,
-               std::vector<Vector>& rows) const;
+  [[nodiscard]] static bool is_near(const Piece& piece, const Image& image);
+  void add_singular(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
+                    std::vector<Vector>& rows) const;
+  /// Of w on a panel.
+  [[nodiscard]] ComplexFloat exponent(std::size_t panel) const {
+    return panel > 0 ? ComplexFloat() : ComplexFloat(Float(1) / 2, -epsilon_);
+  }
 
   Float half_length_, epsilon_;
   std::vector<TractionPanel> panels_;

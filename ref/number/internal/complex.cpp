@@ -20,8 +20,6 @@ ComplexInterval exp(const ComplexInterval& x) {
   };
   return {size * around(cosine), size * around(sine)};
 }
-ComplexInterval sin(const ComplexInterval& x) { return {sin(x.re) * cosh(x.im), cos(x.re) * sinh(x.im)}; }
-ComplexInterval cos(const ComplexInterval& x) { return {cos(x.re) * cosh(x.im), -(sin(x.re) * sinh(x.im))}; }
 
 ComplexInterval rounded(const ComplexInterval& x, mpfr_prec_t bits) {
   ComplexInterval result{Interval(bits), Interval(bits)};

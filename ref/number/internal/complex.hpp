@@ -47,8 +47,14 @@ inline ComplexFloat exp(const ComplexFloat& x) {
   return x.is_real() ? ComplexFloat(size) : ComplexFloat(size * cos(x.im), size * sin(x.im));
 }
 ComplexInterval exp(const ComplexInterval& x);
-ComplexInterval sin(const ComplexInterval& x);
-ComplexInterval cos(const ComplexInterval& x);
+template <class Number>
+Complex<Number> sin(const Complex<Number>& x) {
+  return {sin(x.re) * cosh(x.im), cos(x.re) * sinh(x.im)};
+}
+template <class Number>
+Complex<Number> cos(const Complex<Number>& x) {
+  return {cos(x.re) * cosh(x.im), -(sin(x.re) * sinh(x.im))};
+}
 /// The principal value.
 inline ComplexFloat log(const ComplexFloat& x) {
   Float angle;

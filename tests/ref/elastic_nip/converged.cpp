@@ -1,7 +1,7 @@
 // The contact with full friction in multiprecision: against its own equations and closed limits.
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/nip/internal/end_integrals.hpp>
 #include <nipref/ref/nip/internal/nip_solution.hpp>
+#include <nipref/ref/nip/internal/singular_integrals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/reference_values.hpp"
@@ -98,7 +98,7 @@ TEST_CASE("ref contact by panels: the integrals next to an end are those of a qu
   const ref::WorkingDigits working(40);
   const Float epsilon = 0.17;
   for (const double x : {-0.375, 0.25, 0.625, 1.25}) {
-    const ref::EndIntegrals integrals(epsilon, Float(x), 12);
+    const ref::SingularIntegrals integrals({Float(1) / 2, -epsilon}, Float(x), 12);
     // Between the places where the integrand is singular.
     const auto integral = [&](int k, bool real, const auto& kernel) {
       const auto from_to = [&](double from, double to) {

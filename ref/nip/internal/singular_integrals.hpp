@@ -5,14 +5,14 @@
 
 namespace nipref::ref {
 
-/// Integrals of t^m T_k(2t - 1), m = 1/2 - i epsilon, over 0 <= t <= 1, alone and times what is singular at x.
+/// Integrals of t^m T_k(2t - 1) over 0 <= t <= 1, alone and times what is singular at x: m is 0, or 1/2 - i epsilon at an end.
 /// They follow from each other: ref/nip/README.md, Tractions on panels. Those of 1/(x - t), principal values, are C_{k+1} =
 /// 2 (2x - 1) C_k - C_{k-1} - 4 int t^m T_k, with more digits beyond the ends, where the other solution of that grows.
-class EndIntegrals {
+class SingularIntegrals {
  public:
   /// Of k < count; without x, not 0 or 1 unless 1/(x - t) is not asked for, only plain().
-  EndIntegrals(const Float& epsilon, int count);
-  EndIntegrals(const Float& epsilon, const Float& x, int count);
+  SingularIntegrals(const ComplexFloat& exponent, int count);
+  SingularIntegrals(const ComplexFloat& exponent, const Float& x, int count);
 
   [[nodiscard]] const ComplexFloat& plain(long k) const { return plain_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] const ComplexFloat& logarithm(long k) const {
@@ -22,6 +22,9 @@ class EndIntegrals {
   [[nodiscard]] const ComplexFloat& inverse(long k) const { return inverse_[static_cast<std::size_t>(k)]; }
 
  private:
+  template <class Number>
+  void compute(const Number& m, const Float& x, int count);
+
   std::vector<ComplexFloat> plain_, logarithm_, sign_, inverse_;
 };
 
