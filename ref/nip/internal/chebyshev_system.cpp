@@ -92,7 +92,7 @@ ChebyshevSystem::ChebyshevSystem(bool is_odd, const Float& half_length, int size
   }
   Eigen::MatrixXd system = cosines.transpose() * (kernel * cosines);
   for (Vector::Index k = 0; k < unknowns(); ++k) {
-    system.col(k) *= 2 * static_cast<double>(first() + 2 * k) / (double{size} * size);
+    system.col(k) *= 2 * static_cast<double>(first() + 2 * k) / (static_cast<double>(size) * size);
     system(k, k) += 1;
   }
   eliminated_.compute(system);

@@ -100,8 +100,10 @@ int lost_digits(const Float& x, int count) {
 template <class Number>
 std::vector<ComplexFloat> rounded(const Sequence<Number>& sequence) {
   std::vector<ComplexFloat> result;
-  for (const ComplexFloat x : sequence)
+  for (const Number& value : sequence) {
+    const ComplexFloat x(value);
     result.emplace_back(at_working_precision(x.re), at_working_precision(x.im));
+  }
   return result;
 }
 
