@@ -89,6 +89,7 @@ class Tractions {
   [[nodiscard]] Vector weighted(const std::function<Float(const Float& e)>& factor) const;
   void add_far(const Image& image, const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                std::vector<Vector>& rows) const;
+  /// Whether the nodes of a piece do not integrate what is singular at the place.
   [[nodiscard]] static bool is_near(const Piece& piece, const Image& image);
   void add_singular(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
                     std::vector<Vector>& rows) const;

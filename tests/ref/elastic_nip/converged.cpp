@@ -94,20 +94,30 @@ TEST_CASE("ref gripped contact: its tractions displace the surface as the roller
   }
 }
 
-TEST_CASE("ref contact by panels: the integrals next to an end are those of a quadrature") {
+TEST_CASE("ref contact by panels: the singular integrals are those of a quadrature") {
   const ref::WorkingDigits working(40);
-  const Float epsilon = 0.17;
-  for (const double x : {-0.375, 0.25, 0.625, 1.25}) {
-    const ref::SingularIntegrals integrals({Float(1) / 2, -epsilon}, Float(x), 12);
+  const ref::ComplexFloat none, root(0.5), gripped(0.5, -0.17);
+  for (const auto& [exponent, x] : {std::pair(none, 0.0),
+                                    {none, -0.375},
+                                    {none, 0.25},
+                                    {none, 1.0},
+                                    {none, 1.25},
+                                    {root, 0.25},
+                                    {root, 1.25},
+                                    {gripped, -0.375},
+                                    {gripped, 0.25},
+                                    {gripped, 0.625},
+                                    {gripped, 1.25}}) {
+    const ref::SingularIntegrals integrals(exponent, Float(x), 12);
     // Between the places where the integrand is singular.
-    const auto integral = [&](int k, bool real, const auto& kernel) {
+    const auto integral = [&, &m = exponent, &x = x](int k, bool real, const auto& kernel) {
       const auto from_to = [&](double from, double to) {
         return unit_integral([&](const Float& left, const Float& right) -> Float {
           const Float width = to - from, t = from + width * left;
           const Float distance =
               x <= from ? Float((from - x) + width * left) : Float((x - to) + width * right);
-          const Float phase = epsilon * log(t);
-          return width * sqrt(t) * (real ? cos(phase) : -sin(phase)) * cos(k * acos(2 * t - 1)) *
+          const Float phase = m.im * log(t);
+          return width * exp(m.re * log(t)) * (real ? cos(phase) : sin(phase)) * cos(k * acos(2 * t - 1)) *
                  kernel(distance, x > from);
         });
       };
