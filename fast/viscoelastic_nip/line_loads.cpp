@@ -137,7 +137,7 @@ LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_
   }
   const Eigen::VectorXd solved = linear_solution(matrix, gap);
   ++problem.work->systems;
-  problem.work->unknowns = cells.loads + 1;
+  problem.work->unknowns = std::max(problem.work->unknowns, cells.loads + 1);
   const double width = leading_length / problem.leading;
   std::vector<FaceLoad> loads;
   for (int j = 0; j < cells.loads; ++j)
