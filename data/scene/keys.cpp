@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
-#include <stdexcept>
 #include <utility>
 
 #include <nipref/data/magnitude.hpp>
+#include <nipref/data/scene/internal/rows.hpp>
 #include <nipref/data/scene/keys.hpp>
 
 namespace nipref::data {
@@ -36,31 +35,6 @@ constexpr std::array<std::string_view, 14> owners{"nip",
                                                   "isotropic",
                                                   "transversely-isotropic",
                                                   "anisotropic"};
-
-/// The parts of a text between separators, without empty ones if `skips_empty`.
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (const auto& range : std::views::split(text, separator)) {
-    std::string_view part(range.begin(), range.end());
-    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
-    part.remove_suffix(part.size() - (part.find_last_not_of(' ') + 1));
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-std::vector<std::string_view> words_in(std::string_view text) {
-  std::vector<std::string_view> words = split(text, ' ');
-  std::erase(words, std::string_view());
-  return words;
-}
-
-template <class Enum>
-Enum named(const auto& names, std::string_view name) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) throw std::logic_error("keys.table: " + std::string(name));
-  return static_cast<Enum>(found - names.begin());
-}
 
 void set_unit(SceneKey& key, std::string_view unit) {
   for (const std::string_view factor : words_in(unit)) {
@@ -102,9 +76,8 @@ void set_domain(SceneKey& key, std::string_view domain) {
   }
 }
 
-SceneKey key_of(std::string_view row) {
-  const std::vector<std::string_view> fields = split(row, '|');
-  SceneKey key{.name = fields.at(0), .meaning = fields.at(5)};
+SceneKey key_of(const std::vector<std::string_view>& fields) {
+  SceneKey key{.name = fields[0], .meaning = fields[5]};
   key.type = named<KeyType>(types, fields[1]);
   set_unit(key, fields[2]);
   set_domain(key, fields[3]);
@@ -153,9 +126,7 @@ std::string_view SceneKey::refusal_of(double value) const {
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = [] {
     std::vector<SceneKey> all;
-    for (const std::string_view row : split(table_of_keys, '\n')) {
-      if (!row.empty() && row.front() != '#') all.push_back(key_of(row));
-    }
+    for (const auto& row : rows_of(table_of_keys, 6)) all.push_back(key_of(row));
     return all;
   }();
   return keys;

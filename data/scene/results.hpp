@@ -129,6 +129,7 @@ enum class ResultId {
   coupling,
 };
 
+/// A row of results.table.
 struct SceneResult {
   ResultId id;
   std::string_view name;
@@ -136,7 +137,7 @@ struct SceneResult {
   std::string_view meaning;
   Scale scale = Scale::itself;
   Shape shape = Shape::number;
-  std::optional<SceneKind> kind = SceneKind::nip;  ///< the scenes that have it; none: all
+  std::optional<SceneKind> kind = {};  ///< the scenes that have it; none: all
   Needs needs = Needs::nothing;
 
   [[nodiscard]] bool is_inside() const { return needs >= Needs::inside && needs <= Needs::inside_all; }

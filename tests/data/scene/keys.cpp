@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/keys.hpp>
 
+#include "support/paths.hpp"
 #include "support/test.hpp"
 
 using namespace nipref;
@@ -76,4 +79,12 @@ TEST_CASE("README.md of the scenes lists the keys of the table of keys") {
   }
   const std::string readme = text_of_file(data::scenes_directory() / "README.md");
   for (const auto& [table, names] : rows) CHECK(contains(readme, "\n| " + table + " | " + names + " |\n"));
+}
+
+TEST_CASE("the table of results has the names of the enumeration, in its order") {
+  const std::string header = text_of_file(source_directory() + "/data/scene/results.hpp");
+  std::string enumeration = "enum class ResultId {\n";
+  for (const data::SceneResult& result : data::scene_results())
+    enumeration += fmt::format("  {},\n", result.name);
+  CHECK(contains(header, enumeration + "};"));
 }
