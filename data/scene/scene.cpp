@@ -23,24 +23,11 @@ constexpr int most_elements_with_slip = 250;
 constexpr int most_elements_times_points = 10'000'000, most_viscoelastic_elements_times_points = 100'000;
 
 /// The nip's own checks name its C++ members.
-void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
-  static const std::map<std::string, std::string> keys{{"roller_radius", "roller.radius"},
-                                                       {"sheet_thickness", "sheet.thickness"},
-                                                       {"young", "material.young"},
-                                                       {"poisson", "material.poisson"}};
-  try {
-    nip.check();
-  } catch (const BadInput& error) {
-    origin.refuse_as(keys.at(error.argument()), error);
-  }
-}
-
-void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
+void check_nip(const auto& nip, const SceneOrigin& origin) {
   static const std::map<std::string, std::string> keys{
-      {"roller_radius", "roller.radius"},
-      {"sheet_thickness", "sheet.thickness"},
-      {"speed", "rolling.speed"},
-      {"theta1 instantaneous", "material.theta1 instantaneous"}};
+      {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"},
+      {"young", "material.young"},        {"poisson", "material.poisson"},
+      {"speed", "rolling.speed"},         {"theta1 instantaneous", "material.theta1 instantaneous"}};
   try {
     nip.check();
   } catch (const BadInput& error) {
@@ -140,19 +127,11 @@ struct SystemCheck {
   const SceneOrigin& origin;
 
   void operator()(const ElasticNipProblem& problem) const {
-    check_nip(problem.nip, origin);
-    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    if (problem.profile) check_profile(*problem.profile, origin);
-    if (problem.field) check_field(*problem.field, origin);
-    std::visit(MethodCheck{problem.given, problem.friction, problem.profile, origin}, problem.method);
+    check_sheet(problem, problem.friction);
     check_creep(problem, origin);
   }
   void operator()(const ViscoelasticNipProblem& problem) const {
-    check_nip(problem.nip, origin);
-    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    if (problem.profile) check_profile(*problem.profile, origin);
-    if (problem.field) check_field(*problem.field, origin);
-    std::visit(MethodCheck{problem.given, Friction::none, problem.profile, origin}, problem.method);
+    check_sheet(problem, Friction::none);
     check_viscoelastic_line_loads(problem, origin);
   }
   void operator()(const PartialSlipProblem& problem) const {
@@ -169,6 +148,15 @@ struct SystemCheck {
     std::visit(MethodCheck{problem.given, Friction::full, problem.profile, origin}, problem.method);
   }
   void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
+
+ private:
+  void check_sheet(const auto& problem, Friction friction) const {
+    check_nip(problem.nip, origin);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
+    if (problem.profile) check_profile(*problem.profile, origin);
+    if (problem.field) check_field(*problem.field, origin);
+    std::visit(MethodCheck{problem.given, friction, problem.profile, origin}, problem.method);
+  }
 };
 
 }  // namespace
