@@ -44,11 +44,11 @@ void read_given(const std::string&, const GivenFile& file) {
   take_or_refuse([&] {
     const verify::Plugin plugin{file.path(), {}, 5};
     const verify::KernelInfo info = verify::kernels_of(plugin).front();
-    verify::PluginKernel kernel(plugin, info.name);
+    const auto kernel = verify::open_kernel(plugin, info.name);
     const std::vector<verify::Point> at(points, verify::Point(info.arity));
     std::vector<double> values(points);
-    kernel.evaluate(at, values);
-    static_cast<void>(kernel.seconds(at, passes));
-    static_cast<void>(kernel.faults());
+    kernel->evaluate(at, values);
+    static_cast<void>(kernel->seconds(at, passes));
+    static_cast<void>(kernel->faults());
   });
 }

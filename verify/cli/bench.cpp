@@ -1,4 +1,3 @@
-#include <list>
 #include <tuple>
 
 #include <nipref/verify/bench/bench.hpp>
@@ -99,12 +98,12 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = line.words.empty() ? bench_everything() : selection(line.words, bench_groups());
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
-  std::list<PluginKernel> kernels;
+  std::vector<std::unique_ptr<PluginKernel>> kernels;
   std::vector<OtherKernel> others;
   if (const auto file = line.option("with")) {
     for (const KernelInfo& info : kernels_of({*file}))
       others.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(), info.quantity,
-                        &kernels.emplace_back(Plugin{*file}, info.name)});
+                        kernels.emplace_back(open_kernel({*file}, info.name)).get()});
   }
   Progress progress(line.has("quiet"));
   const BenchReport report = bench_all(selected, progress, others);

@@ -95,10 +95,10 @@ Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quan
   if (!points.empty()) behaviour.to_fast = speed_against_fast(kernel, quantity, points);
   if (const auto older_file = line.option("against")) {
     Slowdown slowdown{*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
-    PluginKernel older(plugin_of(line, *older_file), kernel.info().name);
-    if (older.info().arity != kernel.info().arity)
+    const auto older = open_kernel(plugin_of(line, *older_file), kernel.info().name);
+    if (older->info().arity != kernel.info().arity)
       throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
-    if (!points.empty()) slowdown.speed = speed_against(kernel, older, points);
+    if (!points.empty()) slowdown.speed = speed_against(kernel, *older, points);
     behaviour.to_older = slowdown;
   }
   behaviour.faults = kernel.faults();
@@ -110,10 +110,10 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   AuditOptions options = sampling_options(line, *chosen.quantity);
   options.progress = [&](double part) { progress.at(part); };
   const std::string promised = take_promise(line, options);
-  PluginKernel kernel(plugin, chosen.kernel);
-  const auto [found, seconds] = timed([&] { return audit(*chosen.quantity, kernel.evaluator(), options); });
+  const auto kernel = open_kernel(plugin, chosen.kernel);
+  const auto [found, seconds] = timed([&] { return audit(*chosen.quantity, kernel->evaluator(), options); });
   double own = 0;
-  kernel.evaluator()({&found.worst, 1}, {&own, 1});
+  kernel->evaluate({&found.worst, 1}, {&own, 1});
   progress.at(1, "timing");
   // A library's version and folder are no part of what the kernel is.
   std::string file = plugin.file.filename().string();
@@ -124,7 +124,7 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
           .promised = promised,
           .own = own,
           .seed = options.seed,
-          .behaviour = behaviour_of(line, kernel, *chosen.quantity, options.ranges)};
+          .behaviour = behaviour_of(line, *kernel, *chosen.quantity, options.ranges)};
 }
 
 void refuse_what_is_wrong(const CommandLine& line) {

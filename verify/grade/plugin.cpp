@@ -88,11 +88,9 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 std::string both_text(double first, double then) { return fmt::format("{} and then {}", first, then); }
 
-}  // namespace
-
-class PluginKernel::Work {
+class KernelInProcesses : public PluginKernel {
  public:
-  Work(Plugin plugin, const std::string& name) : plugin_(std::move(plugin)) {
+  KernelInProcesses(Plugin plugin, const std::string& name) : plugin_(std::move(plugin)) {
     const std::vector<KernelInfo> kernels = kernels_of(plugin_);
     const auto found = std::ranges::find(kernels, name, &KernelInfo::name);
     if (found == kernels.end()) refuse_name(kernels, name);
@@ -101,9 +99,9 @@ class PluginKernel::Work {
     try_closing();
   }
 
-  [[nodiscard]] const KernelInfo& info() const { return info_; }
+  [[nodiscard]] const KernelInfo& info() const override { return info_; }
 
-  void evaluate(std::span<const Point> points, std::span<double> values) {
+  void evaluate(std::span<const Point> points, std::span<double> values) override {
     while (!points.empty()) {
       const std::size_t count = std::min(points.size(), protocol::most_points);
       evaluate_batch(points.first(count), values.first(count));
@@ -112,7 +110,7 @@ class PluginKernel::Work {
     }
   }
 
-  std::optional<double> seconds(std::span<const Point> points, std::size_t passes) {
+  std::optional<double> seconds(std::span<const Point> points, std::size_t passes) override {
     IdleChild child = idle_child();
     if (!child) return std::nullopt;
     Exchange& exchange = child->exchange();
@@ -124,7 +122,7 @@ class PluginKernel::Work {
     return seconds;
   }
 
-  [[nodiscard]] std::vector<Fault> faults() const {
+  [[nodiscard]] std::vector<Fault> faults() const override {
     const std::scoped_lock lock(mutex_);
     std::vector<Fault> all(faults_.begin(), faults_.end());
     if (not_asked_ > 0)
@@ -315,31 +313,16 @@ class PluginKernel::Work {
   std::set<Fault, Before> faults_;
 };
 
+}  // namespace
+
 std::vector<KernelInfo> kernels_of(const Plugin& plugin) {
   check(plugin);
   Child child(plugin);
   return loaded(plugin, child);
 }
 
-PluginKernel::PluginKernel(Plugin plugin, const std::string& name)
-    : work_(std::make_unique<Work>(std::move(plugin), name)) {}
-
-PluginKernel::~PluginKernel() = default;
-
-const KernelInfo& PluginKernel::info() const { return work_->info(); }
-
-void PluginKernel::evaluate(std::span<const Point> points, std::span<double> values) {
-  work_->evaluate(points, values);
+std::unique_ptr<PluginKernel> open_kernel(Plugin plugin, const std::string& name) {
+  return std::make_unique<KernelInProcesses>(std::move(plugin), name);
 }
-
-Evaluator PluginKernel::evaluator() {
-  return [this](std::span<const Point> points, std::span<double> values) { evaluate(points, values); };
-}
-
-std::optional<double> PluginKernel::seconds(std::span<const Point> points, std::size_t passes) {
-  return work_->seconds(points, passes);
-}
-
-std::vector<Fault> PluginKernel::faults() const { return work_->faults(); }
 
 }  // namespace nipref::verify

@@ -48,30 +48,27 @@ std::vector<KernelInfo> kernels_of(const Plugin& plugin);
 /// do not harm this process. It may be called from several threads, each of which uses a process of its own.
 class PluginKernel {
  public:
-  /// The kernel of this name. BadInput if there is none, and in the cases of kernels_of.
-  PluginKernel(Plugin plugin, const std::string& name);
-  PluginKernel(const PluginKernel&) = delete;
-  PluginKernel& operator=(const PluginKernel&) = delete;
-  ~PluginKernel();
+  virtual ~PluginKernel() = default;
 
-  [[nodiscard]] const KernelInfo& info() const;
+  [[nodiscard]] virtual const KernelInfo& info() const = 0;
 
   /// Values at points of `info().arity` arguments; NaN where there is no value. After many processes that ended, or a
   /// few that hung, the kernel is not called again, and all further values are NaN.
-  void evaluate(std::span<const Point> points, std::span<double> values);
+  virtual void evaluate(std::span<const Point> points, std::span<double> values) = 0;
 
   /// The same as an Evaluator, which must not outlive this kernel.
-  Evaluator evaluator();
+  Evaluator evaluator() {
+    return [this](std::span<const Point> points, std::span<double> values) { evaluate(points, values); };
+  }
 
   /// The seconds for so many calls with all these points, measured in the kernel's process; nothing if a call fails.
-  std::optional<double> seconds(std::span<const Point> points, std::size_t passes);
+  virtual std::optional<double> seconds(std::span<const Point> points, std::size_t passes) = 0;
 
   /// The faults so far. The same fault at the same point is listed once.
-  [[nodiscard]] std::vector<Fault> faults() const;
-
- private:
-  class Work;
-  std::unique_ptr<Work> work_;
+  [[nodiscard]] virtual std::vector<Fault> faults() const = 0;
 };
+
+/// The kernel of this name. BadInput if there is none, and in the cases of kernels_of.
+std::unique_ptr<PluginKernel> open_kernel(Plugin plugin, const std::string& name);
 
 }  // namespace nipref::verify

@@ -120,8 +120,8 @@ TEST_CASE("a quantity that costs a solution is timed at a few points, and only w
 }
 
 TEST_CASE("somebody's kernel is timed beside fast, with its errors, and only for its own quantity") {
-  verify::PluginKernel kernel({plugin_file("kernels")}, "all_sound");
-  const std::vector<verify::OtherKernel> others{{"mine", "I3", &kernel}};
+  const auto kernel = verify::open_kernel({plugin_file("kernels")}, "all_sound");
+  const std::vector<verify::OtherKernel> others{{"mine", "I3", kernel.get()}};
   const auto rows = verify::bench_double(verify::find_quantity("I3"), {}, others);
   const auto mine = std::ranges::find(rows, "mine", &verify::BenchRow::method);
   REQUIRE(mine != rows.end());

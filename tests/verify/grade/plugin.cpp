@@ -14,6 +14,7 @@ using verify::AuditOptions;
 using verify::AuditResult;
 using verify::Fault;
 using verify::FaultKind;
+using verify::open_kernel;
 using verify::Plugin;
 using verify::PluginKernel;
 using verify::Point;
@@ -29,17 +30,17 @@ Plugin test_kernels(double time_limit = 60) { return {plugin_file("kernels"), {}
 struct Graded {
   explicit Graded(const std::string& name, AuditOptions options = {400, {}, {}},
                   const Plugin& plugin = test_kernels())
-      : kernel(plugin, name), quantity(verify::find_quantity(quantity_of(kernel))) {
+      : kernel(open_kernel(plugin, name)), quantity(verify::find_quantity(quantity_of(*kernel))) {
     options.more_points.push_back(Point(quantity.arguments.size(), here));
-    result = verify::audit(quantity, kernel.evaluator(), options);
-    faults = kernel.faults();
+    result = verify::audit(quantity, kernel->evaluator(), options);
+    faults = kernel->faults();
   }
 
   static std::string quantity_of(const PluginKernel& kernel) {
     return kernel.info().quantity.empty() ? "I3" : kernel.info().quantity;
   }
 
-  PluginKernel kernel;
+  std::unique_ptr<PluginKernel> kernel;
   const Quantity& quantity;
   AuditResult result{};
   std::vector<Fault> faults;
@@ -59,12 +60,12 @@ TEST_CASE("fast as a plugin, and as a bare function, has exactly the numbers of 
     CHECK(kernel.faults().empty());
   };
   for (const char* name : {"all_sound", "all_sound_I1", "sound_I6", "with_state"}) {
-    PluginKernel kernel(test_kernels(), name);
-    check(kernel, kernel.info().quantity);
+    const auto kernel = open_kernel(test_kernels(), name);
+    check(*kernel, kernel->info().quantity);
   }
   for (const auto& [symbol, arity] : {std::pair<std::string, std::size_t>{"bare_I3", 1}, {"bare_I6", 2}}) {
-    PluginKernel kernel({plugin_file("kernels"), {{symbol, arity, true}}}, symbol);
-    check(kernel, symbol.substr(5));
+    const auto kernel = open_kernel({plugin_file("kernels"), {{symbol, arity, true}}}, symbol);
+    check(*kernel, symbol.substr(5));
   }
 }
 
@@ -174,12 +175,12 @@ TEST_CASE("a crash in larger batches alone is named with the batch, and its poin
 TEST_CASE("a kernel that crashes or hangs at every point comes to an end, and is said to be given up") {
   for (const auto& [name, limit] : {std::pair("crashes_always", 60.0), std::pair("hangs_always", 0.05)}) {
     CAPTURE(name);
-    PluginKernel kernel(test_kernels(limit), name);
+    const auto kernel = open_kernel(test_kernels(limit), name);
     const std::vector<Point> points(5000, Point{1.5});
     std::vector<double> values(points.size());
-    kernel.evaluate(points, values);
+    kernel->evaluate(points, values);
     CHECK(std::ranges::all_of(values, [](double value) { return std::isnan(value); }));
-    const std::vector<Fault> faults = kernel.faults();
+    const std::vector<Fault> faults = kernel->faults();
     REQUIRE(faults.size() == 2);
     CHECK(faults[0].point == Point{1.5});
     CHECK(faults[1].kind == FaultKind::given_up);
@@ -204,7 +205,7 @@ TEST_CASE("a plugin that prints and flushes small numbers as it is loaded is nam
 TEST_CASE("a shared object that lists other kernels in its next process is refused") {
   const ScratchFolder scratch;
   const Environment left("NIPREF_TEST_FICKLE", scratch.file("loaded"));
-  CHECK_REFUSED(PluginKernel({plugin_file("fickle")}, "zero"), "must list the same kernels each time");
+  CHECK_REFUSED(open_kernel({plugin_file("fickle")}, "zero"), "must list the same kernels each time");
 }
 
 TEST_CASE("a shared object of a newer header is understood, others are refused in one line") {
@@ -222,7 +223,7 @@ TEST_CASE("a shared object of a newer header is understood, others are refused i
            {{plugin_file("kernels"), {}, 0}, "time-limit"},
        })
     CHECK_REFUSED(verify::kernels_of(plugin), says);
-  CHECK_REFUSED(PluginKernel(test_kernels(), "al_sound"), "all_sound");
+  CHECK_REFUSED(open_kernel(test_kernels(), "al_sound"), "all_sound");
 }
 
 TEST_CASE("faults are told in a few lines, with where the others lie") {
