@@ -55,20 +55,15 @@ NipReferences nip_by_ref(const NamedPoint& x, int digits) {
 
 std::vector<Quantity> elastic_nip_entries() {
   std::vector<Quantity> entries = nip_entries("nip", {nip_by_fast, nip_by_ref});
-  // The least scale of errors is 1 + L/B divided by this number; 0: there is none.
-  constexpr std::array parts{0, 0, 10, 0, 2};
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i];
+  for (Quantity& entry : entries) {
     // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding
     // errors. The scale of long ones is such that the promise is the error that fast states. An ulp is at least 2^-53 of the
     // scale.
-    entry.envelope = [part = parts[i], promise = entry.promise, error_of = entry.fast_error,
-                      named = of_point(entry, [](const NamedPoint& x) {
-                        return std::pair(x["L_over_B"], is_gripped(x));
+    entry.envelope = [least = entry.envelope, promise = entry.promise, error_of = entry.fast_error,
+                      amplifies = of_point(entry, [](const NamedPoint& x) {
+                        return is_gripped(x) && x["L_over_B"] > 7;
                       })](std::span<const double> x) {
-      const auto [length, gripped] = named(x);
-      const double size = part == 0 ? 0 : (1 + length) / part;
-      return gripped && length > 7 ? std::max(size, std::ldexp(error_of(x, {}) / promise, 53)) : size;
+      return amplifies(x) ? std::max(least(x), std::ldexp(error_of(x, {}) / promise, 53)) : least(x);
     };
   }
   return entries;

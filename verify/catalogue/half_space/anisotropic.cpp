@@ -29,6 +29,12 @@ ref::ExactStiffness exact_stiffness_of(const NamedExact& x) {
   return solid;
 }
 
+ExactLine subcritical_anisotropic(const NamedExact& x) {
+  const ExactLine line{exact_stiffness_of(x), x["speed"], direction_of(x, "theta_deg"),
+                       direction_of(x, "psi_deg")};
+  return line.checked();
+}
+
 /// The seed's graphite epoxy with its axis along x2. With its density in g/cm^3 speeds are in km/s.
 data::Stiffness epoxy() {
   data::Stiffness solid = data::Stiffness::of(data::seed::graphite_epoxy, data::SymmetryAxis::in_plane);
@@ -94,13 +100,7 @@ double answer(const fast::AnisotropicHalfSpace& surface, Direction psi, double f
 template <class FastMember>
 Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure ref::LineResponse::*of_ref) {
   const Quantity entry = entry_of(
-      name,
-      [of_ref](NamedExact x, int digits) {
-        const ref::ExactStiffness solid = exact_stiffness_of(x);
-        const auto motion = direction_of(x, "theta_deg"), psi = direction_of(x, "psi_deg");
-        ref::check_subcritical(solid, x["speed"], motion, psi);
-        return ref::line_response(solid, x["speed"], motion, psi, digits).*of_ref;
-      },
+      name, component_of(subcritical_anisotropic, of_ref),
       [of_fast](NamedPoint x) { return answer(anisotropic_surface(x), direction_of(x, "psi_deg"), of_fast); },
       largest_answer);
   const auto draw = [](Random& random, NamedNumbers x) {

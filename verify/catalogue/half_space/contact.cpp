@@ -179,7 +179,8 @@ const PointFunctions& point_functions() {
       {"unphysical",
        [](const NamedPoint& x) { return is_refused([&] { transverse_of(x).check(); }) ? 1.0 : 0.0; }},
       {"longest_span", longest_span},
-      {"longest_finite_span", longest_finite_span}};
+      {"longest_finite_span", longest_finite_span},
+      {"creep_as_printed", creep_as_printed}};
   return all;
 }
 
@@ -220,9 +221,7 @@ std::vector<Quantity> half_space_contact_entries() {
        [](const NamedPoint& x) {
          return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
        }}};
-  std::vector<Quantity> entries = entries_of(rows);
-  set_forms(*item_with(entries, &Quantity::name, "rolling.creep"), creep_as_printed);
-  return entries;
+  return entries_of(rows);
 }
 
 std::vector<Quantity> seed_sphere_entries() {

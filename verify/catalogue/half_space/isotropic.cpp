@@ -15,55 +15,37 @@ using fast::Direction;
 using ref::Exact;
 using ref::SurfaceDirection;
 
-/// A line as the reference takes it.
-struct Line {
-  Exact poisson, speed, psi_deg;
-  ref::ExactStiffness solid = exact_isotropic(poisson);
-  SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(0.0)),
-                   psi = SurfaceDirection::of_degrees(psi_deg);
+ExactLine isotropic_line_at(const NamedExact& x) {
+  return {exact_isotropic(x["poisson"]), x["speed"], SurfaceDirection::of_degrees(Exact(0.0)),
+          direction_of(x, "psi_deg")};
+}
+ExactLine subcritical_isotropic(const NamedExact& x) { return isotropic_line_at(x).checked(); }
 
-  [[nodiscard]] ref::LineResponse response(int digits) const {
-    return ref::line_response(solid, speed, motion, psi, digits);
-  }
-};
-
-/// An entry by functions `by_ref` of a line and digits, and `by_fast` of solid, speed and direction.
+/// An entry by functions `by_ref` of a NamedExact and digits, and `by_fast` of solid, speed and direction.
 template <class Ref, class Fast>
 Quantity line_entry(const char* name, Ref by_ref, Fast by_fast) {
-  return entry_of(
-      name, {"poisson", "speed", "psi_deg"},
-      [by_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
-        return by_ref(Line{poisson, speed, psi_deg}, digits);
-      },
-      [by_fast](double poisson, double speed, double psi_deg) {
-        return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
-      });
-}
-
-/// One of lines along which the load is slower than Rayleigh waves: the reference solves the equations beyond, too.
-template <class Ref, class Fast>
-Quantity subcritical_entry(const char* name, Ref by_ref, Fast by_fast) {
-  const auto checked = [by_ref](const Line& line, int digits) {
-    ref::check_subcritical(line.solid, line.speed, line.motion, line.psi);
-    return by_ref(line, digits);
-  };
-  return line_entry(name, checked, by_fast);
+  Quantity entry = described(name);
+  entry.by_ref = of_point(entry, by_ref);
+  set_fast(entry, of_point(entry, {"poisson", "speed", "psi_deg"},
+                           [by_fast](double poisson, double speed, double psi_deg) {
+                             return by_fast(unit_isotropic(poisson), speed, Direction::of_degrees(psi_deg));
+                           }));
+  return entry;
 }
 
 Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
                         ref::Enclosure ref::LineResponse::*of_ref) {
-  return subcritical_entry(
-      name, [of_ref](const Line& line, int digits) { return line.response(digits).*of_ref; },
-      [of_fast](const auto&... line) { return fast::isotropic_response(line...).*of_fast; });
+  return line_entry(name, component_of(subcritical_isotropic, of_ref),
+                    [of_fast](const auto&... line) { return fast::isotropic_response(line...).*of_fast; });
 }
 
 /// The answer of lines along which the load is faster than Rayleigh waves and slower than shear waves, which line_response()
 /// has as it solves the equations there too. Throws BadInput at other
 /// speeds.
-ref::LineResponse response_beyond(const Line& line, int digits) {
-  ref::LineResponse found = line.response(digits);
+ref::LineResponse response_beyond(const NamedExact& x, int digits) {
+  ref::LineResponse found = isotropic_line_at(x).response(digits);
   if (!(found.compliance.value < ref::Float(0)))
-    throw data::BadInput("speed", line.speed.text(),
+    throw data::BadInput("speed", x["speed"].text(),
                          "must be, along the line, between those of Rayleigh and of shear waves");
   return found;
 }
@@ -71,14 +53,15 @@ ref::LineResponse response_beyond(const Line& line, int digits) {
 Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_fast,
                                ref::Enclosure ref::LineResponse::*of_ref) {
   return line_entry(
-      name, [of_ref](const Line& line, int digits) { return response_beyond(line, digits).*of_ref; },
+      name, [of_ref](const NamedExact& x, int digits) { return response_beyond(x, digits).*of_ref; },
       [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
 }
 
 /// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
-ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, Line line, int digits) {
+ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const NamedExact& x, int digits) {
   const Exact unit(1.0);
-  line.solid = ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, line.poisson, unit),
+  ExactLine line = subcritical_isotropic(x);
+  line.solid = ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, x["poisson"], unit),
                                     data::SymmetryAxis::normal);
   // Near the critical speed the bound is that of the compliance, which is much larger than the response across the line:
   // more digits make up for it.
@@ -97,8 +80,8 @@ ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, Line line
 
 Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
                          ref::Enclosure ref::LineResponse::*of_ref) {
-  return subcritical_entry(
-      name, [of_ref](const Line& line, int digits) { return shear_by_ref(of_ref, line, digits); },
+  return line_entry(
+      name, [of_ref](const NamedExact& x, int digits) { return shear_by_ref(of_ref, x, digits); },
       [of_fast](const auto&... line) { return fast::isotropic_shear_response(line...).*of_fast; });
 }
 
@@ -120,37 +103,34 @@ Quantity entry_separation() {
 std::vector<Quantity> half_space_entries() {
   using fast::LineResponse;
   using fast::ShearResponse;
-  return {isotropic_line("halfspace.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
-          isotropic_line("halfspace.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
-          isotropic_shear("halfspace.in_line", &ShearResponse::in_line, &ref::LineResponse::in_line),
-          isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across),
-          response_beyond_entry("halfspace.compliance_beyond", &LineResponse::compliance,
-                                &ref::LineResponse::compliance),
-          response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
-                                &ref::LineResponse::coupling),
-          line_entry(
-              "halfspace.rolling_index_beyond",
-              [](const Line& line, int digits) {
-                const auto answer = [&](const Exact&, int some) {
-                  return line_answer(response_beyond(line, some));
-                };
-                return ref::rolling_index_beyond(answer, line.psi_deg, digits);
-              },
-              fast::rolling_index_beyond),
-          subcritical_entry(
-              "halfspace.condition",
-              [](const Line& line, int digits) {
-                return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
-              },
-              fast::isotropic_condition),
-          entry_of(
-              "halfspace.rayleigh", {"poisson"},
-              [](const Exact& poisson, int digits) {
-                const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-                return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
-              },
-              fast::isotropic_rayleigh_speed),
-          entry_separation()};
+  return {
+      isotropic_line("halfspace.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
+      isotropic_line("halfspace.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
+      isotropic_shear("halfspace.in_line", &ShearResponse::in_line, &ref::LineResponse::in_line),
+      isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across),
+      response_beyond_entry("halfspace.compliance_beyond", &LineResponse::compliance,
+                            &ref::LineResponse::compliance),
+      response_beyond_entry("halfspace.coupling_beyond", &LineResponse::coupling,
+                            &ref::LineResponse::coupling),
+      line_entry(
+          "halfspace.rolling_index_beyond",
+          [](const NamedExact& x, int digits) {
+            const auto answer = [&](const Exact&, int some) { return line_answer(response_beyond(x, some)); };
+            return ref::rolling_index_beyond(answer, x["psi_deg"], digits);
+          },
+          fast::rolling_index_beyond),
+      line_entry(
+          "halfspace.condition",
+          [](const NamedExact& x, int digits) { return exact_condition(subcritical_isotropic(x), digits); },
+          fast::isotropic_condition),
+      entry_of(
+          "halfspace.rayleigh", {"poisson"},
+          [](const Exact& poisson, int digits) {
+            const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+            return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
+          },
+          fast::isotropic_rayleigh_speed),
+      entry_separation()};
 }
 
 }  // namespace nipref::verify

@@ -14,15 +14,10 @@ using data::SymmetryAxis;
 using fast::Direction;
 using fast::LineResponse;
 
-/// `by_ref` is a function of solid, speed, motion, psi and digits.
-template <class Ref, class Fast, class... Size>
-Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size... size) {
-  const auto of_line = [by_ref](NamedExact x, int digits) {
-    check_subcritical(x);
-    return by_ref(exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
-                  direction_of(x, "psi_deg"), digits);
-  };
-  return entry_of(name, of_line, by_fast, size...);
+ExactLine subcritical_transverse(const NamedExact& x) {
+  check_subcritical(x);
+  return {exact_transverse_of(x, symmetry_axis(x)), x["speed"], direction_of(x, "theta_deg"),
+          direction_of(x, "psi_deg")};
 }
 
 Quantity transverse_line(const char* name, double LineResponse::*of_fast,
@@ -30,9 +25,8 @@ Quantity transverse_line(const char* name, double LineResponse::*of_fast,
   const auto response = [](NamedPoint x) {
     return in_steel(transverse_surface_of(x).along(direction_of(x, "psi_deg")));
   };
-  return transverse_line_entry(
-      name, [of_ref](const auto&... x) { return ref::line_response(x...).*of_ref; },
-      [=](NamedPoint x) { return response(x).*of_fast; },
+  return entry_of(
+      name, component_of(subcritical_transverse, of_ref), [=](NamedPoint x) { return response(x).*of_fast; },
       [=](NamedPoint x) { return response(x).compliance; });
 }
 
@@ -90,8 +84,9 @@ std::vector<Quantity> transverse_half_space_entries() {
           transverse_line("ti.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
           transverse_line("ti.coupling_across", &LineResponse::coupling_across,
                           &ref::LineResponse::coupling_across),
-          transverse_line_entry(
-              "ti.condition", exact_condition,
+          entry_of(
+              "ti.condition",
+              [](NamedExact x, int digits) { return exact_condition(subcritical_transverse(x), digits); },
               [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); }),
           entry_transverse_rayleigh(),
           entry_branch(),

@@ -2,6 +2,10 @@
 
 #include <stdexcept>
 
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/fast/sheet/branch_points.hpp>
+#include <nipref/fast/sheet/roots.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/internal/printed.hpp>
 #include <nipref/verify/support/formula.hpp>
@@ -97,13 +101,19 @@ const Formulas<double>& sampling_formulas() {
   return all;
 }
 
+/// The numbers of a point by the names of the arguments.
+GivenNumbers given_by_point(const std::vector<Argument>& arguments, std::span<const double> x) {
+  GivenNumbers numbers;
+  for (std::size_t i = 0; i < x.size(); ++i) numbers.emplace_back(arguments[i].name, x[i]);
+  return numbers;
+}
+
 /// The size of a quantity by its formula.
 decltype(Quantity::envelope) size_of(const std::string& formula, const std::vector<Argument>& arguments) {
   static const Formulas<double> functions({}, functions_in("sizes"));
-  return [names = mapped(arguments, [](const Argument& one) { return one.name; }),
-          size = functions.compiled(formula)](std::span<const double> x) {
+  return [arguments, size = functions.compiled(formula)](std::span<const double> x) {
     Formulas<double> scope;
-    for (std::size_t i = 0; i < x.size(); ++i) scope.define(names[i], x[i]);
+    scope.define(given_by_point(arguments, x));
     return size(scope);
   };
 }
@@ -112,18 +122,27 @@ bool has_argument(const std::vector<Argument>& arguments, const std::string& nam
   return std::ranges::find(arguments, name, &Argument::name) != arguments.end();
 }
 
-/// What formulas of [sampling] have in brackets. `random`: null where a point is only moved.
+/// What formulas of [sampling] have in brackets: a kind of number and formulas without blanks. `random`: null where a point is
+/// only moved.
 double sampled_number(const std::string& words, Formulas<double>& scope,
                       const std::vector<Argument>& arguments, Random* random) {
-  const std::vector<std::string> all = words_of(words);
-  const std::string& kind = all.front();
-  const auto at = [&](std::size_t i) { return sampling_formulas().compiled(all.at(i))(scope); };
+  static Cache<std::string, std::vector<Formulas<double>::Expression>> read;
+  const auto formulas = read.at(words, [&] {
+    const std::vector<std::string> all = words_of(words);
+    return mapped(std::span(all).subspan(1),
+                  [](const auto& one) { return sampling_formulas().compiled(one); });
+  });
+  const std::string kind = words.substr(0, words.find(' '));
+  const auto at = [&](std::size_t i) { return formulas->at(i)(scope); };
   const auto index = [&](std::size_t count) { return static_cast<double>(random->index(count)); };
-  if (kind == "uniform") return random->uniform(at(1), at(2));
-  if (kind == "log") return random->log_uniform(at(1), at(2));
-  if (kind == "chance") return random->chance(at(1)) ? 1 : 0;
-  if (kind == "index") return index(static_cast<std::size_t>(at(1)));
-  if (kind == "pick") return at(1 + random->index(all.size() - 1));
+  const auto root = [&] { return fast::sheet_root(static_cast<int>(at(0))); };
+  if (kind == "uniform") return random->uniform(at(0), at(1));
+  if (kind == "log") return random->log_uniform(at(0), at(1));
+  if (kind == "chance") return random->chance(at(0)) ? 1 : 0;
+  if (kind == "index") return index(static_cast<std::size_t>(at(0)));
+  if (kind == "pick") return at(random->index(formulas->size()));
+  if (kind == "root_re") return root().real();
+  if (kind == "root_im") return root().imag();
   const Point point = mapped(arguments, [&](const Argument& one) { return scope.number(one.name); });
   return point_functions().at(kind)(NamedPoint(arguments, point));
 }
@@ -205,9 +224,8 @@ class Row {
     if (const toml::table* const all = (*own_.as_table())["forms"].as_table()) {
       for (const auto& [name, form] : *all) {
         const toml::table& stated = *form.as_table();
-        forms.push_back({std::string(name.str()), stated["differs"].value<std::string>().value(), {}});
-        if (const auto formula = stated["is"].value<std::string>())
-          forms.back().value = form_of(*formula, arguments);
+        forms.push_back({std::string(name.str()), stated["differs"].value<std::string>().value(),
+                         form_of(stated["is"].value<std::string>().value(), arguments)});
       }
     }
     return forms;
@@ -216,12 +234,11 @@ class Row {
  private:
   [[nodiscard]] decltype(SeedForm::value) form_of(const std::string& formula,
                                                   const std::vector<Argument>& arguments) const {
-    std::string before = get<std::string>("given").value_or("");
-    if (before.starts_with('@'))
-      before = definitions_table()["given"][before.substr(1)].value<std::string>().value();
-    return [=, needs = parts_of(get<std::string>("needs").value_or(""), "\n")](std::span<const double> x) {
-      GivenNumbers given;
-      for (std::size_t i = 0; i < x.size(); ++i) given.emplace_back(arguments[i].name, x[i]);
+    if (const auto own = point_functions().find(formula); own != point_functions().end())
+      return [=, value = own->second](std::span<const double> x) { return value({arguments, x}); };
+    return [=, is_over_steel = get<bool>("over_steel").value_or(false),
+            needs = parts_of(get<std::string>("needs").value_or(""), "\n")](std::span<const double> x) {
+      GivenNumbers given = given_by_point(arguments, x);
       for (const std::string& need : needs) {
         const std::vector<std::string> parts = parts_of(need, " | ");
         if (printed_value(parts.at(1), given) != 0) continue;
@@ -230,7 +247,10 @@ class Row {
           throw data::BadInput(parts.front(), x[number], parts.at(2));
         throw data::BadInput(parts.front(), arguments[number].choice(x[number]), parts.at(2));
       }
-      return printed_value(before + formula, given);
+      if (is_over_steel)
+        std::ranges::move(scaled_moduli(transverse_of({arguments, x}), data::seed::steel),
+                          std::back_inserter(given));
+      return printed_value(formula, given);
     };
   }
 
@@ -286,12 +306,33 @@ const Quantity& described(std::string_view name) {
   throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));
 }
 
-double drawn(const std::string& formula, Random& random) {
+std::vector<double> hard_values(ArgumentKind kind) {
+  const auto listed = [](std::string_view key) {
+    const auto words = words_of(definitions_table()["hard"][key].value_or(std::string()));
+    return mapped(words, [](const std::string& formula) { return Formulas<double>().value(formula); });
+  };
+  std::vector<double> values;
+  const auto add_with_neighbours = [&](double value) {
+    for (const double near : {std::nextafter(value, 0.0), value, std::nextafter(value, HUGE_VAL)})
+      values.push_back(values.size() % 2 == 0 ? near : -near);
+  };
+  if (kind == ArgumentKind::position || kind == ArgumentKind::nonzero_position) {
+    std::ranges::for_each(fast::branch_points(), add_with_neighbours);
+    std::ranges::for_each(listed("positions"), add_with_neighbours);
+  }
+  std::ranges::copy(listed(kind_of_number(kind).name), std::back_inserter(values));
+  return values;
+}
+
+double drawn(const std::string& formula, Random& random, const GivenNumbers& given) {
   Formulas<double> scope([&](const std::string& words, Formulas<double>& inner) {
     return sampled_number(words, inner, {}, &random);
   });
+  scope.define(given);
   return sampling_formulas().compiled(formula)(scope);
 }
+
+double draw_passing_time(double t, Random& random) { return drawn("passing_time(t)", random, {{"t", t}}); }
 
 void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys) {
   for (const ModelKey& key : keys)

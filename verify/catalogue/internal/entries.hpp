@@ -2,6 +2,7 @@
 #include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/double_formulas.hpp>
 
 namespace nipref::verify {
 
@@ -24,11 +25,7 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
-/// A neighbour of `value`, at a relative distance log-uniform from 2^-52 to 1.
-double nearby(double value, Random& random);
-
-/// Draws T, or t0, the time at which a load that started a time t ago passes a point: just before or after t, just before or
-/// after 0, long before, or long after. It is never t itself.
+/// Draws a time at which a load that started a time t ago passes a point, by passing_time() of quantities.toml.
 double draw_passing_time(double t, Random& random);
 
 /// Values of an argument of that kind at which large errors are likely, for quantities that do not draw their own points.
@@ -75,12 +72,12 @@ auto of_point(const Quantity& entry, Function function) {
   };
 }
 
-/// Functions of a point by the names that formulas of quantities.toml have for them.
+/// Functions of a point by the names that quantities.toml has for them.
 using PointFunctions = std::map<std::string, double (*)(const NamedPoint& x)>;
 const PointFunctions& point_functions();
 
-/// The value of a formula with the functions of [sampling] in quantities.toml.
-double drawn(const std::string& formula, Random& random);
+/// The value of a formula with the functions of [sampling] in quantities.toml and the given numbers.
+double drawn(const std::string& formula, Random& random, const GivenNumbers& given = {});
 
 /// The largest number of arguments of a quantity; the catalogue's test checks every entry.
 inline constexpr std::size_t most_arguments = 160;
@@ -144,12 +141,5 @@ Quantity sampled(Quantity entry, Draw draw, KeepOff keep_off) {
 
 /// Sets the numbers of those keys to their defaults.
 void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys);
-
-/// Sets the evaluators of the seed's forms, functions of a NamedPoint, in the order of the table.
-template <class... Values>
-void set_forms(Quantity& entry, Values... values) {
-  std::size_t next = 0;
-  ((entry.seed_forms.at(next++).value = of_point(entry, values)), ...);
-}
 
 }  // namespace nipref::verify

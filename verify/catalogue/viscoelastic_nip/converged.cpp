@@ -83,19 +83,12 @@ NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
 
 std::vector<Quantity> viscoelastic_nip_entries() {
   std::vector<Quantity> entries = nip_entries("rolling_nip", {rolling_by_fast, rolling_by_ref});
-  // The least scales of errors: 1/10 for the resistance, (1 + L/B)/10 for the creep.
-  constexpr auto none = [](double) { return 0.0; };
-  constexpr double (*least_sizes[])(double) = {[](double) { return 0.1; }, none, none, none,
-                                               [](double length) { return (1 + length) / 10; }};
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    Quantity& entry = entries[i];
-    entry.envelope = [least = least_sizes[i], value_at = entry.by_fast,
-                      named = of_point(entry, {"L_over_B", "softening"}, [](double length, double softening) {
-                        return std::pair(length, amplification(length, softening));
-                      })](std::span<const double> x) {
-      const auto [length, amplified] = named(x);
-      return amplified * std::max(least(length), std::fabs(value_at(x, {})));
-    };
+  for (Quantity& entry : entries) {
+    entry.envelope =
+        [least = entry.envelope, value_at = entry.by_fast,
+         amplified = of_point(entry, {"L_over_B", "softening"}, amplification)](std::span<const double> x) {
+          return amplified(x) * std::max(least(x), std::fabs(value_at(x, {})));
+        };
   }
   return entries;
 }

@@ -41,6 +41,9 @@ class Formulas {
   Formulas& operator=(const Formulas&) = delete;
 
   void define(const std::string& name, const Number& number) { numbers_.emplace_back(name, number); }
+  void define(const std::vector<std::pair<std::string, Number>>& all) {
+    numbers_.insert(numbers_.end(), all.begin(), all.end());
+  }
   /// Lines "name = formula", evaluated in their order, or "name(argument, ...) = formula". A line that is indented goes on
   /// with the last one; what begins with # is a comment.
   void define(const std::string& lines) {

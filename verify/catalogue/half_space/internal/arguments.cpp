@@ -100,9 +100,7 @@ void check_subcritical(const NamedExact& x) {
 // The step is so much smaller than the least distance of a double from the critical speed that the truncation error of
 // the difference quotient, step^2 over that distance's square, is below what the digits ask for. The error of ln K over
 // the step is below 10^-(digits + guard).
-ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
-                              const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
-                              int digits) {
+ref::Estimate exact_condition(const ExactLine& line, int digits) {
   constexpr int below_a_rounding = 20, guard = 10, most = 485;
   if (digits < 16 || digits > most) {
     throw data::BadInput("digits", std::to_string(digits),
@@ -110,9 +108,9 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
   }
   const ref::Exact step = ref::Exact::parse("1e-" + std::to_string(digits + below_a_rounding));
   const auto ln_K = [&](int sign) {
-    const ref::Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));
-    ref::Float value =
-        ref::line_response(solid, moved, motion, psi, 2 * digits + below_a_rounding + guard).compliance.value;
+    ExactLine moved = line;
+    moved.speed = ref::Exact(mpq_class(line.speed.value() * (1 + sign * step.value())));
+    ref::Float value = moved.response(2 * digits + below_a_rounding + guard).compliance.value;
     mpfr_log(ref::raw(value), ref::raw(value), MPFR_RNDN);
     return value;
   };

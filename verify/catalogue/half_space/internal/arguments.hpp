@@ -2,6 +2,7 @@
 #include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
@@ -46,9 +47,29 @@ ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis 
 /// BadInput naming the speed unless it is subcritical on every line.
 void check_subcritical(const NamedExact& x);
 
+/// A line of a half-space under a moving load, as the reference takes it.
+struct ExactLine {
+  ref::ExactStiffness solid;
+  ref::Exact speed;
+  ref::SurfaceDirection motion, psi;
+
+  [[nodiscard]] ref::LineResponse response(int digits) const {
+    return ref::line_response(solid, speed, motion, psi, digits);
+  }
+  /// Itself; BadInput unless the load is slower along it than the line's waves. Beyond, the reference solves the equations, too.
+  [[nodiscard]] const ExactLine& checked() const {
+    ref::check_subcritical(solid, speed, motion, psi);
+    return *this;
+  }
+};
+
+/// The evaluator by a component of the response of the line that `line_of` makes.
+inline auto component_of(ExactLine (*line_of)(const NamedExact& x),
+                         ref::Enclosure ref::LineResponse::*member) {
+  return [=](const NamedExact& x, int digits) { return line_of(x).response(digits).*member; };
+}
+
 /// d ln K/d ln speed by a central difference of the reference's K in three times the digits; digits: 16 to 485.
-ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
-                              const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
-                              int digits);
+ref::Estimate exact_condition(const ExactLine& line, int digits);
 
 }  // namespace nipref::verify
