@@ -2,7 +2,6 @@
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
@@ -30,9 +29,8 @@ struct FigureScope {
 
 /// Contacts that curves share.
 struct FigureContacts {
-  std::map<std::vector<double>, SolvedInDouble> nips;
   std::map<std::string, SolvedInDouble> scenes;
-  StatedFormulas::Solve others = solved_numbers();
+  SolvedNumbers others;
 };
 
 /// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have

@@ -1,6 +1,5 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
@@ -117,24 +116,13 @@ Propagated FigureFormulas::solve(const std::string& words) {
 }
 
 const SolvedContact<fast::Estimate>& FigureFormulas::nip() {
-  const double thickness = value("B"), load = value("load"), memory = value("memory"),
-               accuracy = value("accuracy");
-  const bool grips = value("grips") != 0;
-  SolvedInDouble& contact = contacts_.nips[{thickness, load, memory, accuracy, grips ? 1.0 : 0.0}];
-  if (contact != nullptr) return *contact;
-  const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
-  const data::ElasticNip nip{data::seed::roller_radius, thickness, at_once};
-  const data::GivenLoad given{load};
-  if (memory == 0) {
-    const auto friction = grips ? data::Friction::full : data::Friction::none;
-    contact = solve_nip(data::ElasticNipProblem{.nip = nip, .given = given, .friction = friction}, accuracy);
-  } else {
-    const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, memory);
-    contact = solve_nip(
-        data::ViscoelasticNipProblem{.nip = {nip.roller_radius, thickness, solid, 1}, .given = given},
-        accuracy);
-  }
-  return *contact;
+  const bool remembers = value("memory") != 0, grips = value("grips") != 0;
+  return contacts_.others.contact(
+      fmt::format("{} nip thickness=B load=load accuracy=accuracy {}", remembers ? "rolling" : "elastic",
+                  remembers ? "memory=memory"
+                  : grips   ? "friction=full"
+                            : "friction=none"),
+      formulas_);
 }
 
 std::span<const Replay> FigureFormulas::tables() const {

@@ -5,7 +5,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -156,35 +155,28 @@ Propagated started_resistance(const Request& request) {
       fast::line_loads_for_load(nip, method, request.number("load", "0")).rolling_resistance());
 }
 
-data::Given given_by(const Request& request) {
-  if (const double length = request.number("length", "0"); length > 0) return data::GivenLength{length};
-  return data::GivenLoad{request.number("load", "0")};
-}
-
-SolvedInDouble elastic_contact(const Request& request) {
-  const double accuracy = request.number("accuracy", "1e-9");
-  const data::ElasticNip nip{request.number("radius", "6"),
-                             request.number("thickness", "2"),
-                             {request.number("young", fmt::format("{}", thesis_sheet.young)),
-                              request.number("poisson", fmt::format("{}", thesis_sheet.poisson))}};
-  if (const double mu = request.number("mu", "0"); mu > 0) {
-    const double traction = request.number("traction", "0");
+SolvedInDouble contact_of_nip(const Request& request) {
+  const auto number = [&](const char* key, double otherwise) {
+    return request.number(key, fmt::format("{}", otherwise));
+  };
+  const double radius = number("radius", 6), thickness = number("thickness", 2), length = number("length", 0),
+               accuracy = number("accuracy", 1e-9);
+  data::Given given = data::GivenLength{length};
+  if (!(length > 0)) given = data::GivenLoad{number("load", 0)};
+  if (request.kind == "rolling")
     return solve_nip(
-        data::PartialSlipProblem{.nip = {nip, mu, data::GivenTraction{traction}}, .given = given_by(request)},
+        data::ViscoelasticNipProblem{.nip = {radius, thickness, solid_of(request), number("speed", 1)},
+                                     .given = given},
         accuracy);
-  }
-  const bool full = request.text_of("friction", "none") == "full";
-  return solve_nip(data::ElasticNipProblem{.nip = nip,
-                                           .given = given_by(request),
-                                           .friction = full ? data::Friction::full : data::Friction::none},
-                   accuracy);
-}
-
-SolvedInDouble rolling_contact(const Request& request) {
-  const data::ViscoelasticNip nip{request.number("radius", "6"), request.number("thickness", "2"),
-                                  solid_of(request), request.number("speed", "1")};
-  return solve_nip(data::ViscoelasticNipProblem{.nip = nip, .given = given_by(request)},
-                   request.number("accuracy", "1e-9"));
+  const data::ElasticNip nip{
+      radius, thickness, {number("young", thesis_sheet.young), number("poisson", thesis_sheet.poisson)}};
+  if (const double mu = number("mu", 0); mu > 0)
+    return solve_nip(data::PartialSlipProblem{.nip = {nip, mu, data::GivenTraction{number("traction", 0)}},
+                                              .given = given},
+                     accuracy);
+  const auto friction =
+      request.text_of("friction", "none") == "full" ? data::Friction::full : data::Friction::none;
+  return solve_nip(data::ElasticNipProblem{.nip = nip, .given = given, .friction = friction}, accuracy);
 }
 
 /// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
@@ -200,9 +192,7 @@ SolvedInDouble contact_of_sliding_sphere(const Request& request) {
 }
 
 const std::map<std::string, SolvedInDouble (*)(const Request&)> contacts_by_kind{
-    {"elastic", elastic_contact},
-    {"rolling", rolling_contact},
-    {"sliding_sphere", contact_of_sliding_sphere}};
+    {"elastic", contact_of_nip}, {"rolling", contact_of_nip}, {"sliding_sphere", contact_of_sliding_sphere}};
 
 const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
     {"ref", of_quantity},
@@ -266,25 +256,27 @@ std::string with_fields(const std::string& text,
   return all;
 }
 
-StatedFormulas::Solve solved_numbers() {
-  auto contacts = std::make_shared<std::map<std::map<std::string, std::string>, SolvedInDouble>>();
-  return [contacts](const std::string& words, StatedFormulas& formulas) {
-    const Request request(words, formulas);
-    const auto solve = contacts_by_kind.find(request.kind);
-    if (solve == contacts_by_kind.end()) return request.entry(other_kinds, request.kind)(request);
-    std::map<std::string, std::string> inputs{{"", request.kind}};
-    for (const auto& [key, text] : request.given) {
-      const bool is_word = key == "friction" || key == "solid";
-      if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", formulas.value(text).value());
-    }
-    SolvedInDouble& contact = (*contacts)[inputs];
-    if (contact == nullptr) contact = solve->second(request);
-    return result_of(request, *contact);
-  };
+Propagated SolvedNumbers::operator()(const std::string& words, StatedFormulas& formulas) const {
+  const Request request(words, formulas);
+  return contacts_by_kind.contains(request.kind) ? result_of(request, contact(words, formulas))
+                                                 : request.entry(other_kinds, request.kind)(request);
+}
+
+const SolvedContact<fast::Estimate>& SolvedNumbers::contact(const std::string& words,
+                                                            StatedFormulas& formulas) const {
+  const Request request(words, formulas);
+  std::map<std::string, std::string> inputs{{"", request.kind}};
+  for (const auto& [key, text] : request.given) {
+    const bool is_word = key == "friction" || key == "solid";
+    if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", formulas.value(text).value());
+  }
+  SolvedInDouble& solved = (*contacts_)[inputs];
+  if (solved == nullptr) solved = request.entry(contacts_by_kind, request.kind)(request);
+  return *solved;
 }
 
 StatementFormulas::StatementFormulas(const TomlTable& file, const TomlTable& entry)
-    : entry_(entry), formulas_(solved_numbers(), statements_file("claims.toml").text("functions")) {
+    : entry_(entry), formulas_(SolvedNumbers(), statements_file("claims.toml").text("functions")) {
   if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
     const TomlTable& setting = file.entry("setting", named);
     setting.located([&] { formulas_.define(setting.text("given")); });

@@ -1,6 +1,7 @@
 #pragma once
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/support/internal/formulas.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
@@ -53,8 +54,18 @@ std::string with_fields(const std::string& text,
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
-/// Each contact is solved only once.
-[[nodiscard]] StatedFormulas::Solve solved_numbers();
+/// Each contact is solved only once, by all copies together.
+class SolvedNumbers {
+ public:
+  Propagated operator()(const std::string& words, StatedFormulas& formulas) const;
+  /// The contact of such words, whatever the name of the result.
+  [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const std::string& words,
+                                                             StatedFormulas& formulas) const;
+
+ private:
+  using Contacts = std::map<std::map<std::string, std::string>, SolvedInDouble>;
+  std::shared_ptr<Contacts> contacts_ = std::make_shared<Contacts>();
+};
 
 /// Numbers that no formula describes, by name.
 const std::map<std::string, std::function<Propagated()>>& computed_numbers();
