@@ -63,9 +63,10 @@ class Destination {
   }
 
   /// A single file's checksum is kept only where there is one.
-  void write(const std::string& name, const std::string& text, std::size_t rows) const {
+  void write(const std::string& name, const GoldenFile& golden) const {
     const fs::path file = file_of(name), folder = file.parent_path();
-    check(name, rows);
+    const std::string text = golden_text(golden);
+    check(name, golden.rows.size());
     Checksums sums = Checksums::of(folder);
     replace(name, text);
     if (is_file_ && !sums.by_name().contains(file.filename().string())) return;
@@ -100,24 +101,13 @@ Json refused_json(const std::vector<RefusedRow>& refused) {
   });
 }
 
-/// What was made of one quantity, or of one kind of contacts.
-struct MadeFile {
-  std::string text;
-  std::size_t rows;
-  std::vector<RefusedRow> refused;
-};
-
-MadeFile made_of(const std::string& name, const CommandLine& line, const OnProgress& progress) {
-  if (is_contact_kind(name)) {
-    const auto made =
-        make_contacts(name, digits_option(line).value_or(contact_digits), provenance(), progress);
-    return {contacts_text(made.file), made.file.rows.size(), made.refused};
-  }
+MadeGolden made_of(const std::string& name, const CommandLine& line, const OnProgress& progress) {
+  if (is_contact_kind(name))
+    return make_contacts(name, digits_option(line).value_or(contact_digits), provenance(), progress);
   const Quantity& quantity = find_quantity(name);
   GoldenOptions options = options_for(quantity, line);
   options.progress = progress;
-  const MadeGolden made = make_golden(quantity, options, provenance());
-  return {golden_text(quantity, made.file), made.file.rows.size(), made.refused};
+  return make_golden(quantity, options, provenance());
 }
 
 /// The names after the action; without any those of all quantities and kinds of contacts.
@@ -143,13 +133,13 @@ int make(const CommandLine& line, std::ostream& out) {
   std::size_t rows = 0;
   bool kept = true;
   progress.each("golden make", names, std::identity(), [&](const std::string& name) {
-    const MadeFile made = made_of(name, line, [&](double part) { progress.at(part); });
+    const MadeGolden made = made_of(name, line, [&](double part) { progress.at(part); });
     kept = kept && made.refused.empty();
-    destination.write(name, made.text, made.rows);
-    rows += made.rows;
+    destination.write(name, made.file);
+    rows += made.file.rows.size();
     files.push_back({{"quantity", name},
                      {"file", destination.file_of(name).string()},
-                     {"rows", made.rows},
+                     {"rows", made.file.rows.size()},
                      {"refused", refused_json(made.refused)}});
   });
   return answer(line, out, {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept);
@@ -225,7 +215,8 @@ struct UpdatedFile {
 };
 
 Json value_json(const GoldenRow& row) {
-  return {{"value", row.value}, {"error", row.bound}, {"proven", row.proven}};
+  const auto& [value, bound] = row.numbers.front();
+  return {{"value", value}, {"error", bound}, {"proven", row.proven}};
 }
 
 Json updated_json(const UpdatedFile& file) {
@@ -271,9 +262,7 @@ int update(const CommandLine& line, std::ostream& out) {
   const int status =
       answer(line, out, {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept);
   for (const UpdatedFile& file : files) {
-    if (!file.updated.changed.empty())
-      destination.write(file.quantity.name, golden_text(file.quantity, file.updated.file),
-                        file.updated.file.rows.size());
+    if (!file.updated.changed.empty()) destination.write(file.quantity.name, file.updated.file);
   }
   return status;
 }

@@ -27,7 +27,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   };
   if (!is_small(golden.error, row.scale)) {
     fail(GoldenFault::too_wide,
-         fmt::format("the bound {} is too wide for the scale {:.3g}", row.bound, row.scale));
+         fmt::format("the bound {} is too wide for the scale {:.3g}", row.numbers.front().bound, row.scale));
     return failures;
   }
   if (by_ref) {
@@ -38,12 +38,13 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
         fail(GoldenFault::too_wide, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
                                                 now.error_text(), row.scale));
       } else if (!gap.is_covered()) {
-        fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
-                                             now.value_text(), now.error_text(), row.value, row.bound));
+        fail(GoldenFault::wrong,
+             fmt::format("the reference is {} +- {}, golden is {} +- {}", now.value_text(), now.error_text(),
+                         row.numbers.front().value, row.numbers.front().bound));
       } else if (mpfr_get_ld(ref::raw(now.error), MPFR_RNDU) >
                  widening * mpfr_get_ld(ref::raw(golden.error), MPFR_RNDU)) {
-        fail(GoldenFault::too_wide,
-             fmt::format("the reference's error has grown from {} to {}", row.bound, now.error_text()));
+        fail(GoldenFault::too_wide, fmt::format("the reference's error has grown from {} to {}",
+                                                row.numbers.front().bound, now.error_text()));
       }
     } catch (const data::BadInput& refused) {
       fail(GoldenFault::wrong, fmt::format("the reference refuses it: {}", refused.what()));
@@ -53,7 +54,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   const double ulps = deviation(fast, golden, row.scale).ulps;
   if (!(ulps <= quantity.promise)) {
     fail(GoldenFault::wrong, fmt::format("fast is {:.17g}, {:.3g} ulp of the scale off {}, promised are {:g}",
-                                         fast, ulps, row.value, quantity.promise));
+                                         fast, ulps, row.numbers.front().value, quantity.promise));
   }
   return failures;
 }
@@ -100,12 +101,9 @@ CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
         GoldenFault::text_changed, {}, fmt::format("{} is not what {} says", path.string(), checksums_name)};
   CheckedGolden checked;
   try {
-    if (is_contact_kind(header_of(data::read_csv(path)).entry("quantity"))) {
-      checked = check_contacts(read_contacts(path), options);
-    } else {
-      const GoldenFile file = read_golden(path);
-      checked = check_rows(file.quantity(), file, options);
-    }
+    const GoldenFile file = read_golden(path);
+    checked =
+        file.results.empty() ? check_rows(file.quantity(), file, options) : check_contacts(file, options);
   } catch (const data::BadInput& unreadable) {
     if (!changed) throw;
     changed->what += fmt::format(", and cannot be read: {}", unreadable.what());

@@ -1,6 +1,5 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/sweep.hpp>
-#include <nipref/data/table/csv.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -78,11 +77,11 @@ struct UnmadeContact {
       refused = error.what();
     }
   }
-  [[nodiscard]] GoldenContact row() const {
-    GoldenContact row{keys, {}, true, confirmed_by};
+  [[nodiscard]] GoldenRow row() const {
+    GoldenRow row{{}, keys, {}, true, confirmed_by};
     for (const auto& result : reference.results) {
       const ref::Estimate& number = result.numbers.front();
-      row.results.push_back({number.value_text(), bound_text(number)});
+      row.numbers.push_back({number.value_text(), bound_text(number)});
       row.proven = row.proven && number.proven;
     }
     return row;
@@ -102,25 +101,10 @@ std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts
   return taken;
 }
 
-std::vector<std::string> columns_of(const std::vector<std::string>& keys,
-                                    const std::vector<std::string>& results) {
-  std::vector<std::string> columns = keys;
-  for (const std::string& result : results) {
-    columns.push_back(result);
-    columns.push_back(result + "_bound");
-  }
-  columns.insert(columns.end(), {"status", "confirmed_by"});
-  return columns;
-}
-
-std::vector<std::string> result_names(const data::Scene& scene) {
-  return mapped(scene.wanted, [](data::ResultId id) { return std::string(data::scene_result(id).name); });
-}
-
 /// The faults of a contact.
-std::vector<GoldenFailure> check_contact(const data::SceneText& text, const ContactsFile& file,
+std::vector<GoldenFailure> check_contact(const data::SceneText& text, const GoldenFile& file,
                                          std::size_t number, bool by_ref) {
-  const GoldenContact& row = file.rows[number - 1];
+  const GoldenRow& row = file.rows[number - 1];
   std::vector<GoldenFailure> failures;
   const auto fail = [&](GoldenFault fault, std::string_view name, const std::string& what) {
     std::string at;
@@ -132,24 +116,24 @@ std::vector<GoldenFailure> check_contact(const data::SceneText& text, const Cont
     const auto fast = solve(scene);
     const auto reference = by_ref ? std::optional(solve_by_ref(scene, file.digits())) : std::nullopt;
     for (std::size_t i = 0; i < file.results.size(); ++i) {
-      const ref::Estimate golden = row.results[i].number();
+      const ref::Estimate golden = row.numbers[i].number();
       const fast::Estimate quick = fast.results[i].numbers.front();
       const long double width = as_real(golden.error),
                         widest = std::pow(10.0L, -file.digits()) *
                                  std::max<long double>(size_of(fast, i), std::fabs(golden.to_double()));
       if (!(width <= widest))
         fail(GoldenFault::too_wide, file.results[i],
-             fmt::format("the bound {} is too wide", row.results[i].bound));
+             fmt::format("the bound {} is too wide", row.numbers[i].bound));
       if (!(std::fabs(golden.error_of(quick.value)) <= quick.error + width))
         fail(GoldenFault::wrong, file.results[i],
              fmt::format("fast is {:.17g} +- {:.1e}, golden is {}", quick.value, quick.error,
-                         row.results[i].value));
+                         row.numbers[i].value));
       if (!reference) continue;
       const ref::Estimate& now = reference->results[i].numbers.front();
       if (!Gap(golden, now).is_covered())
         fail(GoldenFault::wrong, file.results[i],
              fmt::format("the reference is {} +- {}, golden is {} +- {}", now.value_text(), now.error_text(),
-                         row.results[i].value, row.results[i].bound));
+                         row.numbers[i].value, row.numbers[i].bound));
     }
   } catch (const BadInput& refused) {
     fail(GoldenFault::wrong, "all", fmt::format("it is refused: {}", refused.what()));
@@ -184,8 +168,18 @@ AxesProduct swept_by(const data::SceneText& scene) {
       mapped(sweep.keys, [](const auto& key) { return axis_of(key.first, key.second, axis_points); }));
 }
 
-Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Provenance& provenance,
-                                 const OnProgress& progress) {
+std::vector<std::string> contact_keys(std::string_view kind) {
+  return mapped(swept_by(contact_scene(kind)).axes(), &Axis::name);
+}
+
+std::vector<std::string> contact_results(std::string_view kind) {
+  const data::SceneText text = contact_scene(kind);
+  const data::Scene scene = data::load_scene(text, swept_by(text).assignments(0, &AxisValue::shown));
+  return mapped(scene.wanted, [](data::ResultId id) { return std::string(data::scene_result(id).name); });
+}
+
+MadeGolden make_contacts(const std::string& kind, int digits, const Provenance& provenance,
+                         const OnProgress& progress) {
   const data::SceneText text = contact_scene(kind);
   const AxesProduct product = swept_by(text);
   std::vector<UnmadeContact> contacts(product.size());
@@ -202,13 +196,13 @@ Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Prov
   parallel_for(
       confirmed.size(),
       [&](std::size_t i) { confirmed[i]->take(second_solver(*confirmed[i]->scene)(), true); }, part(0.5));
-  Made<ContactsFile> made;
+  MadeGolden made;
+  made.file.results = contact_results(kind);
   const data::Scene example = data::load_scene(text, contacts.front().keys);
   made.file.header = {{"quantity", kind},
                       {"definition", example.title.substr(0, example.title.find(", with "))},
                       {"command", fmt::format("nipref golden make {} --digits {}", kind, digits)},
                       {"digits", std::to_string(digits)}};
-  made.file.results = result_names(example);
   add_provenance(made.file, provenance);
   for (const UnmadeContact& contact : contacts) {
     if (contact.refused.empty()) {
@@ -220,43 +214,7 @@ Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Prov
   return made;
 }
 
-std::string contacts_text(const ContactsFile& file) {
-  std::string text = file.header_text();
-  if (file.rows.empty()) return text;
-  const auto names = mapped(file.rows.front().keys, &Assignments::value_type::first);
-  text += fmt::format("{}\n", fmt::join(columns_of(names, file.results), ","));
-  for (const GoldenContact& row : file.rows) {
-    for (const auto& [key, value] : row.keys) text += value + ",";
-    for (const auto& [value, bound] : row.results) text += fmt::format("{},{},", value, bound);
-    text += fmt::format("{},{}\n", row.proven ? "proven" : "estimated", row.confirmed_by);
-  }
-  return text;
-}
-
-ContactsFile read_contacts(const fs::path& path) {
-  const data::CsvFile csv = data::read_csv(path);
-  ContactsFile file{header_of(csv), {}, {}};
-  static_cast<void>(file.digits());
-  const data::SceneText text = contact_scene(file.entry("quantity"));
-  const AxesProduct product = swept_by(text);
-  const std::vector<std::string> keys = mapped(product.axes(), &Axis::name);
-  file.results = result_names(data::load_scene(text, product.assignments(0, &AxisValue::shown)));
-  const std::vector<std::string> columns = columns_of(keys, file.results);
-  check_columns(path, csv.records.front(), columns);
-  for (std::size_t i = 1; i < csv.records.size(); ++i) {
-    const std::vector<data::CsvField>& fields = csv.records[i];
-    GoldenContact row{};
-    for (std::size_t k = 0; k < keys.size(); ++k) row.keys.emplace_back(keys[k], fields[k].text);
-    for (std::size_t at = keys.size(); at < columns.size() - 2; at += 2)
-      row.results.push_back({decimal_of(path, fields[at]), decimal_of(path, fields[at + 1])});
-    row.proven = is_proven(path, fields[columns.size() - 2]);
-    row.confirmed_by = fields.back().text;
-    file.rows.push_back(std::move(row));
-  }
-  return file;
-}
-
-CheckedGolden check_contacts(const ContactsFile& file, const CheckOptions& options) {
+CheckedGolden check_contacts(const GoldenFile& file, const CheckOptions& options) {
   const data::SceneText text = contact_scene(file.entry("quantity"));
   const std::size_t rows = (file.rows.size() + options.every - 1) / options.every,
                     by_ref = (rows + nips_for_each_confirmed - 1) / nips_for_each_confirmed;

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,38 +23,20 @@ data::SceneText contact_scene(std::string_view kind);
 /// All combinations of what the scene's own sweep has.
 AxesProduct swept_by(const data::SceneText& scene);
 
-/// A contact whose results were confirmed.
-struct GoldenContact {
-  struct Result {
-    std::string value, bound;  ///< decimal texts
-    [[nodiscard]] ref::Estimate number() const { return number_of(value, bound); }
-  };
-
-  Assignments keys;             ///< of the scene, as its sweep has them
-  std::vector<Result> results;  ///< in the order in which the scene wants them
-  bool proven;                  ///< whether all bounds are
-  std::string confirmed_by;     ///< other methods, and how far they leave a result open, over its size
-};
-
-struct ContactsFile : GoldenHeader {
-  std::vector<std::string> results;  ///< their names
-  std::vector<GoldenContact> rows;
-};
+/// The names of the keys that vary, and those of the results.
+std::vector<std::string> contact_keys(std::string_view kind);
+std::vector<std::string> contact_results(std::string_view kind);
 
 /// The digits that the reference is asked for; its values have three more.
 inline constexpr int contact_digits = 17;
 
 /// Solves every contact of the kind by the reference, and confirms it by fast, whose error must cover; and, as far as it
 /// reaches, by a second method: a tenth of the nips, evenly spaced, and all bodies on half-spaces.
-Made<ContactsFile> make_contacts(const std::string& kind, int digits, const Provenance& provenance,
-                                 const OnProgress& progress);
-
-std::string contacts_text(const ContactsFile& file);
-/// BadInput that names file, line and column of the first fault.
-ContactsFile read_contacts(const std::filesystem::path& path);
+MadeGolden make_contacts(const std::string& kind, int digits, const Provenance& provenance,
+                         const OnProgress& progress);
 
 /// Solves contacts of a file again and compares: those that are looked at by fast, a tenth of them, one at least, or all,
 /// by the reference.
-CheckedGolden check_contacts(const ContactsFile& file, const CheckOptions& options);
+CheckedGolden check_contacts(const GoldenFile& file, const CheckOptions& options);
 
 }  // namespace nipref::verify

@@ -3,7 +3,7 @@
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -13,12 +13,14 @@ namespace {
 using data::BadInput;
 using data::CsvField;
 
-constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scale",
-                                                 "status", "confirmed_by", "origin"};
-
-std::vector<std::string> columns_of(const std::vector<Argument>& arguments) {
-  std::vector<std::string> columns = mapped(arguments, &Argument::name);
-  columns.insert(columns.end(), std::begin(columns_of_a_row), std::end(columns_of_a_row));
+/// The columns behind those of the arguments or keys; results: of contacts.
+std::vector<std::string> columns_behind(std::vector<std::string> columns,
+                                        const std::vector<std::string>& results) {
+  const auto add = [&](std::initializer_list<std::string> more) { columns.insert(columns.end(), more); };
+  for (const std::string& result : results) add({result, result + "_bound"});
+  if (results.empty()) add({"value", "bound", "scale"});
+  add({"status", "confirmed_by"});
+  if (results.empty()) add({"origin"});
   return columns;
 }
 
@@ -65,18 +67,46 @@ Point point_of_row(const std::filesystem::path& path, const Quantity& quantity,
   });
 }
 
-/// `rest`: the fields behind the arguments.
-GoldenRow row_of(const std::filesystem::path& path, Point point, std::span<const CsvField> rest) {
-  GoldenRow row{std::move(point),
-                decimal_of(path, rest[0]),
-                decimal_of(path, rest[1]),
-                double_of(path, rest[2]),
-                is_proven(path, rest[3]),
-                rest[4].text,
-                rest[5].text};
-  if (row.bound.front() == '-') data::refuse(path, rest[1].position, "a bound must not be negative");
-  if (row.scale < 0) data::refuse(path, rest[2].position, "a scale must not be negative");
-  return row;
+void check_columns(const std::filesystem::path& path, const std::vector<CsvField>& names,
+                   const std::vector<std::string>& columns) {
+  for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
+    if (i >= columns.size())
+      data::refuse(path, names[i].position, "must not be there: a row ends with the " + columns.back());
+    if (i >= names.size())
+      data::refuse(path, names.back().position, "must be followed by the column " + columns[i]);
+    if (names[i].text != columns[i])
+      data::refuse(path, names[i].position, "must be the column " + columns[i]);
+  }
+}
+
+/// The text of a finite decimal number.
+const std::string& decimal_of(const std::filesystem::path& path, const CsvField& field) {
+  ref::Float value = ref::zero_of_bits(bits_for(field.text));
+  if (!read_decimal(field.text, value, MPFR_RNDN))
+    data::refuse(path, field.position, "must be a finite decimal number");
+  return field.text;
+}
+
+/// Adds the numbers that the fields behind the arguments have, and what stands behind them.
+void read_numbers(GoldenRow& row, const std::filesystem::path& path, std::span<const CsvField> rest,
+                  bool is_of_quantity) {
+  const std::size_t end = rest.size() - (is_of_quantity ? 4 : 2);
+  for (std::size_t at = 0; at < end; at += 2) {
+    row.numbers.push_back({decimal_of(path, rest[at]), decimal_of(path, rest[at + 1])});
+    if (rest[at + 1].text.front() == '-')
+      data::refuse(path, rest[at + 1].position, "a bound must not be negative");
+  }
+  rest = rest.subspan(end);
+  if (is_of_quantity) {
+    row.scale = double_of(path, rest[0]);
+    if (row.scale < 0) data::refuse(path, rest[0].position, "a scale must not be negative");
+    row.origin = rest.back().text;
+    rest = rest.subspan(1);
+  }
+  row.proven = rest[0].text == "proven";
+  if (!row.proven && rest[0].text != "estimated")
+    data::refuse(path, rest[0].position, "must be proven or estimated");
+  row.confirmed_by = rest[1].text;
 }
 
 }  // namespace
@@ -111,7 +141,7 @@ std::string bound_text(const ref::Estimate& reference) {
   return upward_text(reference.error);
 }
 
-ref::Estimate number_of(const std::string& value, const std::string& bound) {
+ref::Estimate GoldenNumber::number() const {
   ref::Float number = ref::zero_of_bits(bits_for(value)), error = ref::zero_of_bits(64);
   read_decimal(value, number, MPFR_RNDN);
   read_decimal(bound, error, MPFR_RNDU);
@@ -148,18 +178,6 @@ GoldenHeader header_of(const data::CsvFile& csv) {
   return read;
 }
 
-void check_columns(const std::filesystem::path& path, const std::vector<CsvField>& names,
-                   const std::vector<std::string>& columns) {
-  for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
-    if (i >= columns.size())
-      data::refuse(path, names[i].position, "must not be there: a row ends with the " + columns.back());
-    if (i >= names.size())
-      data::refuse(path, names.back().position, "must be followed by the column " + columns[i]);
-    if (names[i].text != columns[i])
-      data::refuse(path, names[i].position, "must be the column " + columns[i]);
-  }
-}
-
 double double_of(const std::filesystem::path& path, const CsvField& field, bool may_be_none) {
   const std::string text = trimmed(field.text);
   const std::optional<double> number = number_in(text);
@@ -178,38 +196,31 @@ double argument_of(const std::filesystem::path& path, const Argument& argument, 
   return static_cast<double>(found - argument.choices.begin());
 }
 
-const std::string& decimal_of(const std::filesystem::path& path, const CsvField& field) {
-  ref::Float value = ref::zero_of_bits(bits_for(field.text));
-  if (!read_decimal(field.text, value, MPFR_RNDN))
-    data::refuse(path, field.position, "must be a finite decimal number");
-  return field.text;
-}
-
-bool is_proven(const std::filesystem::path& path, const CsvField& status) {
-  if (status.text != "proven" && status.text != "estimated")
-    data::refuse(path, status.position, "must be proven or estimated");
-  return status.text == "proven";
-}
-
 GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference) {
-  GoldenRow row{};
-  row.arguments = point;
-  row.value = reference.value_text();
-  row.bound = bound_text(reference);
-  row.scale = std::max(std::fabs(reference.to_double()), quantity.envelope(point));
-  row.proven = reference.proven;
-  return row;
+  return {point,
+          {},
+          {{reference.value_text(), bound_text(reference)}},
+          reference.proven,
+          "",
+          std::max(std::fabs(reference.to_double()), quantity.envelope(point))};
 }
 
-std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
+std::string golden_text(const GoldenFile& file) {
+  const Quantity* const quantity = file.results.empty() ? &file.quantity() : nullptr;
+  if (quantity == nullptr && file.rows.empty()) return file.header_text();
+  const auto first = quantity != nullptr ? mapped(written_arguments(*quantity), &Argument::name)
+                                         : mapped(file.rows.front().keys, &Assignments::value_type::first);
   std::string text =
-      fmt::format("{}{}\n", file.header_text(), fmt::join(columns_of(written_arguments(quantity)), ","));
+      fmt::format("{}{}\n", file.header_text(), fmt::join(columns_behind(first, file.results), ","));
   const auto exact = [](double x) { return fmt::format("{:a}", x); };
   for (const GoldenRow& row : file.rows) {
-    for (const auto& [name, value] : written_point(quantity, row.arguments, exact))
-      text += value.find(',') == std::string::npos ? value + "," : '"' + value + "\",";
-    text += fmt::format("{},{},{},{},{},{}\n", row.value, row.bound, row.scale,
-                        row.proven ? "proven" : "estimated", row.confirmed_by, row.origin);
+    for (const auto& [name, value] :
+         quantity != nullptr ? written_point(*quantity, row.arguments, exact) : row.keys)
+      text += csv_field(value) + ",";
+    for (const auto& [value, bound] : row.numbers) text += fmt::format("{},{},", value, bound);
+    if (quantity != nullptr) text += fmt::format("{},", row.scale);
+    text += fmt::format("{},{}", row.proven ? "proven" : "estimated", row.confirmed_by);
+    text += (quantity != nullptr ? "," + row.origin : "") + "\n";
   }
   return text;
 }
@@ -217,14 +228,21 @@ std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
 GoldenFile read_golden(const std::filesystem::path& path) {
   const data::CsvFile csv = data::read_csv(path);
   GoldenFile file{header_of(csv), {}};
-  const Quantity& quantity = file.quantity();
-  static_cast<void>(file.digits());
+  const std::string& of = file.entry("quantity");
+  const bool of_contacts = is_contact_kind(of);
   const std::vector<CsvField>& names = csv.records.front();
-  const std::vector<Argument> named = arguments_in(quantity, names);
-  check_columns(path, names, columns_of(named));
-  for (const std::vector<CsvField>& fields : std::span(csv.records).subspan(1))
-    file.rows.push_back(
-        row_of(path, point_of_row(path, quantity, named, fields), std::span(fields).subspan(named.size())));
+  const auto named = of_contacts ? std::vector<Argument>() : arguments_in(file.quantity(), names);
+  const auto first = of_contacts ? contact_keys(of) : mapped(named, &Argument::name);
+  if (of_contacts) file.results = contact_results(of);
+  static_cast<void>(file.digits());
+  check_columns(path, names, columns_behind(first, file.results));
+  for (const std::vector<CsvField>& fields : std::span(csv.records).subspan(1)) {
+    GoldenRow& row = file.rows.emplace_back();
+    if (!of_contacts) row.arguments = point_of_row(path, file.quantity(), named, fields);
+    for (std::size_t i = 0; of_contacts && i < first.size(); ++i)
+      row.keys.emplace_back(first[i], fields[i].text);
+    read_numbers(row, path, std::span(fields).subspan(first.size()), !of_contacts);
+  }
   return file;
 }
 

@@ -7,28 +7,35 @@
 
 #include <nipref/data/table/csv.hpp>
 #include <nipref/ref/number/estimate.hpp>
-#include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 
 namespace nipref::verify {
-
-/// The number that these decimal texts are. The text of a value that is none is a NaN.
-ref::Estimate number_of(const std::string& value, const std::string& bound);
 
 /// The bound of the value that is written, with the rounding to its text. The text of the value 0 is not rounded.
 std::string bound_text(const ref::Estimate& reference);
 
-/// A stored value of a quantity, which a second method has confirmed.
-struct GoldenRow {
-  Point arguments;
-  std::string value;         ///< decimal text
-  std::string bound;         ///< of |value - truth|, decimal text
-  double scale;              ///< what errors of other values are measured against, unit of the quantity
-  bool proven;               ///< whether the bound is proven; otherwise it is an estimate
-  std::string confirmed_by;  ///< the second method, and how far its result may be from the value
-  std::string origin;        ///< hard, worst:fast@COMMIT, dense or user
+/// A stored number.
+struct GoldenNumber {
+  std::string value;  ///< decimal text
+  std::string bound;  ///< of |value - truth|, decimal text
 
-  /// The value and its bound as a number.
-  [[nodiscard]] ref::Estimate number() const { return number_of(value, bound); }
+  /// The number that these texts are. The text of a value that is none is a NaN.
+  [[nodiscard]] ref::Estimate number() const;
+};
+
+/// What is stored of a point, a value of a quantity or all results of a contact, which other methods have confirmed.
+struct GoldenRow {
+  Point arguments;   ///< of a quantity
+  Assignments keys;  ///< of a contact's scene, as its sweep has them
+  /// One, or those of the results in the order in which the scene wants them.
+  std::vector<GoldenNumber> numbers;
+  bool proven;               ///< whether all bounds are; otherwise some are estimates
+  std::string confirmed_by;  ///< the methods, and how far they leave a number open
+  // Of a quantity:
+  double scale = 0;         ///< what errors of other values are measured against, unit of the quantity
+  std::string origin = {};  ///< hard, worst:fast@COMMIT, dense or user
+
+  [[nodiscard]] ref::Estimate number() const { return numbers.front().number(); }  ///< of a quantity
 };
 
 /// What stands above the values of a file.
@@ -51,16 +58,11 @@ GoldenHeader header_of(const data::CsvFile& csv);
 double double_of(const std::filesystem::path& path, const data::CsvField& field, bool may_be_none = false);
 /// The number that stands for an argument.
 double argument_of(const std::filesystem::path& path, const Argument& argument, const data::CsvField& field);
-void check_columns(const std::filesystem::path& path, const std::vector<data::CsvField>& names,
-                   const std::vector<std::string>& columns);
-/// The text of a finite decimal number.
-const std::string& decimal_of(const std::filesystem::path& path, const data::CsvField& field);
-/// Whether the field is "proven" and not "estimated".
-bool is_proven(const std::filesystem::path& path, const data::CsvField& status);
 
-/// A file of golden values of one quantity.
+/// A file of golden values of one quantity, or of contacts of one kind.
 struct GoldenFile : GoldenHeader {
   std::vector<GoldenRow> rows;
+  std::vector<std::string> results = {};  ///< names of those of contacts
 
   /// The quantity whose values the file holds. BadInput if the catalogue has none of that name.
   [[nodiscard]] const Quantity& quantity() const;
@@ -85,7 +87,7 @@ bool is_small(const ref::Float& width, double scale);
 std::string upward_text(const ref::Float& number);
 
 /// The text of a file, as data/golden/README.md describes it.
-std::string golden_text(const Quantity& quantity, const GoldenFile& file);
+std::string golden_text(const GoldenFile& file);
 
 /// Reads such a file. BadInput that names file, line and column of the first fault.
 GoldenFile read_golden(const std::filesystem::path& path);

@@ -186,7 +186,8 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
     for (MadeRow& outcome : outcomes) {
       if (outcome.refused && outcome.has_reference) made.refused.push_back(*std::move(outcome.refused));
       if (!outcome.row || rows.size() == options.points) continue;
-      const bool is_nothing = outcome.row->value == "0" && outcome.row->bound == "0";
+      const auto& [value, bound] = outcome.row->numbers.front();
+      const bool is_nothing = value == "0" && bound == "0";
       if (is_nothing && ++zeros > options.points / 20) continue;
       rows.push_back(*std::move(outcome.row));
     }

@@ -40,12 +40,10 @@ struct RefusedRow {
   std::string reason;
 };
 
-template <class File>
-struct Made {
-  File file;
+struct MadeGolden {
+  GoldenFile file;
   std::vector<RefusedRow> refused = {};  ///< what no second method confirms
 };
-using MadeGolden = Made<GoldenFile>;
 
 /// Golden values of a quantity at hard cases, at zeros and their neighbours, at the points where an audit finds the
 /// largest errors of fast, and at points spread over the whole domain. A second method confirms each value: the two

@@ -83,7 +83,7 @@ TEST_CASE("a reference that moves by less than any double sees is found") {
 
 TEST_CASE("a bound too wide to say anything is told, and not wrong") {
   verify::GoldenFile file = last_of(golden("I1"), 3);
-  file.rows[1].bound = "1e-3";
+  file.rows[1].numbers[0].bound = "1e-3";
   const verify::CheckedGolden checked = verify::check_rows(file.quantity(), file, {});
   CHECK(faults_of(checked) == std::vector{GoldenFault::too_wide});
   CHECK(checked.failures.front().row == 2);
@@ -99,7 +99,7 @@ TEST_CASE("a bound too wide to say anything is told, and not wrong") {
 
 TEST_CASE("any character that is changed in a golden file or its checksum is found") {
   const verify::GoldenFile file = last_of(golden("I2"), 1);
-  const std::string text = verify::golden_text(file.quantity(), file);
+  const std::string text = verify::golden_text(file);
   const GoldenFolder folder;
   const auto write = [&](const std::string& name, const std::string& bytes) {
     std::ofstream(folder.file(name), std::ios::binary) << bytes;
@@ -134,7 +134,7 @@ TEST_CASE("files that checksums do not list or that are gone are found, one's ow
     if (!what.empty()) CHECK(found.front().what == what);
   };
   check("");
-  std::ofstream(folder.file("I2.csv")) << verify::golden_text(file.quantity(), file);
+  std::ofstream(folder.file("I2.csv")) << verify::golden_text(file);
   check("SHA256SUMS does not list I2.csv");
   std::filesystem::rename(folder.file("I2.csv"), folder.file("mine.csv"));
   const verify::CheckedGolden mine = verify::check_golden(folder.file("mine.csv"), {});

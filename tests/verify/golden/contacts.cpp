@@ -6,20 +6,20 @@
 #include "support/scratch.hpp"
 
 using namespace nipref;
-using verify::ContactsFile;
+using verify::GoldenFile;
 
 namespace {
 
-ContactsFile contacts(const char* kind) { return verify::read_contacts(verify::golden_path(kind)); }
+GoldenFile contacts(const char* kind) { return verify::read_golden(verify::golden_path(kind)); }
 
 /// The contact that has these values of its keys.
-ContactsFile one_of(ContactsFile file, const verify::Assignments& keys) {
-  std::erase_if(file.rows, [&](const verify::GoldenContact& row) { return row.keys != keys; });
+GoldenFile one_of(GoldenFile file, const verify::Assignments& keys) {
+  std::erase_if(file.rows, [&](const verify::GoldenRow& row) { return row.keys != keys; });
   REQUIRE(file.rows.size() == 1);
   return file;
 }
 
-ContactsFile unit_contact() {
+GoldenFile unit_contact() {
   return one_of(contacts("contacts-frictionless"), {{"contact.length", "1"}, {"material.poisson", "0.2"}});
 }
 
@@ -29,13 +29,13 @@ TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twic
   std::map<std::string, std::size_t> rows;
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);
-    const ContactsFile file = contacts(kind.c_str());
+    const GoldenFile file = contacts(kind.c_str());
     CHECK(file.entry("quantity") == kind);
     CHECK(file.entry("tree") == "clean");
     CHECK(file.entry("commit").size() == 40);
     std::set<verify::Assignments> keys;
     std::size_t by_second_method = 0;
-    for (const verify::GoldenContact& row : file.rows) {
+    for (const verify::GoldenRow& row : file.rows) {
       keys.insert(row.keys);
       CHECK(row.confirmed_by.starts_with("fast to "));
       if (contains(row.confirmed_by, "; ")) ++by_second_method;
@@ -46,7 +46,7 @@ TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twic
     CHECK(10 * by_second_method >= file.rows.size());
     const bool is_rolling_sheet = kind.starts_with("contacts-rolling-") && kind != "contacts-rolling-sphere";
     rows[is_rolling_sheet ? "contacts-rolling-sheets" : kind] += file.rows.size();
-    CHECK(verify::contacts_text(file) == data::text_of_input_file(verify::golden_path(kind), "file"));
+    CHECK(verify::golden_text(file) == data::text_of_input_file(verify::golden_path(kind), "file"));
   }
   for (const auto& [kind, count] : rows) {
     CAPTURE(kind);
@@ -59,16 +59,16 @@ TEST_CASE("golden contacts are what they were: every 40th by fast, one of each k
     CAPTURE(kind);
     CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(kind + ".csv") ==
           verify::sha256(data::text_of_input_file(verify::golden_path(kind), "file")));
-    ContactsFile file = contacts(kind.c_str());
+    GoldenFile file = contacts(kind.c_str());
     for (const auto& found : verify::check_contacts(file, {false, is_thorough() ? 20U : 40U}).failures)
       FAIL_CHECK(found.what);
   }
 }
 
 TEST_CASE("a golden contact changed in its 17th digit is found by the reference, in its 12th by fast") {
-  ContactsFile file = unit_contact();
+  GoldenFile file = unit_contact();
   REQUIRE(verify::check_contacts(file, {}).kept());
-  std::string& load = file.rows[0].results[0].value;
+  std::string& load = file.rows[0].numbers[0].value;
   const std::string right = load;
   const auto faults_at = [&](std::size_t digit) {
     load = right;
@@ -78,7 +78,7 @@ TEST_CASE("a golden contact changed in its 17th digit is found by the reference,
   CHECK(faults_at(17) == 1);
   CHECK(faults_at(11) == 2);
   load = right;
-  file.rows[0].results[0].bound = "1e-20";
+  file.rows[0].numbers[0].bound = "1e-20";
   CHECK(verify::check_contacts(file, {}).failures.at(0).fault == verify::GoldenFault::too_wide);
 }
 
@@ -93,15 +93,15 @@ TEST_CASE("second methods solve contacts as the reference does, and say where th
 }
 
 TEST_CASE("a file of golden contacts that is none is refused with line and column") {
-  const std::string text = verify::contacts_text(unit_contact());
+  const std::string text = verify::golden_text(unit_contact());
   const auto refusal = [&](const std::string& from, const std::string& to) -> std::string {
     std::string changed = text;
     REQUIRE(contains(changed, from));
     const ScratchFile file(changed.replace(changed.find(from), from.size(), to));
-    return refusal_of([&] { return verify::read_contacts(file.path()); });
+    return refusal_of([&] { return verify::read_golden(file.path()); });
   };
   CHECK(refusal("load,", "load,") == "accepted");
-  CHECK(contains(refusal("quantity: contacts-frictionless", "quantity: contacts-soft"), "must be one of"));
+  CHECK(contains(refusal("quantity: contacts-frictionless", "quantity: contacts-soft"), "must be one that"));
   CHECK(contains(refusal(",load,", ",force,"), "must be the column load"));
   CHECK(contains(refusal(",proven,", ",certain,"), "must be proven or estimated"));
   CHECK(contains(refusal("e-", "f-"), "must be a finite decimal number"));
