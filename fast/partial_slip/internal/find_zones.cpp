@@ -40,6 +40,14 @@ bool leave_out_shortest_slip(Zones& zones) {
   return true;
 }
 
+/// The zones of slip shorter than that are taken out, but for the only zone.
+void leave_out_short_slips(Zones& zones, double shortest) {
+  const auto is_short = [&](const Zone& zone) { return zone.sign != 0 && zone.length < shortest; };
+  for (auto zone = std::ranges::find_if(zones, is_short); zones.size() > 1 && zone != zones.end();
+       zone = std::ranges::find_if(zones, is_short))
+    remove(zones, static_cast<std::size_t>(zone - zones.begin()));
+}
+
 /// Between two opposite slips it sticks, in so large a part of the shorter one.
 void separate_slips(Zones& zones, double part) {
   for (std::size_t k = 1; k < zones.size(); ++k) {
@@ -61,6 +69,8 @@ void slip_at_end(const PartialSlipTask& task, Zones& zones, int sign, double par
 
 Zones first_zones(const PartialSlipTask& task, const ElementContact& elements) {
   Zones zones = elements.zones();
+  // Where elements slip by turns, one or two of them tell of no zone.
+  if (!elements.settled) leave_out_short_slips(zones, 2.5 * elements.width);
   // The first element slips in this scheme even where the sheet sticks from the end on.
   if (zones.size() > 1 && zones.front().sign != 0 && zones.front().length < 1.5 * elements.width)
     remove(zones, 0);
