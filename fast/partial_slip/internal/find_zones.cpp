@@ -40,12 +40,14 @@ bool leave_out_shortest_slip(Zones& zones) {
   return true;
 }
 
-/// The zones of slip shorter than that are taken out, but for the only zone.
+/// The zones of slip shorter than that are taken out, but not the only zone.
 void leave_out_short_slips(Zones& zones, double shortest) {
-  const auto is_short = [&](const Zone& zone) { return zone.sign != 0 && zone.length < shortest; };
-  for (auto zone = std::ranges::find_if(zones, is_short); zones.size() > 1 && zone != zones.end();
-       zone = std::ranges::find_if(zones, is_short))
+  while (zones.size() > 1) {
+    const auto zone =
+        std::ranges::find_if(zones, [&](const Zone& one) { return one.sign != 0 && one.length < shortest; });
+    if (zone == zones.end()) return;
     remove(zones, static_cast<std::size_t>(zone - zones.begin()));
+  }
 }
 
 /// Between two opposite slips it sticks, in so large a part of the shorter one.

@@ -10,7 +10,8 @@ namespace nipref::ref {
 /// 2 (2x - 1) C_k - C_{k-1} - 4 int t^m T_k, with more digits beyond the ends, where the other solution of that grows.
 class SingularIntegrals {
  public:
-  /// Of k < count; without x, not 0 or 1 unless 1/(x - t) is not asked for, only plain().
+  /// Of k < count. Without x only plain(); with x = 0 or 1 not inverse(), which is infinite, and with x = 1 logarithm() only if m
+  /// is 0.
   SingularIntegrals(const ComplexFloat& exponent, int count);
   SingularIntegrals(const ComplexFloat& exponent, const Float& x, int count);
 
