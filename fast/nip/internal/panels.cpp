@@ -14,6 +14,8 @@ using Complex = std::complex<double>;
 constexpr double most_over_whole = 8;
 /// Of the first panel, half-thicknesses.
 constexpr double widest_at_end = 2;
+/// An error statement looks at the last three.
+constexpr int fewest_terms = 3;
 constexpr int most_terms = 40;
 constexpr double nats_of_double = 37;
 
@@ -119,8 +121,8 @@ class Layout {
       degree =
           std::max<double>(degree, degree_of_exponential(rate, from, from + right - left, resolution_.nats));
     }
-    // The last three terms are to show that the others suffice.
-    const int terms = 4 + static_cast<int>(std::ceil(about_middle ? degree / 2 : degree));
+    const int needed = 1 + static_cast<int>(std::ceil(about_middle ? degree / 2 : degree)),
+              terms = std::max(needed + resolution_.checking_terms, fewest_terms);
     return {left, right, left == 0, about_middle, std::min(terms, most_terms)};
   }
 

@@ -18,6 +18,8 @@ struct Resolution {
   int polynomial;  ///< degree of the tractions far from the ends of a long contact
   std::vector<std::complex<double>>
       rates;  ///< of exponentials e^(-rate x) from the leading end on, x the distance from it
+  /// Of each component of a panel, beyond those that the coefficients need: they show that those suffice.
+  int checking_terms = 3;
 };
 
 /// One expansion over the whole contact needs the fewest terms. The wider it is, the larger is the logarithm against the

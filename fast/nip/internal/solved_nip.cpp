@@ -37,10 +37,11 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
   if (load_) meet_load();
 }
 
-std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats, double tolerance) const {
+std::unique_ptr<const Solution> SolvedNip::solve(double half_length, const Resolution& resolution,
+                                                 double tolerance) const {
   CountedKernels kernels = this->kernels();
-  auto solved = std::make_unique<const Solution>(equations_->solve(
-      half_length, panels(near_, equations_->resolution(nats), longest_whole_), tolerance, kernels));
+  auto solved = std::make_unique<const Solution>(
+      equations_->solve(half_length, panels(near_, resolution, longest_whole_), tolerance, kernels));
   kernels.count_system(solved->size());
   return solved;
 }
@@ -49,17 +50,19 @@ void SolvedNip::solve_to(double nats) {
   nats_ = nats;
   neighbour_.reset();
   length_.reset();
-  solution_ = solve(sought_, nats);
+  solution_ = solve(sought_);
 }
 
 /// Each contact with its own layout, up to the one from which a secant leads to nearly the length.
 void SolvedNip::search_roughly() {
   constexpr double few_nats = 5, tolerance = 1e-6, near_enough = 2e-2;
+  Resolution few_terms = equations_->resolution(few_nats);
+  few_terms.checking_terms = 0;
   LengthSearch search(*load_, near_, {tolerance, longest_sought}, load_exponent(near_));
   bool settled = false;
   while (!settled && search.residual() > near_enough) {
     near_ = search.length();
-    solution_ = solve(near_, few_nats, tolerance);
+    solution_ = solve(near_, few_terms, tolerance);
     settled = search.settled(solution_->carried_load());
   }
   near_ = sought_ = search.length();
@@ -77,7 +80,7 @@ void SolvedNip::meet_load() {
   while (!search.settled(last().carried_load())) {
     const bool is_far = std::fabs(search.length() / last().half_length() - 1) > nearest_neighbour;
     if (!is_far && suffices()) break;
-    auto before = std::exchange(solution_, solve(search.length(), nats_));
+    auto before = std::exchange(solution_, solve(search.length()));
     if (is_far) neighbour_ = std::move(before);
     if (suffices()) break;
   }
@@ -88,7 +91,7 @@ void SolvedNip::meet_load() {
 }
 
 const Solution& SolvedNip::neighbour() const {
-  if (!neighbour_) neighbour_ = solve(last().half_length() * (1 + longer_by), nats_);
+  if (!neighbour_) neighbour_ = solve(last().half_length() * (1 + longer_by));
   return *neighbour_;
 }
 

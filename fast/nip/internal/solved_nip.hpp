@@ -64,8 +64,11 @@ class SolvedNip {
   [[nodiscard]] const Work& work() const { return *work_; }
 
  private:
-  [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length, double nats,
+  [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length, const Resolution& resolution,
                                                       double tolerance = quadrature_tolerance) const;
+  [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length) const {
+    return solve(half_length, equations_->resolution(nats_));
+  }
   void solve_to(double nats);
   void search_roughly();
   void meet_load();
