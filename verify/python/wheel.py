@@ -2,6 +2,7 @@
 reads, libnipref, and the libraries that these need and glibc has not. Of one installation it is the same bytes."""
 
 import base64
+import functools
 import hashlib
 import re
 import subprocess
@@ -15,6 +16,7 @@ tag = "py3-none-" + sysconfig.get_platform().replace("-", "_").replace(".", "_")
 of_every_linux = re.compile(r"(ld-linux.*|lib(c|m|dl|pthread|rt|gcc_s|stdc\+\+))\.so\.")
 
 
+@functools.cache
 def needed(file: Path) -> "dict[str, Path]":
     """Names and files of the libraries that a file needs, each before those that need it."""
     found = {}
