@@ -100,7 +100,8 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
   const int m = method.elements_per_side;
   // First, as it refuses what is out of its domain.
   const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, grips, *work);
-  const Eigen::MatrixXd unknowns = linear_solution(matrix, right_hand_sides(nip, m, contact_length, grips));
+  const Eigen::MatrixXd unknowns =
+      Elimination(matrix).solve_columns(right_hand_sides(nip, m, contact_length, grips));
   ++work->systems;
   work->unknowns = std::max(work->unknowns, static_cast<int>(unknowns.rows()));
   Eigen::VectorXd at_creep = unknowns.col(0);
@@ -189,8 +190,8 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
                         data::Friction friction) {
   Work work;
-  return condition_estimate(
-      matching_matrix(nip, method, contact_length, friction == data::Friction::full, work));
+  return Elimination(matching_matrix(nip, method, contact_length, friction == data::Friction::full, work))
+      .condition();
 }
 
 double oscillation(std::span<const double> loads) {

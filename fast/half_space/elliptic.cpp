@@ -13,6 +13,7 @@
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 
@@ -138,7 +139,7 @@ Eigen::Matrix3d curvature_of(const Balance& at) {
 }
 
 /// The change E that Newton's method asks for.
-Symmetric newton_step(const Balance& at) { return curvature_of(at).partialPivLu().solve(at.gradient()); }
+Symmetric newton_step(const Balance& at) { return Elimination(curvature_of(at)).solve(at.gradient()); }
 
 /// The ellipse of L (1 + E/2). Its minor axis is computed from the determinant, where nothing cancels.
 Ellipse moved(const Ellipse& from, const Symmetric& change) {

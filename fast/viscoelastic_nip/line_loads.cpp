@@ -135,7 +135,7 @@ LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_
     const double y = 2 * (problem.leading - i) * cells.element;
     gap(i) = y * y * half_thickness / (2 * problem.nip.roller_radius);
   }
-  const Eigen::VectorXd solved = linear_solution(matrix, gap);
+  const Eigen::VectorXd solved = Elimination(matrix).solve(gap);
   ++problem.work->systems;
   problem.work->unknowns = std::max(problem.work->unknowns, cells.loads + 1);
   const double width = leading_length / problem.leading;

@@ -1,7 +1,8 @@
 #include <nipref/data/scene/internal/toml_table.hpp>
 
-// All of toml++ is compiled here, and no other file sees it.
-#define TOML_HEADER_ONLY 1
+// All of toml++ is compiled here, for verify too.
+#define TOML_HEADER_ONLY 0
+#define TOML_IMPLEMENTATION
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <toml++/toml.h>

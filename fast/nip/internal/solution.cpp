@@ -38,7 +38,7 @@ Solution::Solution(Tractions tractions, const Equations& equations)
     right -= of_layers * layers_.col(unknowns);
   }
   left_out_columns_ = equations.on_tractions(Eigen::all, left_out_);
-  elimination_.compute(matrix);
+  elimination_ = Elimination(matrix);
   Eigen::VectorXd solution = elimination_.solve(right);
   solution += elimination_.solve(right - matrix * solution);
   unknowns_ = solution.tail(unknowns);
@@ -91,17 +91,13 @@ double Solution::value(const Functional& f) const {
 
 Eigen::VectorXd Solution::adjoint(const Functional& f) const {
   const auto terms = static_cast<Eigen::Index>(solved_.size());
-  Eigen::VectorXd right(elimination_.rows());
+  Eigen::VectorXd right(elimination_.size());
   right.head(terms) = f.on_tractions(solved_).transpose();
   right.tail(unknowns_.size()) = f.on_unknowns.transpose();
   if (layers_.size() > 0)
     right.tail(unknowns_.size()) +=
         (f.on_tractions.tail(layers_.rows()) * layers_.leftCols(unknowns_.size())).transpose();
-  // By its triangles, since the transpose of an elimination holds a copy of it.
-  const auto triangles = elimination_.matrixLU().transpose();
-  triangles.triangularView<Eigen::Lower>().solveInPlace(right);
-  triangles.triangularView<Eigen::UnitUpper>().solveInPlace(right);
-  return elimination_.permutationP().transpose() * right;
+  return elimination_.solve_transposed(std::move(right));
 }
 
 Solution::Parts Solution::parts(const Functional& f) const {

@@ -1,11 +1,11 @@
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <utility>
 #include <vector>
 
 #include <nipref/fast/nip/internal/tractions.hpp>
 #include <nipref/fast/number/estimate.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 
@@ -102,7 +102,7 @@ class Solution {
     const auto [value, truncation, rounding] = parts(functional);
     return {value, truncation + rounding};
   }
-  [[nodiscard]] int size() const { return static_cast<int>(elimination_.rows()); }
+  [[nodiscard]] int size() const { return static_cast<int>(elimination_.size()); }
 
  private:
   [[nodiscard]] Eigen::VectorXd adjoint(const Functional& functional) const;
@@ -112,7 +112,7 @@ class Solution {
   Eigen::MatrixXd integrals_;
   std::vector<int> solved_, left_out_;  ///< columns
   Eigen::MatrixXd layers_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> elimination_;
+  Elimination elimination_;
   Eigen::MatrixXd left_out_columns_;
   Eigen::VectorXd coefficients_;  ///< of all columns, 0 of those left out
   Eigen::VectorXd unknowns_;

@@ -116,7 +116,7 @@ class ActiveSet {
     right(approach) = load_;
     right(creep) = task_.creep ? *task_.creep : *task_.traction;
     if (task_.creep) matrix.row(creep) = RowVectorXd::Unit(unknowns_, creep);
-    solution_ = linear_solution(matrix, right);
+    solution_ = Elimination(matrix).solve(right);
     ++task_.work->systems;
     task_.work->unknowns = std::max(task_.work->unknowns, unknowns_);
     creep_ = solution_(creep);

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -199,7 +198,7 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
   const Eigen::MatrixXd units =
       Eigen::MatrixXd::Identity(sizes.size(), sizes.size()).rightCols(static_cast<Index>(zones_.size()));
   const Eigen::MatrixXd by_equations =
-      Eigen::PartialPivLU<Eigen::MatrixXd>(jacobian(kernels).transpose()).solve(units).cwiseAbs();
+      Elimination(jacobian(kernels).transpose()).solve_columns(units).cwiseAbs();
   return operations * 0x1p-53 * (by_equations.transpose() * sizes);
 }
 
@@ -261,14 +260,14 @@ bool ZoneEquations::iterate() {
     return change.tail(static_cast<Index>(zones_.size())).cwiseAbs().maxCoeff();
   };
   double last_step = std::numeric_limits<double>::infinity();
-  Eigen::PartialPivLU<Eigen::MatrixXd> derivatives;
+  Elimination derivatives;
   Kernels kernels = this->kernels();
   Eigen::VectorXd remains = residual(kernels);
   for (int number = 0; number < most_steps; ++number) {
     if (last_step > short_step) {
-      derivatives.compute(jacobian(kernels));
+      derivatives = Elimination(jacobian(kernels));
       ++task_.work->systems;
-      task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(derivatives.rows()));
+      task_.work->unknowns = std::max(task_.work->unknowns, static_cast<int>(derivatives.size()));
     }
     const Eigen::VectorXd change = derivatives.solve(remains);
     const double size = size_of(change);

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/LU>
 #include <optional>
 
 #include <nipref/ref/number/internal/float_interval.hpp>

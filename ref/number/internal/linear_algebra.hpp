@@ -1,5 +1,5 @@
 #pragma once
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/multiprecision/eigen.hpp>
 #include <type_traits>
 

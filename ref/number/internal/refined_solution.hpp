@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/LU>
 #include <functional>
 #include <optional>
 

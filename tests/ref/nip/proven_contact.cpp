@@ -1,4 +1,6 @@
 // What the proofs of the reference's contacts rest on, and that they notice what is wrong.
+#include <Eigen/Eigenvalues>
+
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
