@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/converged.hpp>
-#include <nipref/fast/nip/internal/contact_field.hpp>
+#include <nipref/fast/nip/internal/inner_field.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/nip/internal/solved_nip.hpp>
@@ -20,7 +20,6 @@ struct ConvergedNip::Implementation {
   std::shared_ptr<const NipEquations> equations;
   SolvedNip solved;
   std::optional<double> given_length;  ///< unit of length
-  mutable std::optional<ContactField> inner_field = {};
   /// v and v' at a place; v' without friction.
   struct Along {
     SolvedNip::InBoth displacement, strain;
@@ -31,7 +30,6 @@ struct ConvergedNip::Implementation {
 
   /// What is kept of solutions that are no more.
   void forget() {
-    inner_field.reset();
     places_along = {};
     mean_strain.reset();
     kept_offset.reset();
@@ -126,9 +124,16 @@ struct ConvergedNip::Implementation {
         SolvedNip::reach(place, unsure_end()) * (std::fabs(value) + result.strain.shift);
     return result;
   }
-  [[nodiscard]] const ContactField& field() const {
-    if (!inner_field) inner_field.emplace(solved, is_symmetric(), offset().value, unsure_end());
-    return *inner_field;
+  [[nodiscard]] InnerField field() const {
+    return {solved, *equations, given_length && is_symmetric() ? 0 : unsure_end()};
+  }
+  [[nodiscard]] std::vector<SheetPoint> places_of(std::span<const InnerPoint> points) const {
+    std::vector<SheetPoint> places;
+    for (const InnerPoint& point : points) {
+      check_inside(point);
+      places.push_back({place_of(point.y), point.depth, is_symmetric() && point.y == 0});
+    }
+    return places;
   }
   /// Rising positions at which tractions are looked at, in a symmetric contact those >= 0. With full friction they are the
   /// closer, the nearer the end is.
@@ -334,8 +339,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   if (!nip_->equations->grips())
     return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y).strain));
   const ContactPlace place = nip_->place_of(y);
-  if (place.e < 0)
-    return times(nip_->units.creep / 2, nip_->field().at({{y / nip_->units.length, 1}}).front().along);
+  if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({{place, 1, false}}).front().along);
   Estimate creep = creep_ratio();
   // Where the end may be farther inwards, the strain is that outside.
   if (place.e < nip_->unsure_end())
@@ -353,7 +357,7 @@ Estimate ConvergedNip::slip(double y) const {
 }
 
 std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {
-  auto stresses = nip_->field().at(checked_points(points, nip_->units.length));
+  auto stresses = nip_->field().at(nip_->places_of(points));
   for (InnerStresses& here : stresses)
     for (Estimate* stress : {&here.across, &here.along, &here.shear})
       *stress = times(nip_->units.pressure, *stress);
@@ -363,7 +367,7 @@ std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoi
 std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<const InnerPoint> points) const {
   const auto shares = nip_->equations->shares();
   if (!shares) throw data::BadInput("nip", "rolling", "must be elastic for displacements inside the sheet");
-  auto displacements = nip_->field().from_face(checked_points(points, nip_->units.length), *shares);
+  auto displacements = nip_->field().from_face(nip_->places_of(points), *shares);
   std::map<double, InnerDisplacements> of_faces;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto [y, depth] = points[i];
@@ -376,7 +380,8 @@ std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<cons
 
 GreatestShear ConvergedNip::greatest_shear() const {
   const auto [value, y, depth] = nip_->field().greatest();
-  return {times(nip_->units.pressure, value), times(nip_->units.length, y), depth};
+  return {times(nip_->units.pressure, value), nip_->in_contact({y.value + nip_->offset().value, y.error}),
+          depth};
 }
 
 bool ConvergedNip::refine() {

@@ -3,10 +3,11 @@
 #include <ranges>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/nip/internal/contact_field.hpp>
+#include <nipref/fast/nip/internal/inner_field.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/internal/half_planes.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -41,7 +42,7 @@ double shear_size(const FaceLoad& load) { return std::fabs(load.shear); }
 
 /// Calls add(distance from the load in half-thicknesses, kind of load, force) for each load that is not 0.
 void for_each_load(const auto& loads, double half_thickness, const InnerPoint& point, const auto& add) {
-  static_cast<void>(checked_points({&point, 1}, half_thickness));
+  check_inside(point);
   for (const FaceLoad& load : loads) {
     const double alpha = (point.y - load.y) / half_thickness;
     if (alpha == 0 && std::fabs(point.depth) == 1)

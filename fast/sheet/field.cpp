@@ -188,32 +188,23 @@ struct FacePlace {
 internal::StressesAtDepth::StressesAtDepth(double depth)
     : depth_(depth), waves_(std::fabs(depth), field_roots) {}
 
-internal::Beside<SheetStresses> internal::StressesAtDepth::beside(double alpha) const {
+internal::UnderLoads<SheetStresses> internal::StressesAtDepth::at(double alpha, bool with_shear) const {
   const double a = std::fabs(alpha), s = std::fabs(depth_);
   const bool near = is_near(a);
   const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
   const auto under = [&](SheetLoad load) {
     const SheetStresses here =
-        near ? stresses_of(f, s, load) : far_stresses(f, s, load) - half_plane_stresses({a, s}, load);
+        near ? half_plane_stresses({a, s}, load) + stresses_of(f, s, load) : far_stresses(f, s, load);
     return with_signs(here, alpha, depth_, load);
   };
-  return {under(SheetLoad::normal), under(SheetLoad::shear)};
-}
-
-SheetStresses internal::StressesAtDepth::far(const FarLoads& loads, double side) const {
-  const double s = std::fabs(depth_);
-  const SheetStresses normal = with_signs(stresses_of(decaying(loads.pressure, waves_), s, SheetLoad::normal),
-                                          side, depth_, SheetLoad::normal);
-  if (loads.shear_force == 0 && loads.shear.of[0] == 0.0) return normal;
-  SheetStresses shear = stresses_of(decaying(loads.shear, waves_), s, SheetLoad::shear);
-  shear.along -= 0.5 * loads.shear_force;
-  return normal + with_signs(shear, side, depth_, SheetLoad::shear);
+  return {under(SheetLoad::normal), with_shear ? under(SheetLoad::shear) : SheetStresses{}};
 }
 
 internal::DisplacementsFromFace::DisplacementsFromFace(double depth, const Shares& share)
     : depth_(depth), share_(share), waves_(depth, field_roots), of_face_(1, field_roots) {}
 
-internal::Beside<internal::FromFace> internal::DisplacementsFromFace::beside(double alpha) const {
+internal::UnderLoads<internal::FromFace> internal::DisplacementsFromFace::at(double alpha,
+                                                                             bool with_shear) const {
   const double a = std::fabs(alpha), side = sign(alpha);
   const bool near = is_near(a);
   const FieldFunctions here =
@@ -221,20 +212,11 @@ internal::Beside<internal::FromFace> internal::DisplacementsFromFace::beside(dou
                        face = near ? near_rest(a, 1, FieldFunction::I4) : decaying(AlongWaves(a), of_face_);
   const auto under = [&](SheetLoad load) {
     FromFace of = from_face(here, face, depth_, load, share_);
-    if (!near) of = of - planes_from_face(a, depth_, load, share_);
+    if (near) of = of + planes_from_face(a, depth_, load, share_);
     (load == SheetLoad::normal ? of.v : of.u) *= side;
     return of;
   };
-  return {under(SheetLoad::normal), under(SheetLoad::shear)};
-}
-
-internal::FromFace internal::DisplacementsFromFace::far(const FarLoads& loads, double side) const {
-  const auto under = [&](const AlongWaves& along, SheetLoad load) {
-    return from_face(decaying(along, waves_), decaying(along, of_face_), depth_, load, share_);
-  };
-  const FromFace normal = under(loads.pressure, SheetLoad::normal),
-                 shear = under(loads.shear, SheetLoad::shear);
-  return {normal.u + side * shear.u, side * normal.v + shear.v};
+  return {under(SheetLoad::normal), with_shear ? under(SheetLoad::shear) : FromFace{}};
 }
 
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {

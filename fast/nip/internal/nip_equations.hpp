@@ -8,7 +8,7 @@
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/panels.hpp>
 #include <nipref/fast/nip/internal/solution.hpp>
-#include <nipref/fast/nip/internal/traction_field.hpp>
+#include <nipref/fast/sheet/internal/theta_shares.hpp>
 
 namespace nipref::fast {
 

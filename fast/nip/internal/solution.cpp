@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include <nipref/fast/nip/internal/panels.hpp>
@@ -74,6 +75,16 @@ void Solution::take_tails() {
       tails_.segment(next_column, Tractions::left_out).setConstant(2 * next);
     }
   }
+}
+
+double Solution::traction_bound() const {
+  const std::vector<std::complex<double>> rates = tractions_.layer_rates();
+  double bound = coefficients_.head(coefficients_.size() - layers_.rows()).cwiseAbs().sum();
+  for (std::size_t j = 0; j < rates.size(); ++j) {
+    const auto of_layer = coefficients_.tail(layers_.rows()).segment(static_cast<Eigen::Index>(2 * j), 2);
+    bound += 2 * std::numbers::inv_sqrtpi * std::abs(rates[j]) * of_layer.cwiseAbs().sum();
+  }
+  return bound;
 }
 
 Functional Solution::of_unknown(int number) const {

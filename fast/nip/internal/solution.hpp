@@ -102,6 +102,8 @@ class Solution {
     const auto [value, truncation, rounding] = parts(functional);
     return {value, truncation + rounding};
   }
+  /// |g| is nowhere larger: Chebyshev polynomials, the factors and Dawson's integral of a layer are at most 1.
+  [[nodiscard]] double traction_bound() const;
   [[nodiscard]] int size() const { return static_cast<int>(elimination_.size()); }
 
  private:

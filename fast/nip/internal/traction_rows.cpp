@@ -14,8 +14,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double decayed = 40;   ///< nats after which something counts no more
-constexpr int most_points = 64;  ///< of a product rule; other rules need fewer
+constexpr double decayed = 40;  ///< nats after which something counts no more
+/// Of a product rule, beyond which other rules need fewer: beside a singularity, and in a panel in which the kernel has none.
+constexpr int most_points = 64, most_points_within = 256;
 
 /// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and once it
 /// has decayed what is left falls like a power: of that the rule resolves a factor of 150 in the distance, but not of an
@@ -36,6 +37,25 @@ std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, doub
       cut = decayed / size;
     }
     for (; cut < 0.5 * farthest; cut *= resolved_ratio) result.push_back(cut);
+  }
+  return result;
+}
+
+/// A piece that is farther by this factor than it is wide from poles off the axis is integrated by Gauss's rule.
+constexpr double apart = 1.3;
+
+/// The same for poles at this distance: first a few cuts so near to each other that Gauss's rule holds between them, if the
+/// poles are off the axis, then such that the double-exponential rule resolves the poles on each piece.
+std::vector<double> cuts_of_poles(double distance, double off_axis, double farthest) {
+  constexpr int few = 6;
+  constexpr double resolved_ratio = 60;
+  std::vector<double> result;
+  // So wide, but for rounding, that it is apart from the poles.
+  const auto width_from = [&](double cut) { return std::hypot(cut, off_axis) / (1.01 * apart); };
+  double cut = off_axis > 0 ? width_from(0) : 2 * distance;
+  for (int i = 0; 0 < cut && cut < farthest; ++i) {
+    result.push_back(cut);
+    cut = off_axis > 0 && i < few ? cut + width_from(cut) : cut * resolved_ratio;
   }
   return result;
 }
@@ -84,10 +104,10 @@ void Tractions::Nodes::grow(std::size_t count) {
   for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->resize(values->size() + count);
 }
 
-/// `singular` is outside the piece or at one of its ends. By Gauss's rule where it and the ends of the contact are farther
-/// than the piece is wide.
-void Tractions::append_piece(double from, double to, double singular, bool mirrored, int degree,
-                             double tolerance, Nodes& nodes) const {
+/// `singular` is outside the piece or at one of its ends, or, `off_axis` away, beside that place. By Gauss's rule where it and
+/// the ends of the contact are farther than the piece is wide.
+void Tractions::append_piece(double from, double to, double singular, double off_axis, bool mirrored,
+                             int degree, double tolerance, Nodes& nodes) const {
   const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
   // Nearer than any node that counts, the kernels' logarithms would overflow.
   constexpr double nearest = 1e-299;
@@ -101,7 +121,10 @@ void Tractions::append_piece(double from, double to, double singular, bool mirro
     nodes.alpha[i] = std::copysign(std::max(std::fabs(distance), nearest), sign * distance);
     ++i;
   };
-  if (std::min({from, beyond, std::max(from - singular, singular - to)}) >= width && width <= 8) {
+  const double distance_along = std::max(from - singular, singular - to);
+  const bool is_apart =
+      distance_along >= width || std::hypot(std::max(distance_along, 0.0), off_axis) >= apart * width;
+  if (is_apart && std::min(from, beyond) >= width && width <= 8) {
     // What oscillates in the kernel or has its scale is, on such a piece, a polynomial of no more degrees than that.
     constexpr int degree_of_kernel = 20;
     const auto gauss = cached_gauss(degree + degree_of_kernel, tolerance);
@@ -125,7 +148,14 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
   for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
     if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
   }
-  for (const double cut : cuts(kernel.rates, outside, std::max(gap, 0.0) + panel.width())) {
+  std::vector<double> distances = cuts(kernel.rates, outside, std::max(gap, 0.0) + panel.width());
+  const double off_axis = kernel.is_regular ? *kernel.poles : 0;
+  if (kernel.poles) {
+    const double farthest = panel.width() + std::max(gap, 0.0);
+    for (const double cut : cuts_of_poles(std::max(*kernel.poles, outside), off_axis, farthest))
+      distances.push_back(cut);
+  }
+  for (const double cut : distances) {
     for (const double end : {singular - cut, singular + cut})
       if (panel.left < end && end < panel.right) ends.push_back(end);
   }
@@ -133,7 +163,7 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
-    append_piece(ends[i - 1], ends[i], singular, mirrored, degrees(panel), tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], singular, off_axis, mirrored, degrees(panel), tolerance, nodes);
   }
 }
 
@@ -164,15 +194,18 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   const Panel& panel = panels_[p];
   const double singular = singular_at(place, mirrored), width = panel.width();
   const double gap = std::max(panel.left - singular, singular - panel.right);
-  if (gap <= 0) return false;
+  const Complex off_axis{0, kernel.is_regular ? *kernel.poles : 0};
+  if (gap <= 0 && off_axis == 0.0) return false;
   if (!kernel.rates.empty() &&
       (gap < width || width > 8 || oscillates(kernel.rates, place.outside(), gap, width)))
     return false;
   // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
-  // e^(2.1 gap) as large as on the panel.
-  const double fall = internal::log_of_ellipse(1 + 2 * gap / width);
-  const int points = points_of_rule(fall, -std::log(tolerance) + 2.1 * gap);
-  if (points > most_points) return false;
+  // e^(2.1 gap) as large as on the panel, or not if it has become constant.
+  const double fall = internal::log_of_ellipse(2.0 * (singular - panel.left + off_axis) / width - 1.0);
+  const double wanted = -std::log(tolerance), far = std::max(gap, 0.0);
+  const double nats = !kernel.becomes_constant ? wanted + 2.1 * far : far < reach(tolerance) ? wanted : 0;
+  const int points = points_of_rule(fall, nats);
+  if (points > (gap <= 0 ? most_points_within : most_points)) return false;
 
   const auto rule = product_rule(basis(panel), points, degrees(panel));
   const double sign = (mirrored != place.trailing) ? -1 : 1;
@@ -357,7 +390,7 @@ void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   std::ranges::sort(ends);
   Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i)
-    append_piece(ends[i - 1], ends[i], half_length_, true, 0, tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], half_length_, 0, true, 0, tolerance, nodes);
   const Eigen::MatrixXd values = layers_at(array(nodes.e));
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
                            y = array(nodes.alpha).matrix().transpose();

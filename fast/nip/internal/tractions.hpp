@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -64,6 +65,11 @@ class Tractions {
     /// For kernels of alpha >= 0 alone that are analytic at 0 but for ln alpha times a function: this function, which is
     /// the same on p and q.
     std::function<Eigen::MatrixXd(std::span<const double> alpha)> of_logarithm = {};
+    /// The distance from the real axis of poles at alpha = 0, of a kernel that has them.
+    std::optional<double> poles = {};
+    /// These are its singularities that are nearest to the real axis, on which it is analytic.
+    bool is_regular = false;
+    bool becomes_constant = false;  ///< beyond reach(), where it does not decay
   };
   /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
   /// on_q, and what is left, which is analytic for |Im alpha| < 2.
@@ -121,8 +127,8 @@ class Tractions {
   void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
                     std::vector<double> ends, double tolerance, Nodes& nodes) const;
   /// `degree` of the polynomials that are integrated.
-  void append_piece(double from, double to, double singular, bool mirrored, int degree, double tolerance,
-                    Nodes& nodes) const;
+  void append_piece(double from, double to, double singular, double off_axis, bool mirrored, int degree,
+                    double tolerance, Nodes& nodes) const;
   [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
   [[nodiscard]] Eigen::Index layer_columns() const { return static_cast<Eigen::Index>(2 * layers_.size()); }

@@ -9,9 +9,6 @@ namespace nipref::fast {
 inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {
   return {a.across + b.across, a.along + b.along, a.shear + b.shear};
 }
-inline SheetStresses operator-(const SheetStresses& a, const SheetStresses& b) {
-  return {a.across - b.across, a.along - b.along, a.shear - b.shear};
-}
 inline SheetStresses operator*(double factor, const SheetStresses& a) {
   return {factor * a.across, factor * a.along, factor * a.shear};
 }
@@ -34,16 +31,10 @@ struct SeenFromLoads {
 /// The stresses of two half-planes, each under the load on its own face (Flamant).
 SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
 
-/// The sheet's field less those of the half-planes, under either load. It is analytic up to a distance of 2 from the
-/// sheet; far from the load, where the sheet's field has decayed, it is minus the half-planes' field.
+/// A field under either load, the shear's where it is asked for.
 template <class Field>
-struct Beside {
+struct UnderLoads {
   Field normal, shear;
-};
-/// Sums over the loads on one side of a point, none of them closer to it than near_load_end.
-struct FarLoads {
-  AlongWaves pressure, shear;  ///< e^{i alpha z_n} times each load, alpha its distance
-  double shear_force;
 };
 
 /// The stresses at one depth from -1 to 1.
@@ -51,9 +42,7 @@ class StressesAtDepth {
  public:
   explicit StressesAtDepth(double depth);
   /// For any finite alpha.
-  [[nodiscard]] Beside<SheetStresses> beside(double alpha) const;
-  /// The stresses under far loads, half-planes included; `side` is 1 if the loads are at smaller alpha, else -1.
-  [[nodiscard]] SheetStresses far(const FarLoads& loads, double side) const;
+  [[nodiscard]] UnderLoads<SheetStresses> at(double alpha, bool with_shear) const;
 
  private:
   double depth_;
@@ -67,16 +56,12 @@ struct FromFace {
   double u, v;
 
   friend FromFace operator+(const FromFace& a, const FromFace& b) { return {a.u + b.u, a.v + b.v}; }
-  friend FromFace operator-(const FromFace& a, const FromFace& b) { return {a.u - b.u, a.v - b.v}; }
-  friend FromFace operator*(double factor, const FromFace& a) { return {factor * a.u, factor * a.v}; }
 };
 class DisplacementsFromFace {
  public:
   DisplacementsFromFace(double depth, const Shares& share);
-  /// Less that of both half-planes, for any finite alpha, see Beside.
-  [[nodiscard]] Beside<FromFace> beside(double alpha) const;
-  /// Of far loads, see StressesAtDepth.
-  [[nodiscard]] FromFace far(const FarLoads& loads, double side) const;
+  /// For any finite alpha.
+  [[nodiscard]] UnderLoads<FromFace> at(double alpha, bool with_shear) const;
 
  private:
   double depth_;

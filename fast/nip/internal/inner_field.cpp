@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/nip/internal/inner_field.hpp>
+#include <nipref/fast/number/internal/checks.hpp>
+#include <nipref/fast/sheet/internal/half_planes.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using internal::DisplacementsFromFace;
+using internal::StressesAtDepth;
+
+/// What `field` gives at alpha under both loads, as numbers of a kernel; without shear both parts of g are pressure.
+template <int count, class Field>
+Tractions::Kernel kernel_of(const Field& field, bool grips, const auto& numbers_of) {
+  Tractions::Kernel kernel;
+  kernel.functionals = count;
+  kernel.at = [field, grips, numbers_of](std::span<const double> alpha, Eigen::MatrixXd& on_p,
+                                         Eigen::MatrixXd& on_q) {
+    on_p.resize(count, static_cast<Eigen::Index>(alpha.size()));
+    on_q.resizeLike(on_p);
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const auto [normal, shear] = field.at(alpha[i], grips);
+      on_p.col(column) = numbers_of(normal);
+      on_q.col(column) = numbers_of(grips ? shear : normal);
+    }
+  };
+  return kernel;
+}
+
+std::vector<Functional> functionals_of(const Solution& solution, const ContactPlace& place,
+                                       const Tractions::Kernel& kernel, double tolerance, double size) {
+  const double at[] = {place.e};
+  const Eigen::MatrixXd rows = solution.tractions().rows(at, place.trailing, kernel, tolerance);
+  std::vector<Functional> result;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    result.push_back(solution.of_tractions(rows.row(i)));
+    result.back().cancelled = size * solution.traction_bound();
+  }
+  return result;
+}
+
+/// A bound for the integral of the magnitude of a kernel of internal::FromFace over a contact: at any depth and any Poisson's
+/// ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet at most 0.8. Both
+/// are properties of the kernels alone, which a test computes: 0.956 of the first and 0.783 are reached by v under shear
+/// beside the middle plane of an incompressible sheet.
+double reach_of_displacements(double half_length) {
+  const double a = std::min(half_length, 1.0);
+  return std::min(0.8, 2 / std::numbers::pi * a * (2 - std::log(a)));
+}
+/// The integral of the magnitudes of the kernels of stresses: at most 4/pi under pressure, at both faces together; under
+/// shear that along the sheet at the distance d from the face falls like 1/alpha from there on.
+double size_of_stresses(double half_length, double distance, bool grips) {
+  const double logarithm = grips ? std::log1p(std::pow(2 * half_length / distance, 2)) : 0;
+  return 4 * std::numbers::inv_pi * (1 + logarithm);
+}
+
+}  // namespace
+
+Tractions::Kernel InnerField::stress_kernel(double depth) const {
+  const bool on_face = std::fabs(depth) == 1, grips = equations_.grips();
+  Tractions::Kernel kernel = kernel_of<3>(StressesAtDepth(depth), grips, [](const SheetStresses& s) {
+    return Eigen::Vector3d(s.across, s.along, s.shear);
+  });
+  // Far away a shear load pulls one half of the sheet and presses on the other.
+  kernel.becomes_constant = grips;
+  kernel.decays = !grips;
+  // On a face that of the pressure has no poles but those of the load on the other face.
+  kernel.poles = on_face && !grips ? 2 : 1 - std::fabs(depth);
+  kernel.is_regular = !on_face || !grips;
+  return kernel;
+}
+
+std::vector<Functional> InnerField::stresses(const Solution& solution, const ContactPlace& where,
+                                             double depth, const Tractions::Kernel& kernel,
+                                             double tolerance) const {
+  const ContactPlace place = where.in(solution);
+  const auto acting = [&] {
+    const double distance = std::hypot(1 - std::fabs(depth), std::max(-place.e, 0.0));
+    return functionals_of(solution, place, kernel, tolerance,
+                          size_of_stresses(solution.half_length(), distance, equations_.grips()));
+  };
+  if (std::fabs(depth) < 1) return acting();
+  const Functional pressure = equations_.traction(solution, TractionComponent::pressure, place);
+  if (!equations_.grips()) return {-1 * pressure, acting()[1] - pressure, 0 * pressure};
+  if (place.e < 0) return {-1 * pressure, acting()[1], 0 * pressure};
+  CountedKernels kernels = nip_.kernels();
+  const auto [theta1, theta2] = *equations_.shares();
+  return {-1 * pressure, 2 * equations_.creep(solution, kernels) - (theta1 - theta2) * pressure,
+          depth * equations_.traction(solution, TractionComponent::shear, place)};
+}
+
+std::vector<Estimate> InnerField::estimates(const SheetPoint& point, const Numbers& numbers) const {
+  const ContactPlace& place = point.place;
+  const Solution& last = nip_.last();
+  const std::vector<Functional> here = numbers(last, place);
+  std::vector<Functional> there;
+  if (nip_.there() != nullptr) there = numbers(*nip_.there(), place);
+  // Rounding of the place alone, by 2^-52 of its distance from the end, from which on all is smooth, counts with the kernels'.
+  const double reach = ends_ == 0 ? 0 : SolvedNip::reach(place, ends_);
+  std::vector<double> shifts(here.size());
+  for (const double to : {place.e - reach, place.e + reach}) {
+    if (reach == 0) continue;
+    const auto moved = numbers(last, {place.trailing, to});
+    for (std::size_t i = 0; i < here.size(); ++i)
+      shifts[i] = std::max(shifts[i], std::fabs(last.value(moved[i]) - last.value(here[i])));
+  }
+  // Next to an end they change like the root of the distance from it times functions of the direction, of which some are 0
+  // on the face, to both sides.
+  if (std::fabs(place.e) <= reach) std::ranges::fill(shifts, std::ranges::max(shifts));
+  std::vector<Estimate> result;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    SolvedNip::InBoth number{here[i]};
+    if (!there.empty()) number.there = there[i];
+    number.shift = shifts[i];
+    result.push_back(nip_.estimate(number));
+  }
+  return result;
+}
+
+std::vector<InnerStresses> InnerField::at(const std::vector<SheetPoint>& points) const {
+  std::vector<InnerStresses> result;
+  for (const SheetPoint& point : points) {
+    const Tractions::Kernel kernel = stress_kernel(point.depth);
+    const auto all = estimates(point, [&](const Solution& solution, const ContactPlace& place) {
+      return stresses(solution, place, point.depth, kernel, quadrature_tolerance);
+    });
+    const bool has_shear = point.depth != 0 && !point.is_middle;
+    result.push_back({all[0], all[1], has_shear ? all[2] : Estimate{0, 0}});
+  }
+  return result;
+}
+
+std::vector<InnerDisplacements> InnerField::from_face(const std::vector<SheetPoint>& points,
+                                                      const internal::Shares& share) const {
+  // A kernel is the sum of some eight parts of its size, each with eight roundings, of which 16 count already.
+  constexpr double roundings = 64.0 / 16;
+  std::vector<InnerDisplacements> result;
+  for (const SheetPoint& point : points) {
+    const double depth = std::fabs(point.depth);
+    if (depth == 1) {
+      result.push_back({{0, 0}, {0, 0}});
+      continue;
+    }
+    Tractions::Kernel kernel =
+        kernel_of<2>(DisplacementsFromFace(depth, share), equations_.grips(),
+                     [](const internal::FromFace& f) { return Eigen::Vector2d(-f.u, f.v); });
+    kernel.poles = 1 - depth;
+    const auto all = estimates(point, [&](const Solution& solution, const ContactPlace& place) {
+      return functionals_of(solution, place.in(solution), kernel, quadrature_tolerance,
+                            roundings * reach_of_displacements(solution.half_length()));
+    });
+    result.push_back({depth == 0 ? Estimate{0, 0} : all[0], point.is_middle ? Estimate{0, 0} : all[1]});
+  }
+  return result;
+}
+
+GreatestShear InnerField::greatest() const {
+  const double half_length = nip_.half_length(), reach = std::min(1.0, half_length);
+  const bool is_symmetric = this->is_symmetric();
+  constexpr double coarse = 1e-5;
+  double tolerance = coarse;
+  struct Point {
+    double y, depth;
+  };
+  const auto place_of = [&](double y) { return ContactPlace{y < 0, half_length - std::fabs(y)}; };
+  const auto shear_at = [&](const Point& at) {
+    const Solution& last = nip_.last();
+    const auto s = stresses(last, place_of(at.y), at.depth, stress_kernel(at.depth), tolerance);
+    return std::hypot((last.value(s[0]) - last.value(s[1])) / 2, last.value(s[2]));
+  };
+  Point best{0, 1};
+  double largest = shear_at(best);
+  const auto look = [&](const Point& place) {
+    const double here = shear_at(place);
+    if (!(here > largest)) return false;
+    largest = here;
+    best = place;
+    return true;
+  };
+  // The grid is denser at the ends, beside which full friction may cause the largest shear.
+  constexpr int steps = 24;
+  for (int i = is_symmetric ? 0 : -steps; i <= steps; ++i) {
+    const double y = half_length * std::sin(std::numbers::pi / 2 * i / steps);
+    for (int j = 0; j <= steps; ++j) look({y, 1 - std::min(1.0, 2.5 * reach) * j / steps});
+  }
+  const auto from_end = [&](const Point& place) {
+    return std::hypot(half_length - std::fabs(place.y), 1 - place.depth);
+  };
+  const auto smooth_about = [&](const Point& place) { return std::min(reach, from_end(place)); };
+  double step = reach / steps;
+  // A step changes the shear like its square over that of the scale, of which so much tells whether it grows.
+  const auto look_closer = [&] {
+    constexpr double telling = 1e-4;
+    tolerance = std::clamp(telling * std::pow(step / smooth_about(best), 2), quadrature_tolerance, coarse);
+    largest = shear_at(best);
+  };
+  look_closer();
+  while (step > 1e-9 * smooth_about(best) && step > 1e-14 * reach) {
+    const double back = best.y - step;
+    const bool moved =
+        look({best.y + step, best.depth}) || look({is_symmetric ? std::fabs(back) : back, best.depth}) ||
+        look({best.y, std::min(1.0, best.depth + step)}) || look({best.y, std::fabs(best.depth - step)});
+    if (moved) continue;
+    step /= 2;
+    look_closer();
+  }
+  const SheetPoint point{place_of(best.y), best.depth, is_symmetric && best.y == 0};
+  const Estimate value = at({point}).front().maximum_shear();
+  // About its maximum the shear is a parabola on the scale of the contact; in a thin sheet it hardly changes with the depth.
+  const double unsure = from_end(best) * (1e-7 + 4 * std::sqrt(value.error / value.value));
+  return {value, {best.y, unsure}, {best.depth, unsure}};
+}
+
+void check_inside(const InnerPoint& point) {
+  internal::check_finite("y", point.y);
+  if (!(std::fabs(point.depth) <= 1))
+    throw data::BadInput("depth", point.depth, "must satisfy -1 <= depth <= 1");
+}
+
+InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
+                               const InnerDisplacements& beyond) {
+  const auto sum = [&](double share, const Estimate& of_face, const Estimate& rest) -> Estimate {
+    if (share == 0) return rest;
+    if (rest.error == 0) return share * of_face;
+    const Estimate more = times(unit, rest);
+    const double value = share * of_face.value + more.value;
+    return {value, share * of_face.error + more.error +
+                       0x1p-53 * (std::fabs(value) + share * std::fabs(of_face.value))};
+  };
+  return {sum(std::fabs(depth), face.across, beyond.across), sum(1, face.along, beyond.along)};
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,67 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include <nipref/fast/nip/inner_stresses.hpp>
+#include <nipref/fast/nip/internal/nip_equations.hpp>
+#include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/sheet/internal/theta_shares.hpp>
+
+namespace nipref::fast {
+
+/// A point inside the sheet, -1 <= depth <= 1.
+struct SheetPoint {
+  ContactPlace place;
+  double depth;
+  bool is_middle;  ///< of a symmetric contact
+};
+
+/// The field inside the sheet of a solved contact, dimensionless: lengths in half-thicknesses, stresses as tractions.
+///
+/// Stresses and displacements are functionals of the tractions, whose kernels are the field under line loads, and have the
+/// errors of functionals (solution.hpp), with what an end that is off adds. At the distance d from a face a kernel has poles at
+/// alpha = +- i d. On a face, in the contact, the stress along the sheet follows from the strain e of the surface and the
+/// pressure p,
+///     sigma = 2 e - (theta1 - theta2)/(theta1 + theta2) p,
+/// where the sheet sticks; where it slides it is -p and what the regular part of the kernel gives.
+/// Displacements are counted from those of the face at the same Y, see internal::FromFace.
+class InnerField {
+ public:
+  /// ends: error of the places of the ends, 0 where these are given.
+  InnerField(const SolvedNip& nip, const NipEquations& equations, double ends)
+      : nip_(nip), equations_(equations), ends_(ends) {}
+
+  /// The stresses at each place.
+  [[nodiscard]] std::vector<InnerStresses> at(const std::vector<SheetPoint>& points) const;
+  /// The displacements at each place beyond the shares of the face's, 1 of v and |depth| of u: over theta1 + theta2, of which
+  /// `share` has the parts.
+  [[nodiscard]] std::vector<InnerDisplacements> from_face(const std::vector<SheetPoint>& points,
+                                                          const internal::Shares& share) const;
+  /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer at its
+  /// ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
+  [[nodiscard]] GreatestShear greatest() const;
+
+ private:
+  /// Several numbers of a place that are computed together.
+  using Numbers = std::function<std::vector<Functional>(const Solution&, const ContactPlace&)>;
+  [[nodiscard]] std::vector<Estimate> estimates(const SheetPoint& point, const Numbers& numbers) const;
+  /// Across, along and shear, under line loads and of a solution.
+  [[nodiscard]] Tractions::Kernel stress_kernel(double depth) const;
+  [[nodiscard]] std::vector<Functional> stresses(const Solution& solution, const ContactPlace& place,
+                                                 double depth, const Tractions::Kernel& kernel,
+                                                 double tolerance) const;
+  [[nodiscard]] bool is_symmetric() const { return !equations_.offset_unknown(); }
+
+  const SolvedNip& nip_;
+  const NipEquations& equations_;
+  double ends_;
+};
+
+/// BadInput unless y is finite and the depth from -1 to 1.
+void check_inside(const InnerPoint& point);
+
+/// The displacements at a depth from those of the face and what InnerField::from_face has beyond them, in `unit`.
+InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
+                               const InnerDisplacements& beyond);
+
+}  // namespace nipref::fast
