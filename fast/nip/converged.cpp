@@ -19,12 +19,8 @@ struct ConvergedNip::Implementation {
   double roller_radius;
   std::shared_ptr<const NipEquations> equations;
   SolvedNip solved;
-  std::optional<double> given_length;  ///< unit of length
-  /// v and v' at a place; v' without friction.
-  struct Along {
-    SolvedNip::InBoth displacement, strain;
-  };
-  mutable std::map<double, Along> places_along = {};  ///< by Y
+  std::optional<double> given_length;                                          ///< unit of length
+  mutable std::map<double, std::vector<SolvedNip::InBoth>> places_along = {};  ///< see along, by Y
   mutable std::optional<SolvedNip::InBoth> mean_strain = {};
   mutable std::optional<Estimate> kept_offset = {};
 
@@ -57,11 +53,15 @@ struct ConvergedNip::Implementation {
     if (!is_symmetric() || !given_length) return place(y / units.length);
     return {y < 0, (*given_length / 2 - std::fabs(y)) / units.length};
   }
+  [[nodiscard]] std::vector<SolvedNip::InBoth> at_place(const ContactPlace& place,
+                                                        const SolvedNip::AtPlace& numbers) const {
+    return solved.at_place(place, SolvedNip::reach(place, unsure_end()), numbers);
+  }
   [[nodiscard]] Estimate traction(TractionComponent component, const ContactPlace& place) const {
     const auto at = [&](const Solution& solution, const ContactPlace& there) {
-      return equations->traction(solution, component, there);
+      return std::vector{equations->traction(solution, component, there)};
     };
-    return solved.estimate(solved.at_place(place, unsure_end(), at));
+    return solved.estimate(at_place(place, at).front());
   }
   /// Its value alone.
   [[nodiscard]] double value(TractionComponent component, double position) const {
@@ -94,35 +94,17 @@ struct ConvergedNip::Implementation {
     }
     return *mean_strain;
   }
-  [[nodiscard]] const Along& along(double y) const {
+  /// v and, without friction, v' at a place.
+  [[nodiscard]] const std::vector<SolvedNip::InBoth>& along(double y) const {
     const ContactPlace place = place_of(y);
     if (const auto kept = places_along.find(y); kept != places_along.end()) return kept->second;
     CountedKernels kernels = solved.kernels();
-    const auto displacement = [&](const Solution& solution, const ContactPlace& there) {
-      return equations->along(solution, there, kernels).displacement;
-    };
-    return places_along[y] = equations->grips()
-                                 ? Along{solved.at_place(place, unsure_end(), displacement), {}}
-                                 : sliding_along(place, kernels);
-  }
-  /// The displacement is shifted by the reach times the sum of the strain here and what that changes by
-  /// towards both ends of the reach.
-  [[nodiscard]] Along sliding_along(const ContactPlace& place, CountedKernels& kernels) const {
-    SurfaceAlong here = equations->along(solved.last(), place, kernels);
-    Along result{{std::move(here.displacement)}, {std::move(here.strain)}};
-    if (solved.there() != nullptr) {
-      SurfaceAlong there = equations->along(*solved.there(), place, kernels);
-      result.displacement.there = std::move(there.displacement);
-      result.strain.there = std::move(there.strain);
-    }
-    const auto strain = [&](const Solution& solution, const ContactPlace& moved) {
-      return equations->along(solution, moved, kernels).strain;
-    };
-    const double value = solved.last().value(result.strain.here);
-    result.strain.shift = solved.shift(result.strain.here, place, unsure_end(), strain);
-    result.displacement.shift =
-        SolvedNip::reach(place, unsure_end()) * (std::fabs(value) + result.strain.shift);
-    return result;
+    return places_along[y] = at_place(place, [&](const Solution& solution, const ContactPlace& there) {
+             SurfaceAlong at = equations->along(solution, there, kernels);
+             std::vector numbers{std::move(at.displacement)};
+             if (!equations->grips()) numbers.push_back(std::move(at.strain));
+             return numbers;
+           });
   }
   [[nodiscard]] InnerField field() const {
     return {solved, *equations, given_length && is_symmetric() ? 0 : unsure_end()};
@@ -319,10 +301,9 @@ Estimate ConvergedNip::normal_displacement(double y) const {
   if (place.e >= 0) return nip_->roller_displacement(y / nip_->units.length);
   const auto at = [&](const Solution& solution, const ContactPlace& there) {
     CountedKernels kernels = nip_->solved.kernels();
-    return nip_->equations->normal(solution, there, kernels);
+    return std::vector{nip_->equations->normal(solution, there, kernels)};
   };
-  return times(nip_->units.displacement,
-               nip_->solved.estimate(nip_->solved.at_place(place, nip_->unsure_end(), at)));
+  return times(nip_->units.displacement, nip_->solved.estimate(nip_->at_place(place, at).front()));
 }
 
 Estimate ConvergedNip::tangential_displacement(double y) const {
@@ -330,14 +311,13 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   if (y == 0) return {0, 0};
   const double unit = nip_->units.creep * nip_->units.length;
   if (nip_->equations->grips() && place.e >= 0) return times(y, creep_ratio());
-  const SolvedNip::InBoth& displacement = nip_->along(y).displacement;
+  const SolvedNip::InBoth& displacement = nip_->along(y)[0];
   if (nip_->is_symmetric()) return times(unit, nip_->solved.estimate(displacement));
-  return times(unit, nip_->solved.estimate(displacement - nip_->along(0).displacement));
+  return times(unit, nip_->solved.estimate(displacement - nip_->along(0)[0]));
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
-  if (!nip_->equations->grips())
-    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y).strain));
+  if (!nip_->equations->grips()) return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1]));
   const ContactPlace place = nip_->place_of(y);
   if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({{place, 1, false}}).front().along);
   Estimate creep = creep_ratio();
@@ -350,7 +330,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
 
 Estimate ConvergedNip::slip(double y) const {
   if (!nip_->equations->grips())
-    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y).strain - nip_->creep()));
+    return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1] - nip_->creep()));
   if (nip_->place_of(y).e >= nip_->unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
   return {strain.value - creep.value, strain.error + creep.error};

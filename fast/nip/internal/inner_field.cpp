@@ -94,31 +94,19 @@ std::vector<Functional> InnerField::stresses(const Solution& solution, const Con
           depth * equations_.traction(solution, TractionComponent::shear, place)};
 }
 
-std::vector<Estimate> InnerField::estimates(const SheetPoint& point, const Numbers& numbers) const {
-  const ContactPlace& place = point.place;
-  const Solution& last = nip_.last();
-  const std::vector<Functional> here = numbers(last, place);
-  std::vector<Functional> there;
-  if (nip_.there() != nullptr) there = numbers(*nip_.there(), place);
+std::vector<Estimate> InnerField::estimates(const ContactPlace& place,
+                                            const SolvedNip::AtPlace& numbers) const {
   // Rounding of the place alone, by 2^-52 of its distance from the end, from which on all is smooth, counts with the kernels'.
   const double reach = ends_ == 0 ? 0 : SolvedNip::reach(place, ends_);
-  std::vector<double> shifts(here.size());
-  for (const double to : {place.e - reach, place.e + reach}) {
-    if (reach == 0) continue;
-    const auto moved = numbers(last, {place.trailing, to});
-    for (std::size_t i = 0; i < here.size(); ++i)
-      shifts[i] = std::max(shifts[i], std::fabs(last.value(moved[i]) - last.value(here[i])));
-  }
+  std::vector<SolvedNip::InBoth> all = nip_.at_place(place, reach, numbers);
   // Next to an end they change like the root of the distance from it times functions of the direction, of which some are 0
   // on the face, to both sides.
-  if (std::fabs(place.e) <= reach) std::ranges::fill(shifts, std::ranges::max(shifts));
-  std::vector<Estimate> result;
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    SolvedNip::InBoth number{here[i]};
-    if (!there.empty()) number.there = there[i];
-    number.shift = shifts[i];
-    result.push_back(nip_.estimate(number));
+  if (std::fabs(place.e) <= reach) {
+    const double largest = std::ranges::max(all, {}, &SolvedNip::InBoth::shift).shift;
+    for (SolvedNip::InBoth& number : all) number.shift = largest;
   }
+  std::vector<Estimate> result;
+  for (const SolvedNip::InBoth& number : all) result.push_back(nip_.estimate(number));
   return result;
 }
 
@@ -126,7 +114,7 @@ std::vector<InnerStresses> InnerField::at(const std::vector<SheetPoint>& points)
   std::vector<InnerStresses> result;
   for (const SheetPoint& point : points) {
     const Tractions::Kernel kernel = stress_kernel(point.depth);
-    const auto all = estimates(point, [&](const Solution& solution, const ContactPlace& place) {
+    const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
       return stresses(solution, place, point.depth, kernel, quadrature_tolerance);
     });
     const bool has_shear = point.depth != 0 && !point.is_middle;
@@ -150,7 +138,7 @@ std::vector<InnerDisplacements> InnerField::from_face(const std::vector<SheetPoi
         kernel_of<2>(DisplacementsFromFace(depth, share), equations_.grips(),
                      [](const internal::FromFace& f) { return Eigen::Vector2d(-f.u, f.v); });
     kernel.poles = 1 - depth;
-    const auto all = estimates(point, [&](const Solution& solution, const ContactPlace& place) {
+    const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
       return functionals_of(solution, place.in(solution), kernel, quadrature_tolerance,
                             roundings * reach_of_displacements(solution.half_length()));
     });

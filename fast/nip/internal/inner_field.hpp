@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <vector>
 
 #include <nipref/fast/nip/inner_stresses.hpp>
@@ -42,9 +41,8 @@ class InnerField {
   [[nodiscard]] GreatestShear greatest() const;
 
  private:
-  /// Several numbers of a place that are computed together.
-  using Numbers = std::function<std::vector<Functional>(const Solution&, const ContactPlace&)>;
-  [[nodiscard]] std::vector<Estimate> estimates(const SheetPoint& point, const Numbers& numbers) const;
+  [[nodiscard]] std::vector<Estimate> estimates(const ContactPlace& place,
+                                                const SolvedNip::AtPlace& numbers) const;
   /// Across, along and shear, under line loads and of a solution.
   [[nodiscard]] Tractions::Kernel stress_kernel(double depth) const;
   [[nodiscard]] std::vector<Functional> stresses(const Solution& solution, const ContactPlace& place,

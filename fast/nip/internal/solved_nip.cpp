@@ -161,19 +161,22 @@ SolvedNip::InBoth SolvedNip::in_both(const Number& number) const {
   return result;
 }
 
-SolvedNip::InBoth SolvedNip::at_place(const ContactPlace& place, double unsure, const AtPlace& number) const {
-  InBoth result = in_both([&](const Solution& solution) { return number(solution, place); });
-  result.shift = shift(result.here, place, unsure, number);
+std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, double reach,
+                                                   const AtPlace& numbers) const {
+  std::vector<InBoth> result;
+  for (Functional& here : numbers(last(), place)) result.push_back({std::move(here)});
+  if (load_) {
+    std::vector<Functional> there = numbers(neighbour(), place);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i].there = std::move(there[i]);
+  }
+  if (reach == 0) return result;
+  for (const double e : {place.e - reach, place.e + reach}) {
+    const std::vector<Functional> moved = numbers(last(), {place.trailing, e});
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i].shift =
+          std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
+  }
   return result;
-}
-
-double SolvedNip::shift(const Functional& here, const ContactPlace& place, double unsure,
-                        const AtPlace& number) const {
-  const double value = last().value(here), reach = SolvedNip::reach(place, unsure);
-  double largest = 0;
-  for (const double e : {place.e - reach, place.e + reach})
-    largest = std::max(largest, std::fabs(last().value(number(last(), {place.trailing, e})) - value));
-  return largest;
 }
 
 SolvedNip::Shortfall SolvedNip::shortfall() const {

@@ -45,18 +45,14 @@ class SolvedNip {
   /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
   [[nodiscard]] InBoth in_both(const Number& number) const;
   [[nodiscard]] Estimate estimate(const Number& number) const { return estimate(in_both(number)); }
-  /// A number of a place whose distance from the end is known to `unsure`.
-  using AtPlace = std::function<Functional(const Solution&, const ContactPlace&)>;
-  [[nodiscard]] InBoth at_place(const ContactPlace& place, double unsure, const AtPlace& number) const;
-  /// How much such a number, which is `here` in last(), may change because the place has an error.
-  [[nodiscard]] double shift(const Functional& here, const ContactPlace& place, double unsure,
-                             const AtPlace& number) const;
-  /// How far the place may be from there.
+  /// Numbers that are computed together at a place, which may be as far as `reach` from there.
+  using AtPlace = std::function<std::vector<Functional>(const Solution&, const ContactPlace&)>;
+  [[nodiscard]] std::vector<InBoth> at_place(const ContactPlace& place, double reach,
+                                             const AtPlace& numbers) const;
+  /// That of a place whose distance from the end is known to `unsure`.
   [[nodiscard]] static double reach(const ContactPlace& place, double unsure) {
     return unsure + 0x1p-52 * std::fabs(place.e);
   }
-  /// The neighbour of a contact of given load, otherwise nullptr.
-  [[nodiscard]] const Solution* there() const { return load_ ? &neighbour() : nullptr; }
   /// Solves with more terms; false where rounding rules, so that more do not help.
   bool refine();
 
