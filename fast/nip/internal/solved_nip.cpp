@@ -55,7 +55,7 @@ void SolvedNip::solve_to(double nats) {
 
 /// Each contact with its own layout, up to the one from which a secant leads to nearly the length.
 void SolvedNip::search_roughly() {
-  constexpr double few_nats = 5, tolerance = 1e-6, near_enough = 2e-2;
+  constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 2e-2;
   Resolution few_terms = equations_->resolution(few_nats);
   few_terms.checking_terms = 0;
   LengthSearch search(*load_, near_, {tolerance, longest_sought}, load_exponent(near_));
