@@ -23,9 +23,10 @@ struct Kernel {
   }
 };
 
-/// Loads the file and gives the kernels that it lists, or the one function `symbol` of `arity` doubles.
+/// Loads the file and gives the kernels that it lists, or the one function `symbol` of `arity` doubles, whose
+/// name is not copied; "" for the list.
 /// std::runtime_error saying in one line why there are none.
-std::vector<Kernel> load_kernels(const std::string& file, const std::string& symbol, std::uint32_t arity,
+std::vector<Kernel> load_kernels(const std::string& file, const char* symbol, std::uint32_t arity,
                                  std::uint32_t flags);
 
 /// An array of doubles between two guards, which are protected memory; the room that it leaves is filled with

@@ -68,17 +68,17 @@ Kernel checked(const nipref_kernel& given) {
 
 }  // namespace
 
-std::vector<Kernel> load_kernels(const std::string& file, const std::string& symbol, std::uint32_t arity,
+std::vector<Kernel> load_kernels(const std::string& file, const char* symbol, std::uint32_t arity,
                                  std::uint32_t flags) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(text_of(dlerror()));
   std::vector<Kernel> kernels;
-  if (!symbol.empty()) {
+  if (*symbol != '\0') {
     Kernel bare;
     // It has no other name and computes what the user says.
-    bare.entry = {NIPREF_KERNEL_ABI, sizeof(nipref_kernel),         symbol.c_str(), "", arity, flags,
+    bare.entry = {NIPREF_KERNEL_ABI, sizeof(nipref_kernel),         symbol, "", arity, flags,
                   nullptr,           bare_evaluators.at(arity - 1), nullptr};
-    bare.state = symbol_of(handle, symbol.c_str());
+    bare.state = symbol_of(handle, symbol);
     kernels.push_back(bare);
     return kernels;
   }
