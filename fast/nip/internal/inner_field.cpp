@@ -96,11 +96,12 @@ std::vector<Functional> InnerField::stresses(const Solution& solution, const Con
 
 std::vector<Estimate> InnerField::estimates(const ContactPlace& place,
                                             const SolvedNip::AtPlace& numbers) const {
-  // Rounding of the place alone, by 2^-52 of its distance from the end, from which on all is smooth, counts with the kernels'.
+  // Where the ends are given, a place is wrong by its rounding alone, 2^-52 of its distance from the end. The field is smooth on
+  // the scale of that distance, so that this counts with the rounding of the kernels.
   const double reach = ends_ == 0 ? 0 : SolvedNip::reach(place, ends_);
   std::vector<SolvedNip::InBoth> all = nip_.at_place(place, reach, numbers);
-  // Next to an end they change like the root of the distance from it times functions of the direction, of which some are 0
-  // on the face, to both sides.
+  // Next to an end the stresses are the root of the distance from it times functions of the direction, some of which are 0
+  // along the face: there the others tell how much these may change.
   if (std::fabs(place.e) <= reach) {
     const double largest = std::ranges::max(all, {}, &SolvedNip::InBoth::shift).shift;
     for (SolvedNip::InBoth& number : all) number.shift = largest;
@@ -181,7 +182,7 @@ GreatestShear InnerField::greatest() const {
   };
   const auto smooth_about = [&](const Point& place) { return std::min(reach, from_end(place)); };
   double step = reach / steps;
-  // A step changes the shear like its square over that of the scale, of which so much tells whether it grows.
+  // A step changes the shear by about the square of the step over the scale. To see that it grows takes this part of it.
   const auto look_closer = [&] {
     constexpr double telling = 1e-4;
     tolerance = std::clamp(telling * std::pow(step / smooth_about(best), 2), quadrature_tolerance, coarse);

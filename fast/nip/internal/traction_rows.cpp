@@ -50,7 +50,7 @@ std::vector<double> cuts_of_poles(double distance, double off_axis, double farth
   constexpr int few = 6;
   constexpr double resolved_ratio = 60;
   std::vector<double> result;
-  // So wide, but for rounding, that it is apart from the poles.
+  // A piece of this width is apart from the poles, whatever rounding does.
   const auto width_from = [&](double cut) { return std::hypot(cut, off_axis) / (1.01 * apart); };
   double cut = off_axis > 0 ? width_from(0) : 2 * distance;
   for (int i = 0; 0 < cut && cut < farthest; ++i) {
