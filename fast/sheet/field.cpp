@@ -61,18 +61,18 @@ SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
           (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inv_pi};
 }
 
-/// The stresses at alpha >= near_load_end, from the residue series, which decays.
-SheetStresses far_stresses(const FieldFunctions& f, double s, SheetLoad load) {
+/// The whole stresses at alpha >= 0, 0 <= s <= 1, from the functions' rest near the load, else from the residue series, which
+/// decay.
+SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, SheetLoad load) {
   SheetStresses result = stresses_of(f, s, load);
+  if (is_near(alpha)) return internal::half_plane_stresses({alpha, s}, load) + result;
   if (load == SheetLoad::shear) result.along -= 0.5;
   return result;
 }
 
-/// The stresses at alpha >= 0, 0 <= s <= 1.
 SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
-  if (!is_near(alpha)) return far_stresses(internal::decaying(alpha, s), s, load);
-  return internal::half_plane_stresses({alpha, s}, load) +
-         stresses_of(internal::near_rest(alpha, s, I5), s, load);
+  const FieldFunctions f = is_near(alpha) ? internal::near_rest(alpha, s, I5) : internal::decaying(alpha, s);
+  return whole_stresses(f, alpha, s, load);
 }
 
 /// The sign of x, 0 for x = 0.
@@ -190,12 +190,9 @@ internal::StressesAtDepth::StressesAtDepth(double depth)
 
 internal::UnderLoads<SheetStresses> internal::StressesAtDepth::at(double alpha, bool with_shear) const {
   const double a = std::fabs(alpha), s = std::fabs(depth_);
-  const bool near = is_near(a);
-  const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
+  const FieldFunctions f = is_near(a) ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
   const auto under = [&](SheetLoad load) {
-    const SheetStresses here =
-        near ? half_plane_stresses({a, s}, load) + stresses_of(f, s, load) : far_stresses(f, s, load);
-    return with_signs(here, alpha, depth_, load);
+    return with_signs(whole_stresses(f, a, s, load), alpha, depth_, load);
   };
   return {under(SheetLoad::normal), with_shear ? under(SheetLoad::shear) : SheetStresses{}};
 }

@@ -69,7 +69,7 @@ class Tractions {
     std::optional<double> poles = {};
     /// These are its singularities that are nearest to the real axis, on which it is analytic.
     bool is_regular = false;
-    bool becomes_constant = false;  ///< beyond reach(), where it does not decay
+    bool becomes_constant = false;  ///< one that does not decay is constant beyond reach()
   };
   /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
   /// on_q, and what is left, which is analytic for |Im alpha| < 2.
