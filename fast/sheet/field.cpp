@@ -50,6 +50,11 @@ void check(double alpha, double depth) {
 
 bool is_near(double alpha) { return alpha < internal::near_load_end; }
 
+/// The functions from `first` on at alpha >= 0 without the half-planes or, far from the load, without what does not decay.
+FieldFunctions varying(double alpha, double s, FieldFunction first) {
+  return is_near(alpha) ? internal::near_rest(alpha, s, first) : internal::decaying(alpha, s, first);
+}
+
 SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
   if (load == SheetLoad::normal) {
     return {-(f[I7].re + f[I5_slope].re + s * f[I7_slope].im) * inv_pi,
@@ -71,8 +76,7 @@ SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, Sh
 }
 
 SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
-  const FieldFunctions f = is_near(alpha) ? internal::near_rest(alpha, s, I5) : internal::decaying(alpha, s);
-  return whole_stresses(f, alpha, s, load);
+  return whole_stresses(varying(alpha, s, I5), alpha, s, load);
 }
 
 /// The sign of x, 0 for x = 0.
@@ -120,7 +124,7 @@ double in_quarter(bool along, double alpha, double s, SheetLoad load, double poi
   } else {
     const double limit = quarter_pi * (along ? 1 : s),
                  constant = (load == SheetLoad::normal) == along ? limit : 0;
-    parts = parts_of(along, internal::decaying(alpha, s), s, load) + HalfPlaneParts{constant, constant};
+    parts = parts_of(along, internal::decaying(alpha, s, I4), s, load) + HalfPlaneParts{constant, constant};
   }
   return displaced(along, parts, load, shares_of(poisson));
 }
@@ -176,9 +180,7 @@ struct FacePlace {
       throw data::BadInput("alpha", alpha, "must be at least 1e-150 in magnitude: the load is at 0");
   }
   /// A function at alpha + i, without what does not decay or, near the load, without the half-planes.
-  [[nodiscard]] internal::ComplexValue part(internal::FieldFunction f) const {
-    return (near ? internal::near_rest(a, 1, f) : internal::decaying(a, 1))[f];
-  }
+  [[nodiscard]] internal::ComplexValue part(internal::FieldFunction f) const { return varying(a, 1, f)[f]; }
   /// What the half-planes add where they are apart.
   [[nodiscard]] double planes(double value) const { return near ? value : 0; }
 };
@@ -190,7 +192,8 @@ internal::StressesAtDepth::StressesAtDepth(double depth)
 
 internal::UnderLoads<SheetStresses> internal::StressesAtDepth::at(double alpha, bool with_shear) const {
   const double a = std::fabs(alpha), s = std::fabs(depth_);
-  const FieldFunctions f = is_near(a) ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
+  const FieldFunctions f =
+      is_near(a) ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_, FieldFunction::I5);
   const auto under = [&](SheetLoad load) {
     return with_signs(whole_stresses(f, a, s, load), alpha, depth_, load);
   };
@@ -204,9 +207,10 @@ internal::UnderLoads<internal::FromFace> internal::DisplacementsFromFace::at(dou
                                                                              bool with_shear) const {
   const double a = std::fabs(alpha), side = sign(alpha);
   const bool near = is_near(a);
-  const FieldFunctions here =
-                           near ? near_rest(a, depth_, FieldFunction::I4) : decaying(AlongWaves(a), waves_),
-                       face = near ? near_rest(a, 1, FieldFunction::I4) : decaying(AlongWaves(a), of_face_);
+  const auto at_depth = [&](double depth, const AcrossWaves& waves) {
+    return near ? near_rest(a, depth, FieldFunction::I4) : decaying(AlongWaves(a), waves, FieldFunction::I4);
+  };
+  const FieldFunctions here = at_depth(depth_, waves_), face = at_depth(1, of_face_);
   const auto under = [&](SheetLoad load) {
     FromFace of = from_face(here, face, depth_, load, share_);
     if (near) of = of + planes_from_face(a, depth_, load, share_);

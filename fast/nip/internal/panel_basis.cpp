@@ -225,7 +225,8 @@ PanelBasis::Rows PanelBasis::values(const Eigen::ArrayXd& x, const Eigen::ArrayX
   if (exponent != 0) {
     const Eigen::ArrayXd ratio = is_whole ? (x / rest).eval() : x;
     const Eigen::ArrayXd angle = (ratio > 0).select(exponent * ratio.max(1e-300).log(), 0.0);
-    result.imaginary = (factor * angle.sin()).matrix().asDiagonal() * polynomials;
+    const Eigen::VectorXd sine = factor * angle.sin();  // once, not for each polynomial
+    result.imaginary = sine.asDiagonal() * polynomials;
     factor *= angle.cos();
   }
   polynomials.array().colwise() *= factor;

@@ -41,6 +41,15 @@ std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, doub
   return result;
 }
 
+/// |z| of the slowest residue term e^(-z alpha) of an elastic kernel.
+constexpr double slowest_rate = 2.4;
+
+double largest(const std::vector<Complex>& rates) {
+  double size = 0;
+  for (const Complex& rate : rates) size = std::max(size, std::abs(rate));
+  return size;
+}
+
 /// A piece that is farther by this factor than it is wide from poles off the axis is integrated by Gauss's rule.
 constexpr double apart = 1.3;
 
@@ -68,19 +77,40 @@ bool oscillates(const std::vector<Complex>& rates, double nearest, double distan
   });
 }
 
-/// Of a function of a degree whose singularities are at least the width of its interval from it: at +-3 for [-1, 1], on an
-/// ellipse of 3 + sqrt 8.
+/// Nats by which a polynomial of degree 1 grows on the ellipse of 3 + sqrt 8 about [-1, 1], which goes through +-3.
+const double nats_of_ellipse = 2 * std::asinh(1.0);
+
+/// The degree of a polynomial that grows as much on that ellipse as an exponential over a piece does, `phase` the product of
+/// |rate| and the piece's width: the ellipse is up to sqrt 2 widths away. Pieces on which an exponential counts are at most 20
+/// radians wide. There its Chebyshev coefficients are Bessel functions of 10, which are below 1e-16 from degree 36 on: for
+/// these the nodes of 20 degrees suffice, with those that the tolerance needs.
+double degree_of_exponential(double phase) {
+  return std::min(phase * std::numbers::sqrt2 / nats_of_ellipse, 20.0);
+}
+
+/// A polynomial of degree n over a panel is on a piece, a part p of it, like one of this degree. Its growth on the ellipse
+/// of a piece, of L nats a degree, is n times the nats g of the panel's ellipses. These follow from the sum of the distances
+/// from the panel's ends, a convex function of where the piece is: it is largest where the piece is at an end. There
+/// cos(theta/2) = sqrt p cos(theta'/2) of the angles of the panel and of the piece, Im theta' = L, so that g is at most
+/// 2 arsinh(sqrt p sinh(L/2)). g/L grows with L, and for L of the ellipse above sinh(L/2) = 1.
+double degree_on_part(int degree, double part) {
+  return degree * std::asinh(std::sqrt(std::min(part, 1.0))) / std::asinh(1.0);
+}
+
+/// For a function that grows like a polynomial of the degree on that ellipse. The number of nodes is a multiple of four, so that
+/// few rules are kept.
 std::shared_ptr<const GaussRule> cached_gauss(double degree, double tolerance) {
   static Cache<int, GaussRule> rules(gauss_legendre);
-  return rules.at(static_cast<int>(degree / 2 + 2 - std::log(tolerance) / 3.5));
+  const double nodes = degree / 2 + 2 - std::log(tolerance) / (2 * nats_of_ellipse);
+  return rules.at(4 * static_cast<int>(std::ceil(nodes / 4)));
 }
 
 /// For a polynomial of the degree, up to the next multiple of eight so that few rules are kept.
-std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, int degree = 0) {
+std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, double degree) {
   using Key = std::pair<double, int>;
   static Cache<Key, std::vector<UnitNode>> rules(
       [](const Key& key) { return double_exponential_rule(key.first, key.second); });
-  return rules.at({tolerance, 8 * ((degree + 7) / 8)});
+  return rules.at({tolerance, 8 * static_cast<int>(std::ceil(degree / 8))});
 }
 
 /// Points of a product rule: as many as the wanted nats need if each gives so many, in even steps so that few rules are kept.
@@ -106,8 +136,8 @@ void Tractions::Nodes::grow(std::size_t count) {
 
 /// `singular` is outside the piece or at one of its ends, or, `off_axis` away, beside that place. By Gauss's rule where it and
 /// the ends of the contact are farther than the piece is wide.
-void Tractions::append_piece(double from, double to, double singular, double off_axis, bool mirrored,
-                             int degree, double tolerance, Nodes& nodes) const {
+void Tractions::append_piece(double from, double to, double singular, const Integrand& integrand,
+                             bool mirrored, double tolerance, Nodes& nodes) const {
   const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
   // Nearer than any node that counts, the kernels' logarithms would overflow.
   constexpr double nearest = 1e-299;
@@ -122,12 +152,13 @@ void Tractions::append_piece(double from, double to, double singular, double off
     ++i;
   };
   const double distance_along = std::max(from - singular, singular - to);
-  const bool is_apart =
-      distance_along >= width || std::hypot(std::max(distance_along, 0.0), off_axis) >= apart * width;
+  const bool is_apart = distance_along >= width ||
+                        std::hypot(std::max(distance_along, 0.0), integrand.off_axis) >= apart * width;
+  const double degree = degree_on_part(integrand.degree, width / integrand.width) +
+                        degree_of_exponential(integrand.rate * width);
   if (is_apart && std::min(from, beyond) >= width && width <= 8) {
-    // What oscillates in the kernel or has its scale is, on such a piece, a polynomial of no more degrees than that.
-    constexpr int degree_of_kernel = 20;
-    const auto gauss = cached_gauss(degree + degree_of_kernel, tolerance);
+    constexpr double of_poles = 2;  // these may be a little inside the ellipse
+    const auto gauss = cached_gauss(degree + of_poles, tolerance);
     nodes.grow(gauss->at.size());
     for (std::size_t k = 0; k < gauss->at.size(); ++k)
       append(gauss->at[k], 1 - gauss->at[k], gauss->weight[k]);
@@ -140,10 +171,11 @@ void Tractions::append_piece(double from, double to, double singular, double off
 
 /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
 void Tractions::append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                             std::vector<double> ends, double tolerance, Nodes& nodes) const {
+                             const std::vector<Complex>& rates, double tolerance, Nodes& nodes) const {
   const double reach = Tractions::reach(tolerance), outside = place.outside();
   const double singular = singular_at(place, mirrored);
   const double gap = std::max(panel.left - singular, singular - panel.right);
+  std::vector<double> ends = cuts(rates, 0, panel.right);
   ends.insert(ends.end(), {panel.left, panel.right});
   for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
     if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
@@ -161,9 +193,11 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
   }
   std::ranges::sort(ends);
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  const Integrand integrand{degrees(panel), panel.width(),
+                            std::max({slowest_rate, largest(kernel.rates), largest(rates)}), off_axis};
   for (std::size_t i = 1; i < ends.size(); ++i) {
     if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
-    append_piece(ends[i - 1], ends[i], singular, off_axis, mirrored, degrees(panel), tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], singular, integrand, mirrored, tolerance, nodes);
   }
 }
 
@@ -224,8 +258,7 @@ bool Tractions::add_beside_logarithm(const Place& place, std::size_t p, bool mir
                                      double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
   const Panel& panel = panels_[p];
   const double width = panel.width();
-  double rate = 0;
-  for (const Complex& of_kernel : kernel.rates) rate = std::max(rate, std::abs(of_kernel));
+  const double rate = largest(kernel.rates);
   if (!kernel.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
   const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
   const int points = points_of_rule(fall, -std::log(tolerance) + rate * reach);
@@ -338,7 +371,7 @@ Eigen::MatrixXd Tractions::layer_rows(const Place& place, const Kernel& kernel, 
   if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance))
     return Eigen::MatrixXd::Zero(kernel.functionals, layer_columns());
   Nodes nodes;
-  append_panel(panel, place, place.trailing, kernel, cuts(layer_rates(), 0, panel.right), tolerance, nodes);
+  append_panel(panel, place, place.trailing, kernel, layer_rates(), tolerance, nodes);
   const Eigen::ArrayXd alpha = (place.trailing ? -1 : 1) * array(nodes.alpha);
   Eigen::MatrixXd on_p, on_q;
   kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
@@ -390,7 +423,8 @@ void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
   std::ranges::sort(ends);
   Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i)
-    append_piece(ends[i - 1], ends[i], half_length_, 0, true, 0, tolerance, nodes);
+    append_piece(ends[i - 1], ends[i], half_length_, {0, panel.width(), largest(layer_rates()), 0}, true,
+                 tolerance, nodes);
   const Eigen::MatrixXd values = layers_at(array(nodes.e));
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
                            y = array(nodes.alpha).matrix().transpose();

@@ -123,11 +123,17 @@ class Tractions {
     void clear();
     void grow(std::size_t count);
   };
-  /// `ends`: of pieces, beside those that the kernel asks for.
+  /// `rates` of exponentials in the tractions, which start at the end.
   void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                    std::vector<double> ends, double tolerance, Nodes& nodes) const;
-  /// `degree` of the polynomials that are integrated.
-  void append_piece(double from, double to, double singular, double off_axis, bool mirrored, int degree,
+                    const std::vector<std::complex<double>>& rates, double tolerance, Nodes& nodes) const;
+  /// What is integrated over the pieces of a panel.
+  struct Integrand {
+    int degree;       ///< of the polynomials
+    double width;     ///< of the panel on which they are polynomials
+    double rate;      ///< the largest |rate| of the exponentials beside them
+    double off_axis;  ///< distance of the kernel's poles from the real axis
+  };
+  void append_piece(double from, double to, double singular, const Integrand& integrand, bool mirrored,
                     double tolerance, Nodes& nodes) const;
   [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;

@@ -16,6 +16,13 @@ int terms_at(double alpha) {
   return std::min(field_roots, static_cast<int>(nats / (3.141 * alpha)) + 1);
 }
 
+/// How many terms of near_rest count at |w|^2: those left out are below 1e-21 of the first, and so are their derivatives
+/// of the second term's, which imaginary parts consist of.
+int terms_near(double square) {
+  constexpr double nats = 48.4;
+  return std::min(near_load_terms, 2 + static_cast<int>(nats / std::log(9 / square)));
+}
+
 }  // namespace
 
 FieldFunctions near_rest(double alpha, double depth, FieldFunction first) {
@@ -23,7 +30,7 @@ FieldFunctions near_rest(double alpha, double depth, FieldFunction first) {
   // With W = w^2 = x + i y a polynomial in W is p + i y q: no part loses digits as y -> 0.
   const double x = (alpha - depth) * (alpha + depth), y = 2 * alpha * depth, y_squared = y * y;
   std::array<double, field_functions> p{}, q{};
-  for (int k = near_load_terms - 1; k >= 0; --k) {
+  for (int k = terms_near(alpha * alpha + depth * depth) - 1; k >= 0; --k) {
     for (std::size_t f = begin; f < p.size(); ++f) {
       const double before = p[f];
       p[f] = x * before - y_squared * q[f] + field_table.rest[f][k];
@@ -58,14 +65,14 @@ AcrossWaves::AcrossWaves(double depth, int count) {
   }
 }
 
-FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across) {
+FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across, FieldFunction first) {
   FieldFunctions sum{};
   for (int n = along.count - 1; n >= 0; --n) {
     const auto root = static_cast<std::size_t>(n);
     // The pole at z and its mirror image give Re and Im of Re(a e^{i w z}) continued to complex w.
     const std::complex<double> even = along.of[root] * across.cosh[root],
                                odd = along.of[root] * across.sinh[root];
-    for (std::size_t f = 0; f < sum.of.size(); ++f) {
+    for (auto f = static_cast<std::size_t>(first); f < sum.of.size(); ++f) {
       const auto& a = field_table.amplitude[n][f];
       sum.of[f].re += a[0] * even.real() - a[1] * even.imag();
       sum.of[f].im -= a[0] * odd.imag() + a[1] * odd.real();

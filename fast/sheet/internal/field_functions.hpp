@@ -46,11 +46,12 @@ struct AcrossWaves {
   std::array<std::complex<double>, field_roots> cosh, sinh;
 };
 
-/// The same functions at alpha >= near_load_end without what does not decay: pi/4 of I4 and I5, w pi/4 of K5.
-FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across);
-inline FieldFunctions decaying(double alpha, double depth) {
+/// The same functions, again from `first` on, at alpha >= near_load_end without what does not decay: pi/4 of I4 and I5, w pi/4 of
+/// K5.
+FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across, FieldFunction first);
+inline FieldFunctions decaying(double alpha, double depth, FieldFunction first) {
   const AlongWaves along(alpha);
-  return decaying(along, AcrossWaves(depth, along.count));
+  return decaying(along, AcrossWaves(depth, along.count), first);
 }
 
 }  // namespace nipref::fast::internal
