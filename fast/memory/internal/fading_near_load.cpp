@@ -37,7 +37,7 @@ double log_ahead(double p, double length, double rate) {
     return constant + growth * (q * ein_ratio(far) - p * ein_ratio(near)) -
            p * std::log(q / p) * relative_growth;
   }
-  return constant + (std::log(q / p) - scaled_E1(near) + std::exp(-rate * length) * scaled_E1(far)) / rate;
+  return constant + (std::log(q / p) - scaled_E1(near) + faded_exp(rate * length) * scaled_E1(far)) / rate;
 }
 
 /// int_0^a e^(-rate d) ln(log_end/(a - d)) dd, 0 < a <= 1/2.
@@ -54,7 +54,7 @@ double inner_ahead(double p, double length, double rate, Accuracy accuracy) {
 /// I1 on a piece behind the load from the distance a <= 1/2 down to c.
 double inner_behind(double a, double c, double length, double rate, Accuracy accuracy) {
   if (a <= smooth_ratio * c) return by_rule(Kernel::I1, a, -1, length, rate, accuracy);
-  const double missing = c > 0 ? std::exp(-rate * length) * log_behind(c, rate) : 0;
+  const double missing = c > 0 ? faded_exp(rate * length) * log_behind(c, rate) : 0;
   return log_behind(a, rate) - missing + smooth_rest(-a, length, rate, accuracy);
 }
 
@@ -106,7 +106,7 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
   while (done < length) {
     const double left = done == 0 ? length : std::min(length - done, end - (w + done));
     const double here = std::min(left, panel_length(w + done, std::abs(rate), tiny));
-    sum += std::exp(-rate * done) * panel(kernel, w + done, here, rate, tiny, accuracy);
+    sum += faded_exp(rate * done) * panel(kernel, w + done, here, rate, tiny, accuracy);
     done = here >= left ? length : done + here;
   }
   return sum;
@@ -123,7 +123,7 @@ Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece)
     const bool last = end <= stop;
     const double left = done == 0 ? length : end - w;
     const double part = last ? left : stop - w;
-    const Rate weight = done == 0 ? Rate(1) : std::exp(-rate * done);
+    const Rate weight = done == 0 ? Rate(1) : faded_exp(rate * done);
     sum += weight * of_piece(k, w, last ? end : stop, part);
     done += part;
     w = stop;
@@ -183,7 +183,7 @@ OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
   for (std::size_t i = 1; i < stops_.size(); ++i) {
     const double length = stops_[i - 1] - stops_[i];
     from_stops_.push_back(panel(kernel, stops_[i], length, rate, tiny, accuracy) +
-                          std::exp(-rate * length) * from_stops_.back());
+                          faded_exp(rate * length) * from_stops_.back());
   }
 }
 
@@ -199,7 +199,7 @@ Complex OscillatingCore::from(double w) const {
   const auto stop = static_cast<std::size_t>(after - stops_.begin()) - 1;
   const double length = stops_[stop] - w;
   return panel(kernel_, w, length, rate_, nearest_panel(std::abs(rate_), 1), accuracy_) +
-         std::exp(-rate_ * length) * from_stops_[stop];
+         faded_exp(rate_ * length) * from_stops_[stop];
 }
 
 }  // namespace nipref::fast::internal

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
 namespace nipref::fast::internal {
@@ -82,7 +83,7 @@ double faded_sum(const GaussRule& rule, const Nodes& values, double length, doub
 Complex faded_sum(const GaussRule& rule, const Nodes& values, double length, Complex rate) {
   Complex sum = 0;
   for (std::size_t i = 0; i < rule.at.size(); ++i)
-    sum += rule.weight[i] * values[i] * std::exp(-rate * (length * rule.at[i]));
+    sum += rule.weight[i] * values[i] * faded_exp(rate * (length * rule.at[i]));
   return length * sum;
 }
 

@@ -86,9 +86,6 @@ Series<Complex> memory_polynomial(const Series<double>& f, Complex rate) {
   return sum_of_derivatives(f, rate);
 }
 
-double faded_by(double nats) { return std::exp(-nats); }
-Complex faded_by(Complex nats) { return faded_exp(nats); }
-
 }  // namespace
 
 template <typename Coefficient>
@@ -126,7 +123,7 @@ SmoothMemory<Rate>::SmoothMemory(const Series<double>& f, Rate rate)
 
 template <typename Rate>
 Rate SmoothMemory<Rate>::from(double w) const {
-  const Rate kept = faded_by(rate_ * (nearest - w));
+  const Rate kept = faded_exp(rate_ * (nearest - w));
   return kept == 0.0 ? polynomial_(w) : polynomial_(w) - kept * at_nearest_;
 }
 

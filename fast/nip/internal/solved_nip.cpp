@@ -170,12 +170,21 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
     for (std::size_t i = 0; i < result.size(); ++i) result[i].there = std::move(there[i]);
   }
   if (reach == 0) return result;
-  for (const double e : {place.e - reach, place.e + reach}) {
+  const auto take_shifts = [&](double e) {
     const std::vector<Functional> moved = numbers(last(), {place.trailing, e});
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i].shift =
           std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
-  }
+  };
+  // Away from the end a number is smooth on the scale of e and of the memories. It then changes by as much to either side,
+  // but for this part of it, and the more the nearer the end is.
+  constexpr double beside = 1e-3;
+  double steepest = 1 / std::fabs(place.e);
+  for (const std::complex<double>& rate : equations_->resolution(nats_).rates)
+    steepest = std::max(steepest, std::abs(rate));
+  const double towards_end = -std::copysign(reach, place.e);
+  take_shifts(place.e + towards_end);
+  if (!(reach * steepest <= beside)) take_shifts(place.e - towards_end);
   return result;
 }
 

@@ -209,7 +209,7 @@ PanelBasis::Rows Tractions::basis_at(const Panel& panel, const Nodes& nodes) con
 }
 
 void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
-                         Eigen::Ref<Eigen::MatrixXd> rows) const {
+                         bool with_layers, Eigen::Ref<Eigen::MatrixXd> rows) const {
   const PanelBasis::Rows basis = basis_at(panels_[p], nodes);
   const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose();
   Eigen::RowVectorXd signed_weight = weight;
@@ -221,6 +221,17 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
   for (int i = 0; i < kernel.functionals; ++i)
     add_sums(p, basis, weight.cwiseProduct(on_p.row(i)), signed_weight.cwiseProduct(on_q.row(i)),
              rows.row(i));
+  if (!with_layers) return;
+  const auto leading = trailing ? Eigen::seqN(on_this_half, weight.size() - on_this_half)
+                                : Eigen::seqN(Eigen::Index(0), on_this_half);
+  rows.rightCols(layer_columns()) += sums_of_layers(on_p(Eigen::all, leading) + on_q(Eigen::all, leading),
+                                                    weight(leading), array(nodes.e)(leading));
+}
+
+/// Half of a layer is in Re g and half in Im g.
+Eigen::MatrixXd Tractions::sums_of_layers(const Eigen::MatrixXd& kernels, const Eigen::RowVectorXd& weight,
+                                          const Eigen::ArrayXd& e) const {
+  return 0.5 * kernels * weight.asDiagonal() * layers_at(e);
 }
 
 bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
@@ -349,23 +360,29 @@ bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kerne
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
                           Eigen::Ref<Eigen::MatrixXd> rows) const {
   Nodes nodes;
+  bool layers_left = !layers_.empty();
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
     nodes.clear();
+    bool with_layers = false;
     for (const bool mirrored : {false, true}) {
       if (mirrored) nodes.on_this_half = nodes.e.size();
       if (mirrored ? panel.about_middle : place.done == p) continue;
-      if (acts_on(panel, singular_at(place, mirrored), kernel, tolerance) &&
-          !add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) &&
-          !add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows))
-        append_panel(panel, place, mirrored, kernel, {}, tolerance, nodes);
+      if (!acts_on(panel, singular_at(place, mirrored), kernel, tolerance) ||
+          add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) ||
+          add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows))
+        continue;
+      const bool has_layers = layers_left && p == 0 && mirrored == place.trailing;
+      with_layers |= has_layers;
+      append_panel(panel, place, mirrored, kernel, has_layers ? layer_rates() : std::vector<Complex>(),
+                   tolerance, nodes);
     }
-    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, rows);
+    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, with_layers, rows);
+    layers_left = layers_left && !with_layers;
   }
-  if (!layers_.empty()) rows.rightCols(layer_columns()) += layer_rows(place, kernel, tolerance);
+  if (layers_left) rows.rightCols(layer_columns()) += layer_rows(place, kernel, tolerance);
 }
 
-/// Half of a layer is in Re g and half in Im g.
 Eigen::MatrixXd Tractions::layer_rows(const Place& place, const Kernel& kernel, double tolerance) const {
   const Panel& panel = panels_.front();
   if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance))
@@ -375,7 +392,7 @@ Eigen::MatrixXd Tractions::layer_rows(const Place& place, const Kernel& kernel, 
   const Eigen::ArrayXd alpha = (place.trailing ? -1 : 1) * array(nodes.alpha);
   Eigen::MatrixXd on_p, on_q;
   kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
-  return 0.5 * (on_p + on_q) * array(nodes.weight).matrix().asDiagonal() * layers_at(array(nodes.e));
+  return sums_of_layers(on_p + on_q, array(nodes.weight).matrix().transpose(), array(nodes.e));
 }
 
 Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,

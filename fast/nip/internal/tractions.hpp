@@ -157,8 +157,12 @@ class Tractions {
     return {panel.about_middle, panel.terms + (panel.at_end ? 1 : 0)};
   }
   [[nodiscard]] PanelBasis::Rows basis_at(const Panel& panel, const Nodes& nodes) const;
-  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
+  /// `with_layers`: the nodes on the leading half resolve the layers, too.
+  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing, bool with_layers,
                 Eigen::Ref<Eigen::MatrixXd> rows) const;
+  [[nodiscard]] Eigen::MatrixXd sums_of_layers(const Eigen::MatrixXd& kernels,
+                                               const Eigen::RowVectorXd& weight,
+                                               const Eigen::ArrayXd& e) const;
   /// Adds sums over the rows of `integrals` with weights p and q.
   void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
                 const Eigen::RowVectorXd& q,

@@ -62,7 +62,7 @@ void RollingKernels::add_terms(Sum& sum, double alpha, const MemoryOf& memory,
     sum.size += std::fabs(part.real()) + std::fabs(part.imag());
     if (rate.imag() == 0 || alpha >= 0) continue;
     const double trace =
-        size_of_trace(part, terms * std::abs(amplitude) * std::exp(rate.real() * alpha), rate);
+        size_of_trace(part, terms * std::abs(amplitude) * internal::faded_exp(-rate.real() * alpha), rate);
     sum.size += std::abs(rate * alpha) / 16 * trace;
   }
 }
@@ -98,7 +98,7 @@ RollingKernels::Sized RollingKernels::tangential_at(double alpha, const internal
   for (const auto& [amplitude, rate] : sheet_.theta2) {
     if (alpha >= 0) continue;
     sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
-    sum.size -= alpha / 16 * pi * std::abs(amplitude) * std::exp(rate.real() * alpha);
+    sum.size -= alpha / 16 * pi * std::abs(amplitude) * internal::faded_exp(-rate.real() * alpha);
   }
   return sum;
 }
@@ -120,7 +120,7 @@ RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::Su
       sum.size += std::abs(amplitude) * pi / 2;
   for (const auto& [amplitude, rate] : sheet_.theta2) {
     if (alpha >= 0) continue;
-    const Complex trace = -pi * amplitude * std::exp(rate * alpha);
+    const Complex trace = -pi * amplitude * internal::faded_exp(-rate * alpha);
     sum.add(trace.real());
     sum.size += std::abs(rate * alpha) / 16 * std::abs(trace);
   }
