@@ -262,8 +262,10 @@ void ZoneMesh::add_nodes(const Panel& panel, double steps, Shares& shares) const
   if (beyond > 0)
     return add_tail(panel.right, panel.last_node, -1, [&](const Tail& tail) { return tail.parts(beyond); });
   if (steps == std::round(steps)) return add(static_cast<int>(steps), 1, 1);
+  const auto nearest = static_cast<int>(std::lround(steps));
+  const double sine = std::sin(pi * (steps - nearest)) / pi;
   for (int node = panel.first_node; node <= panel.last_node; ++node) {
-    const double sinc = std::sin(pi * (steps - node)) / (pi * (steps - node));
+    const double sinc = ((node - nearest) % 2 == 0 ? sine : -sine) / (steps - node);
     add(node, sinc, sinc);
   }
   add_tail(panel.left, panel.first_node, 1, [&](const Tail& tail) { return tail.sinc_sum(-before); });
