@@ -45,7 +45,10 @@ RowVectorXd ElasticEquations::coupling(Alphas alpha, CountedKernels& kernels) co
 }
 
 Tractions::Kernel ElasticEquations::along_kernel(CountedKernels& kernels) const {
-  return {2, false, {}, [&kernels, this](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
+  return {2,
+          Tractions::Kernel::FarAway::varying,
+          {},
+          [&kernels, this](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
             on_p = coupling(alpha, kernels);
             on_p.conservativeResize(2, Eigen::NoChange);
             std::ranges::transform(alpha, on_p.row(1).begin(), nonlocal_strain);
@@ -68,7 +71,7 @@ Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const
   const auto regular = [=, &kernels](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
     both(kernels.regular_I1(alpha), kernels.I3(alpha) / pi, kernels.regular_I6(alpha), on_p, on_q);
   };
-  return {{2, false, {}, whole},
+  return {{2, Tractions::Kernel::FarAway::varying, {}, whole},
           Eigen::Matrix2d::Identity(),
           Eigen::Matrix2d{{0, beta_ / 2}, {-beta_ / 2, 0}},
           regular};

@@ -67,8 +67,8 @@ Tractions::Kernel InnerField::stress_kernel(double depth) const {
     return Eigen::Vector3d(s.across, s.along, s.shear);
   });
   // Far away a shear load pulls one half of the sheet and presses on the other.
-  kernel.becomes_constant = grips;
-  kernel.decays = !grips;
+  using enum Tractions::Kernel::FarAway;
+  kernel.beyond_reach = grips ? constant : negligible;
   // On a face that of the pressure has no poles but those of the load on the other face.
   kernel.poles = on_face && !grips ? 2 : 1 - std::fabs(depth);
   kernel.is_regular = !on_face || !grips;

@@ -37,7 +37,10 @@ Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels) {
   const auto regular = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
     on_q = on_p = kernels.regular_I1(alpha) / std::numbers::pi;
   };
-  return {{1, true, {}, whole}, Eigen::RowVector2d(1, 1), Eigen::RowVector2d(0, 0), regular};
+  return {{1, Tractions::Kernel::FarAway::negligible, {}, whole},
+          Eigen::RowVector2d(1, 1),
+          Eigen::RowVector2d(0, 0),
+          regular};
 }
 
 }  // namespace nipref::fast

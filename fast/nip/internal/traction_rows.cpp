@@ -195,8 +195,9 @@ void Tractions::append_panel(const Panel& panel, const Place& place, bool mirror
   ends.erase(std::ranges::unique(ends).begin(), ends.end());
   const Integrand integrand{degrees(panel), panel.width(),
                             std::max({slowest_rate, largest(kernel.rates), largest(rates)}), off_axis};
+  const bool is_negligible = kernel.beyond_reach == Kernel::FarAway::negligible;
   for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (kernel.decays && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
+    if (is_negligible && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
     append_piece(ends[i - 1], ends[i], singular, integrand, mirrored, tolerance, nodes);
   }
 }
@@ -248,7 +249,8 @@ bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirr
   // e^(2.1 gap) as large as on the panel, or not if it has become constant.
   const double fall = internal::log_of_ellipse(2.0 * (singular - panel.left + off_axis) / width - 1.0);
   const double wanted = -std::log(tolerance), far = std::max(gap, 0.0);
-  const double nats = !kernel.becomes_constant ? wanted + 2.1 * far : far < reach(tolerance) ? wanted : 0;
+  const bool is_constant = kernel.beyond_reach == Kernel::FarAway::constant;
+  const double nats = !is_constant ? wanted + 2.1 * far : far < reach(tolerance) ? wanted : 0;
   const int points = points_of_rule(fall, nats);
   if (points > (gap <= 0 ? most_points_within : most_points)) return false;
 
@@ -354,7 +356,8 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
 }
 
 bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kernel, double tolerance) {
-  return !kernel.decays || std::max(panel.left - singular, singular - panel.right) <= reach(tolerance);
+  return kernel.beyond_reach != Kernel::FarAway::negligible ||
+         std::max(panel.left - singular, singular - panel.right) <= reach(tolerance);
 }
 
 void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,

@@ -57,8 +57,9 @@ class Tractions {
   /// `on_p` per unit of Re g and `on_q` per unit of Im g, one row for each functional. alpha = y - y' is the place of the
   /// functional less that of the load.
   struct Kernel {
+    enum class FarAway { negligible, constant, varying };
     int functionals = 1;
-    bool decays = true;  ///< it is negligible beyond reach()
+    FarAway beyond_reach = FarAway::negligible;  ///< what it is at distances beyond reach()
     /// Of exponentials next to alpha = 0 that may vary over less than a half-thickness.
     std::vector<std::complex<double>> rates;
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
@@ -69,7 +70,6 @@ class Tractions {
     std::optional<double> poles = {};
     /// These are its singularities that are nearest to the real axis, on which it is analytic.
     bool is_regular = false;
-    bool becomes_constant = false;  ///< one that does not decay is constant beyond reach()
   };
   /// A kernel with its parts: its coefficients of -ln|alpha|/pi and of the sign of alpha, a row a functional, on_p before
   /// on_q, and what is left, which is analytic for |Im alpha| < 2.

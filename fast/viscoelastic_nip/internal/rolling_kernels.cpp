@@ -16,13 +16,17 @@ using internal::Two;
 
 constexpr double pi = std::numbers::pi;
 
+/// I1 is 2 pi c e^(i z |alpha|), its real part, where all other residue terms have decayed (thesis AI.5).
+constexpr Complex slowest_root{1.1253643058013, 2.1061961152453};
+constexpr double amplitude_of_I1 = 2 * pi * 0.25584797756897609;
+
 internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
 
 /// Kernels that are the same for both parts of the pressure, over pi, each with its size as the next functional.
 template <class... Kernels>
 Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... kernels) {
   constexpr int functionals = 2 * sizeof...(Kernels);
-  return {functionals, false, std::move(rates),
+  return {functionals, Tractions::Kernel::FarAway::varying, std::move(rates),
           [kernels...](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p.resize(functionals, static_cast<Eigen::Index>(alpha.size()));
             for (std::size_t i = 0; i < alpha.size(); ++i) {
@@ -39,9 +43,11 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... k
 
 }  // namespace
 
-RollingKernels::RollingKernels(const RollingSheet& sheet) : sheet_(sheet) {
+RollingKernels::RollingKernels(const RollingSheet& sheet)
+    : sheet_(sheet), slowest_amplitude_(amplitude_of_I1) {
   const auto kernels_of_memory = {internal::Kernel::I1, internal::Kernel::I3};
   for (const auto& [amplitude, rate] : sheet.normal.terms) {
+    slowest_amplitude_ += amplitude_of_I1 * std::abs(amplitude) / (rate.real() + slowest_root.imag());
     if (rate.imag() == 0)
       fades_.emplace_back(internal::fade(Two{rate.real(), 0}, kernels_of_memory, Accuracy()));
     else
@@ -81,6 +87,8 @@ RollingKernels::Sized RollingKernels::normal_at(double alpha, const internal::Su
       sum, alpha,
       [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
       [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
+  sum.size += std::abs(slowest_root * alpha) / 8 * slowest_amplitude_ *
+              internal::faded_exp(slowest_root.imag() * std::fabs(alpha));
   return sum;
 }
 
@@ -175,7 +183,7 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
     }
     return factor;
   };
-  return {functionals, true, rates(),
+  return {functionals, Tractions::Kernel::FarAway::negligible, rates(),
           [functionals, set](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
             on_p = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
             for (std::size_t i = 0; i < alpha.size(); ++i)

@@ -46,6 +46,10 @@ class RollingKernels {
 
   using Sized = internal::Sized<double>;
   /// pi times these kernels at alpha, where the load's point `at` is.
+  ///
+  /// Far from the load the displacement is the slowest residue term of I1, of the root z, and of its memories. It is off by
+  /// 2 u |z alpha| of its amplitude, since alpha is rounded. Where the displacement has an extreme, neither its size nor its
+  /// change with the place tells so: |z alpha|/8 times the amplitude is added to the size.
   [[nodiscard]] Sized normal_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] Sized tangential_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
@@ -53,6 +57,7 @@ class RollingKernels {
 
   const RollingSheet& sheet_;
   std::vector<std::variant<internal::Fade, internal::OscillatingFade>> fades_;  ///< of each term
+  double slowest_amplitude_;  ///< of the slowest residue term and its memories, at alpha = 0, at most
 };
 
 }  // namespace nipref::fast

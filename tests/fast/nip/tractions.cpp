@@ -16,7 +16,7 @@ namespace {
 /// Poisson's kernel, with poles at +- i distance.
 Tractions::Kernel poisson_kernel(double distance) {
   Tractions::Kernel kernel;
-  kernel.decays = false;
+  kernel.beyond_reach = Tractions::Kernel::FarAway::varying;
   kernel.poles = distance;
   kernel.is_regular = true;
   kernel.at = [distance](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
