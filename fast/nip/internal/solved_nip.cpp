@@ -180,7 +180,7 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
   // but for this part of it, and the more the nearer the end is.
   constexpr double beside = 1e-3;
   double steepest = 1 / std::fabs(place.e);
-  for (const std::complex<double>& rate : equations_->resolution(nats_).rates)
+  for (const auto& rate : equations_->resolution(nats_).rates)
     steepest = std::max(steepest, std::abs(rate));
   const double towards_end = -std::copysign(reach, place.e);
   take_shifts(place.e + towards_end);
