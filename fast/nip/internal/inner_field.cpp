@@ -200,8 +200,10 @@ GreatestShear InnerField::greatest() const {
   }
   const SheetPoint point{place_of(best.y), best.depth, is_symmetric && best.y == 0};
   const Estimate value = at({point}).front().maximum_shear();
-  // About its maximum the shear is a parabola on the scale of the contact; in a thin sheet it hardly changes with the depth.
-  const double unsure = from_end(best) * (1e-7 + 4 * std::sqrt(value.error / value.value));
+  // About its maximum the shear is a parabola: it falls by the square of the distance over that from the nearest end, of itself,
+  // or in contacts where it is flat by a sixteenth of that. The search compares shears that are rounded.
+  constexpr double rounded = 0x1p-50;
+  const double unsure = from_end(best) * 4 * std::sqrt(value.error / value.value + rounded);
   return {value, {best.y, unsure}, {best.depth, unsure}};
 }
 

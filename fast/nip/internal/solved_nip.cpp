@@ -176,15 +176,15 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
       result[i].shift =
           std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
   };
-  // Away from the end a number is smooth on the scale of e and of the memories. It then changes by as much to either side,
-  // but for this part of it, and the more the nearer the end is.
-  constexpr double beside = 1e-3;
+  // Away from the end a number is smooth on the scale of e and of the memories: a place that is off changes it by as much on
+  // either side, to within this part, and by more on the side of the end. Next to the end both sides are looked at.
+  constexpr double apart = 1e-3;
   double steepest = 1 / std::fabs(place.e);
   for (const auto& rate : equations_->resolution(nats_).rates)
     steepest = std::max(steepest, std::abs(rate));
   const double towards_end = -std::copysign(reach, place.e);
   take_shifts(place.e + towards_end);
-  if (!(reach * steepest <= beside)) take_shifts(place.e - towards_end);
+  if (!(reach * steepest <= apart)) take_shifts(place.e - towards_end);
   return result;
 }
 
