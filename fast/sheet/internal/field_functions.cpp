@@ -16,8 +16,8 @@ int terms_at(double alpha) {
   return std::min(field_roots, static_cast<int>(nats / (3.141 * alpha)) + 1);
 }
 
-/// How many terms of near_rest count at |w|^2: those left out are below 1e-21 of the first, and so are their derivatives
-/// of the second term's, which imaginary parts consist of.
+/// How many terms of near_rest count at |w|^2. Those left out are below 1e-21 of the first; so are their derivatives, of which
+/// imaginary parts consist, of the first that is not 0.
 int terms_near(double square) {
   constexpr double nats = 48.4;
   return std::min(near_load_terms, 2 + static_cast<int>(nats / std::log(9 / square)));
