@@ -33,8 +33,6 @@ class EllipticContact {
   [[nodiscard]] Estimate axis_ratio() const;  ///< b/a <= 1
   /// Angle of the major axis with x1, -pi/2 < angle <= pi/2; error up to pi/2 if the ellipse is a circle.
   [[nodiscard]] Estimate orientation() const;
-  /// The same as a unit vector, which keeps its digits near 90 degrees.
-  [[nodiscard]] Direction major_axis() const { return major_; }
   /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
   [[nodiscard]] Estimate radius_ratio(Direction psi) const;
   /// The distance of the edge from the centre in the direction psi over that in the direction `to`.

@@ -135,8 +135,6 @@ void SlidingContact::set_span(Estimate span) {
   centre_across_ = scaled(moment_across_);
 }
 
-Estimate SlidingContact::shear_force() const { return {friction_ * force_.value, friction_ * force_.error}; }
-
 Estimate SlidingContact::peak_pressure() const {
   return {steepness_ * span_.value, steepness_ * (span_.error + rounding() * span_.value)};
 }

@@ -43,8 +43,6 @@ class SlidingContact {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive
-  /// friction F3, the force that keeps the body sliding.
-  [[nodiscard]] Estimate shear_force() const;
   /// The peak pressure on the line along the motion, unit of stress; with stationary_force the same in all directions.
   [[nodiscard]] Estimate peak_pressure() const;
   /// First moment of the pressure over the force, counted from the point of first touch along the motion:
