@@ -96,11 +96,19 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] Estimate of_strain(const auto& number) const {
     return estimate(number, units.creep, length());
   }
-  /// The same at Y, where it depends on the tractions about it.
+  /// The same at Y, where it depends on the tractions about it and on the place.
   [[nodiscard]] Estimate of_strain_at(double y, const auto& function) const {
     Estimate strain = of_strain(at(y, function));
-    strain.error += units.creep * error_by_tractions(place(y));
+    strain.error += units.creep * (error_by_tractions(place(y)) + by_place(place(y), function));
     return strain;
+  }
+  /// What the error and the rounding of the place e do to a function of it: next to ends and boundaries functions are like roots.
+  [[nodiscard]] double by_place(double e, const auto& function) const {
+    const double shift = (relative + 0x1p-51) * length(), here = std::invoke(function, second, e);
+    double most = 0;
+    for (const double place : {e - shift, e + shift})
+      most = std::max(most, std::fabs(std::invoke(function, second, place) - here));
+    return most;
   }
   [[nodiscard]] double place(double y) const { return second.leading_length() - y / units.length; }
   /// Its value at Y, of a function of e.
@@ -140,14 +148,9 @@ struct PartialSlipNip::Implementation : Solutions {
            (slips ? error.difference.pressure + error.difference.shear : 0);
   }
   [[nodiscard]] Estimate traction(double y, double Traction::*part, double unit) const {
-    const auto number =
-        at(y, [part](const ZoneContact& contact, double e) { return contact.traction(e).*part; });
-    const double value = std::invoke(number, second), before = std::invoke(number, first);
-    // What the error and the rounding of places do: next to ends and boundaries tractions are like roots.
-    const double e = place(y), shift = (relative + 0x1p-51) * length();
-    double moved = 0;
-    for (const double place : {e - shift, e + shift})
-      moved = std::max(moved, std::fabs(second.traction(place).*part - value));
+    const auto at_place = [part](const ZoneContact& contact, double e) { return contact.traction(e).*part; };
+    const double value = std::invoke(at(y, at_place), second), before = std::invoke(at(y, at_place), first);
+    const double e = place(y), moved = by_place(e, at_place);
     if (value == 0 && before == 0 && moved == 0) return {0, 0};
     return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved +
                                    error_of_whole(part)});
