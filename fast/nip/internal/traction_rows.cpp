@@ -375,13 +375,13 @@ void Tractions::add_place(const Place& place, const Kernel& kernel, double toler
           add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) ||
           add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows))
         continue;
-      const bool has_layers = layers_left && p == 0 && mirrored == place.trailing;
+      const bool has_layers = p == 0 && mirrored == place.trailing && !layers_.empty();
       with_layers |= has_layers;
       append_panel(panel, place, mirrored, kernel, has_layers ? layer_rates() : std::vector<Complex>(),
                    tolerance, nodes);
     }
     if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, with_layers, rows);
-    layers_left = layers_left && !with_layers;
+    if (with_layers) layers_left = false;
   }
   if (layers_left) rows.rightCols(layer_columns()) += layer_rows(place, kernel, tolerance);
 }

@@ -6,6 +6,7 @@
 
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
 
 namespace nipref::fast {
@@ -16,9 +17,14 @@ using internal::Two;
 
 constexpr double pi = std::numbers::pi;
 
-/// I1 is 2 pi c e^(i z |alpha|), its real part, where all other residue terms have decayed (thesis AI.5).
-constexpr Complex slowest_root{1.1253643058013, 2.1061961152453};
-constexpr double amplitude_of_I1 = 2 * pi * 0.25584797756897609;
+/// z and |A| of I1's slowest residue term, Re A e^(i z |alpha|), which is all that is left far from the load (thesis AI.5).
+Complex slowest_root() {
+  return {internal::root_table.frequency_high[0], internal::root_table.decay_high[0]};
+}
+double amplitude_of_I1() {
+  const auto& amplitude = internal::component_tables[static_cast<int>(internal::Component::I1)].amplitude[0];
+  return std::hypot(amplitude[0], amplitude[1]);
+}
 
 internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
 
@@ -44,10 +50,10 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... k
 }  // namespace
 
 RollingKernels::RollingKernels(const RollingSheet& sheet)
-    : sheet_(sheet), slowest_amplitude_(amplitude_of_I1) {
+    : sheet_(sheet), slowest_amplitude_(amplitude_of_I1()) {
   const auto kernels_of_memory = {internal::Kernel::I1, internal::Kernel::I3};
   for (const auto& [amplitude, rate] : sheet.normal.terms) {
-    slowest_amplitude_ += amplitude_of_I1 * std::abs(amplitude) / (rate.real() + slowest_root.imag());
+    slowest_amplitude_ += amplitude_of_I1() * std::abs(amplitude) / (rate.real() + slowest_root().imag());
     if (rate.imag() == 0)
       fades_.emplace_back(internal::fade(Two{rate.real(), 0}, kernels_of_memory, Accuracy()));
     else
@@ -87,8 +93,8 @@ RollingKernels::Sized RollingKernels::normal_at(double alpha, const internal::Su
       sum, alpha,
       [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
       [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
-  sum.size += std::abs(slowest_root * alpha) / 8 * slowest_amplitude_ *
-              internal::faded_exp(slowest_root.imag() * std::fabs(alpha));
+  sum.size += std::abs(slowest_root() * alpha) / 8 * slowest_amplitude_ *
+              internal::faded_exp(slowest_root().imag() * std::fabs(alpha));
   return sum;
 }
 
