@@ -321,10 +321,10 @@ Estimate PartialSlipNip::tangential_displacement(double y) const {
 }
 
 bool PartialSlipNip::refine() {
-  const double nats = nip_->nats + nats_apart;
+  const double nats = nip_->second.nats();
   if (nats > most_nats) return false;
   auto second = find_zones(nip_->task, nip_->second, nats + nats_apart);
-  auto solutions = second ? with_differences(nip_->task, *std::move(second), nats) : std::nullopt;
+  auto solutions = second ? with_differences(nip_->task, *std::move(second), nats, nip_.get()) : std::nullopt;
   if (!solutions) return false;
   *nip_ = {*std::move(solutions), nip_->roller_radius, nip_->units, nip_->task};
   return true;
@@ -343,10 +343,12 @@ PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits&
   for (const int finer : {0, 1, 2}) {
     const double nats = least + finer * nats_apart;
     if (solutions && (nats > most_nats || !solutions->lack_zones())) break;
-    auto second = find_zones(task, nats + nats_apart);
+    auto second = solutions ? find_zones(task, solutions->second, nats + nats_apart)
+                            : find_zones(task, nats + nats_apart);
     if (!second) continue;
     load = second->load();
-    if (auto found = with_differences(task, *std::move(second), nats)) solutions = std::move(found);
+    if (auto found = with_differences(task, *std::move(second), nats, solutions ? &*solutions : nullptr))
+      solutions = std::move(found);
   }
   if (!solutions) refuse_drive(nip, units.load * load);
   return PartialSlipNip(std::make_unique<PartialSlipNip::Implementation>(

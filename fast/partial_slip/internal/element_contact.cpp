@@ -212,8 +212,8 @@ double ElementContact::length() const {
   return width * static_cast<double>(std::ranges::count_if(elements, &Element::presses));
 }
 
-std::vector<Zone> ElementContact::zones() const {
-  std::vector<Zone> zones;
+Zones ElementContact::zones() const {
+  Zones zones;
   for (const Element& element : elements) {
     if (!element.presses) continue;
     if (zones.empty() || zones.back().sign != element.sign) zones.push_back({0, element.sign});

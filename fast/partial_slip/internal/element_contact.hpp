@@ -22,7 +22,7 @@ struct ElementContact {
 
   [[nodiscard]] double length() const;
   /// Zones of whole elements, from the first that presses to the last one.
-  [[nodiscard]] std::vector<Zone> zones() const;
+  [[nodiscard]] Zones zones() const;
 };
 
 /// How far elements reach, over half the length of a contact without friction.

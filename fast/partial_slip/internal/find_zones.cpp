@@ -10,8 +10,6 @@
 namespace nipref::fast {
 namespace {
 
-using Zones = std::vector<Zone>;
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How large new zones are in what they are cut from, to begin with: anywhere, and of slip at the trailing end.
 constexpr double usual_part = 0.2, least_part = 0.01;
@@ -183,10 +181,6 @@ Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSli
   slip_at_end(task, zones, parts.back().sign);
   separate_slips(zones, size.part);
   return zones;
-}
-
-bool in_same_order(const Zones& a, const Zones& b) {
-  return std::ranges::equal(a, b, {}, &Zone::sign, &Zone::sign);
 }
 
 /// Changes the zones until they meet all conditions, or as many as the accuracy can tell, or until zones that are missing are

@@ -51,13 +51,13 @@ class RestSeries {
   Eigen::Array<double, 3, terms> coefficients_ = Eigen::Array<double, 3, terms>::Zero();
 };
 
+/// U and S are odd, V is even; their derivatives are the other way around.
+const Eigen::Array3d value_parity(-1, 1, -1);
+
+/// alpha >= 0.
 Rests rests(double alpha) {
   static Cache<int, RestSeries> kept([](const int& middle) { return RestSeries(middle); });
-  const double size = std::fabs(alpha), sign = std::copysign(1, alpha);
-  Rests rests = kept.at(static_cast<int>(std::lround(size)))->at(size);
-  rests.value *= Eigen::Array3d(sign, 1, sign);
-  rests.slope *= Eigen::Array3d(1, sign, 1);
-  return rests;
+  return kept.at(static_cast<int>(std::lround(alpha)))->at(alpha);
 }
 
 /// Of the rests as functions on the whole contact, for rounding: their singularities 2 i beside it are on the ellipse of
@@ -89,11 +89,14 @@ SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd&
   values_.fill(MatrixXd(count, count));
   slopes_ = values_;
   for (Index a = 0; a < count; ++a) {
-    for (Index b = 0; b < count; ++b) {
+    for (Index b = 0; b <= a; ++b) {
       const Rests of = rests(points(a) - points(b));
       for (std::size_t kernel = 0; kernel < 3; ++kernel) {
-        values_[kernel](a, b) = of.value(static_cast<Index>(kernel));
-        slopes_[kernel](a, b) = of.slope(static_cast<Index>(kernel));
+        const auto k = static_cast<Index>(kernel);
+        values_[kernel](a, b) = of.value(k);
+        values_[kernel](b, a) = value_parity(k) * of.value(k);
+        slopes_[kernel](a, b) = of.slope(k);
+        slopes_[kernel](b, a) = -value_parity(k) * of.slope(k);
       }
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <vector>
 
 namespace nipref::fast {
 
@@ -17,19 +18,29 @@ class SlopeKernels {
     Eigen::MatrixXd normal, along;
   };
   [[nodiscard]] Rows values(const auto& pressures, const auto& shears) const {
-    return under(values_, pressures, shears);
+    return at_targets(at_points(pressures, shears));
   }
   /// Their derivatives by the target's place.
   [[nodiscard]] Rows slopes(const auto& pressures, const auto& shears) const {
-    return under(slopes_, pressures, shears);
+    return at_targets(under(slopes_, pressures, shears));
+  }
+  /// The values at the Chebyshev points, and what they are at some of the targets.
+  [[nodiscard]] Rows at_points(const auto& pressures, const auto& shears) const {
+    return under(values_, pressures, shears);
+  }
+  [[nodiscard]] Eigen::MatrixXd to_targets(const std::vector<Eigen::Index>& targets,
+                                           const Eigen::MatrixXd& at_points) const {
+    return Eigen::MatrixXd(at_targets_(targets, Eigen::all)) * at_points;
   }
 
  private:
   using Kernels = std::array<Eigen::MatrixXd, 3>;  ///< U, V, S
+  [[nodiscard]] Rows at_targets(const Rows& at_points) const {
+    return {at_targets_ * at_points.normal, at_targets_ * at_points.along};
+  }
   [[nodiscard]] Rows under(const Kernels& kernels, const auto& pressures, const auto& shears) const {
     const Eigen::MatrixXd p = at_sources_.transpose() * pressures, q = at_sources_.transpose() * shears;
-    const Eigen::MatrixXd normal = kernels[0] * p - kernels[1] * q, along = kernels[1] * p + kernels[2] * q;
-    return {at_targets_ * normal, at_targets_ * along};
+    return {kernels[0] * p - kernels[1] * q, kernels[1] * p + kernels[2] * q};
   }
 
   Eigen::MatrixXd at_targets_, at_sources_;

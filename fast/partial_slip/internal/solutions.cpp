@@ -101,9 +101,17 @@ double shorter_beside(const ZoneContact& contact, std::size_t k) {
   return std::min(contact.zones()[k - 1].length, contact.zones()[k].length);
 }
 
-std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats) {
-  auto first = ZoneContact::solved(task, second, nats);
-  auto other = ZoneContact::solved(task, second, ZoneMesh::with_a_node_less(nats));
+std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats,
+                                          const Solutions* lesser) {
+  const auto solved = [&](double nats_of_it) {
+    if (lesser != nullptr)
+      for (const ZoneContact* const known : {&lesser->first, &lesser->second})
+        if (std::fabs(known->nats() - nats_of_it) < 1e-9 && second.is_like(*known))
+          return std::optional(*known);
+    return ZoneContact::solved(task, second, nats_of_it);
+  };
+  auto first = solved(nats);
+  auto other = solved(ZoneMesh::with_a_node_less(nats));
   if (!first || !other) return std::nullopt;
   const double mu = task.friction;
   double of_whole = 0, of_second_order = 0, of_boundaries = 0;
@@ -122,7 +130,7 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   // By chance both may agree with the second about a boundary. A rougher contact tells the error of the first, too, as those of
   // boundaries fall like e^(-2 smooth_reach).
   constexpr double rougher_by = 3;
-  if (const auto rougher = ZoneContact::solved(task, second, nats - rougher_by)) {
+  if (const auto rougher = solved(nats - rougher_by)) {
     const double fall = std::exp(-2 * ZoneMesh::smooth_reach(rougher_by));
     of_boundaries = std::max(of_boundaries, fall * boundary_difference(*rougher, second));
   }
@@ -138,8 +146,7 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
   const double relative =
       wrongness(second, mu) + 2 * std::max(1.0, mu) * part_left_out + of_whole + of_second_order;
   std::vector<ZoneContact::Traction> wrong = wrong_by(second, excess, is_left_out, mu);
-  return Solutions{.nats = nats,
-                   .first = *std::move(first),
+  return Solutions{.first = *std::move(first),
                    .second = std::move(second),
                    .relative = relative,
                    .of_boundaries = of_boundaries,

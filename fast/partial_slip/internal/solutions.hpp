@@ -9,7 +9,6 @@ namespace nipref::fast {
 
 /// The contact of two discretisations, of which the second is the result, and what it differs by from coarser ones.
 struct Solutions {
-  double nats;  ///< of the first
   ZoneContact first, second;
   double relative;       ///< as a whole, with what is wrong in it
   double of_boundaries;  ///< where slip turns into stick, over the longer zone beside
@@ -21,8 +20,10 @@ struct Solutions {
 
 /// With the second solution known, which has the zones: the first, and how they differ. The error of a boundary where slip
 /// turns into stick alternates in sign with the number of nodes beside it. It is in the difference from the first solution,
-/// in that from one with a node less there, or in that from a rougher one. Nothing where the first two do not exist.
-std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats);
+/// in that from one with a node less there, or in that from a rougher one. Nothing where the first two do not exist. `lesser`, if
+/// any: those of a lesser accuracy, whose contacts are used where they are the same.
+std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneContact second, double nats,
+                                          const Solutions* lesser = nullptr);
 
 /// Y of the boundary before the zone number k.
 double boundary(const ZoneContact& contact, std::size_t k);

@@ -18,22 +18,6 @@ using std::numbers::pi;
 /// Of |s|: weights beyond are e^-36 of a panel.
 constexpr double far = 36;
 
-/// Whether zones are the same in two discretisations: neither of them is longer by half but for what the coarser leaves. The
-/// discretised equations have solutions too in which a zone that sticks between opposite slips shrinks as the mesh does.
-bool are_about_as_long(const ZoneEquations& a, const ZoneEquations& b) {
-  const std::vector<Zone>&zones = a.zones(), &others = b.zones();
-  const double nats = pi * pi / std::max(a.mesh().step(), b.mesh().step());
-  for (std::size_t z = 0; z < zones.size(); ++z) {
-    double longest = zones[z].length;
-    if (z > 0) longest = std::max(longest, zones[z - 1].length);
-    if (z + 1 < zones.size()) longest = std::max(longest, zones[z + 1].length);
-    const double apart = std::fabs(zones[z].length - others[z].length);
-    if (apart > std::max(0.5 * std::min(zones[z].length, others[z].length), std::exp(-nats / 2) * longest))
-      return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), forces_(equations_.forces()) {
@@ -57,8 +41,28 @@ double ZoneContact::ratio_after(const ZoneMesh::Point& point) const {
   return largest;
 }
 
-std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const std::vector<Zone>& zones,
-                                               double nats) {
+bool ZoneContact::is_like(const ZoneContact& other) const {
+  const Zones &here = zones(), &there = other.zones();
+  if (!in_same_order(here, there)) return false;
+  for (std::size_t z = 0; z < here.size(); ++z) {
+    double longest = here[z].length;
+    if (z > 0) longest = std::max(longest, here[z - 1].length);
+    if (z + 1 < here.size()) longest = std::max(longest, here[z + 1].length);
+    const double apart = std::fabs(here[z].length - there[z].length);
+    if (apart > std::max(0.5 * std::min(here[z].length, there[z].length),
+                         std::exp(-std::min(nats(), other.nats()) / 2) * longest))
+      return false;
+  }
+  return true;
+}
+
+std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const Zones& zones, double nats) {
+  // Most of Newton's steps are made with few unknowns.
+  constexpr double few_nats = 10;
+  if (nats > few_nats) {
+    const auto near = solved(task, zones, few_nats);
+    if (auto contact = near ? solved(task, *near, nats) : std::nullopt) return contact;
+  }
   ZoneEquations equations(task, zones, nats);
   if (!equations.solve()) return std::nullopt;
   return ZoneContact(std::move(equations));
@@ -72,8 +76,9 @@ std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, cons
     return near.traction_at(near.mesh().point_at(equations.mesh().place(point)));
   }),
       near.leading_length(), near.creep();
-  if (!equations.solve_from(unknowns) || !are_about_as_long(equations, near.equations_)) return std::nullopt;
-  return ZoneContact(std::move(equations));
+  if (!equations.solve_from(unknowns)) return std::nullopt;
+  ZoneContact contact(std::move(equations));
+  return contact.is_like(near) ? std::optional(std::move(contact)) : std::nullopt;
 }
 
 double ZoneContact::corresponding_place(const ZoneContact& other, double e) const {

@@ -13,12 +13,16 @@ class ZoneContact {
   using Traction = ZoneMesh::Traction;
 
   /// Nothing where Newton's method finds no zones of such an order.
-  static std::optional<ZoneContact> solved(const PartialSlipTask& task, const std::vector<Zone>& zones,
-                                           double nats);
+  static std::optional<ZoneContact> solved(const PartialSlipTask& task, const Zones& zones, double nats);
   /// The same from another solution, to which it is near.
   static std::optional<ZoneContact> solved(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
-  [[nodiscard]] const std::vector<Zone>& zones() const { return equations_.zones(); }
+  /// Whether the zones are those of another discretisation: in the same order, and none is longer by half but for what the coarser
+  /// leaves. The discretised equations have solutions too in which a zone that sticks between opposite slips shrinks as the
+  /// mesh does.
+  [[nodiscard]] bool is_like(const ZoneContact& other) const;
+
+  [[nodiscard]] const Zones& zones() const { return equations_.zones(); }
   [[nodiscard]] double length() const { return equations_.length(); }
   [[nodiscard]] double leading_length() const { return equations_.leading_length(); }  ///< L1
   [[nodiscard]] double creep() const { return equations_.creep(); }
@@ -78,6 +82,7 @@ class ZoneContact {
   [[nodiscard]] double slope(double e, double Traction::*part) const {
     return slope(mesh().point_at(e), part);
   }
+  [[nodiscard]] double nats() const { return mesh().nats(); }
   [[nodiscard]] double step() const { return mesh().step(); }
 
  private:

@@ -11,18 +11,38 @@ namespace nipref::fast {
 namespace {
 
 using Eigen::ArrayXd, Eigen::Index;
+using Sparse = Eigen::SparseMatrix<double>;
 using std::numbers::pi;
+
+/// The midpoints at which an equation holds.
+std::vector<Index> matched(const std::vector<ZoneMesh::Midpoint>& midpoints,
+                           bool ZoneMesh::Midpoint::*matches) {
+  std::vector<Index> all;
+  for (std::size_t i = 0; i < midpoints.size(); ++i)
+    if (midpoints[i].*matches) all.push_back(static_cast<Index>(i));
+  return all;
+}
+
+Sparse rows_of(const Sparse& matrix, const std::vector<Index>& rows) {
+  Sparse choice(std::ssize(rows), matrix.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) choice.insert(static_cast<Index>(i), rows[i]) = 1;
+  return choice * matrix;
+}
 
 }  // namespace
 
-ZoneEquations::ZoneEquations(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats)
+ZoneEquations::ZoneEquations(const PartialSlipTask& task, const Zones& zones, double nats)
     : task_(task),
       zones_(zones),
       mesh_(zones, task, nats),
+      normal_(matched(mesh_.midpoints(), &ZoneMesh::Midpoint::matches_normal)),
+      along_(matched(mesh_.midpoints(), &ZoneMesh::Midpoint::matches_along)),
+      shear_here_(rows_of(mesh_.at_midpoints().shear, normal_)),
+      pressure_here_(rows_of(mesh_.at_midpoints().pressure, along_)),
       unknowns_(Eigen::VectorXd::Zero(mesh_.unknowns() + 2)) {}
 
 bool ZoneEquations::solve() {
-  if (!is_square()) return false;
+  if (equations() != unknowns_.size() + std::ssize(zones_)) return false;
   // For given lengths the equations are linear.
   const Kernels kernels = this->kernels();
   unknowns_ = least_squares(jacobian(kernels).leftCols(unknowns_.size()), -residual(kernels));
@@ -30,7 +50,7 @@ bool ZoneEquations::solve() {
 }
 
 bool ZoneEquations::solve_from(const Eigen::VectorXd& unknowns) {
-  if (!is_square()) return false;
+  if (equations() != unknowns_.size() + std::ssize(zones_)) return false;
   unknowns_ = unknowns;
   return iterate();
 }
@@ -76,24 +96,6 @@ Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
   return of_points(points, [&](const ZoneMesh::Point& point, Index zone) {
     return mesh_.extent(static_cast<int>(zone), point);
   });
-}
-
-ZoneEquations::Rows ZoneEquations::rows(const Kernels& kernels) const {
-  const Index unknowns = mesh_.unknowns(), zones = static_cast<Index>(zones_.size());
-  const Eigen::VectorXd weights = this->weights();
-  const Eigen::SparseMatrix<double> pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
-                                    shear = weights.asDiagonal() * mesh_.at_nodes().shear;
-  const auto [rest_across, rest_along] = kernels.rest.values(pressure, shear);
-  Rows rows{Eigen::MatrixXd(kernels.cauchy.rows(), unknowns + zones),
-            Eigen::MatrixXd(kernels.cauchy.rows(), unknowns + zones)};
-  rows.normal.leftCols(unknowns) = kernels.cauchy * pressure + rest_across;
-  rows.normal.leftCols(unknowns) += task_.beta * mesh_.at_midpoints().shear;
-  rows.along.leftCols(unknowns) = kernels.cauchy * shear + rest_along;
-  rows.along.leftCols(unknowns) -= task_.beta * mesh_.at_midpoints().pressure;
-  auto [by_normal, by_along] = by_lengths(kernels);
-  rows.normal.rightCols(zones) = std::move(by_normal);
-  rows.along.rightCols(zones) = std::move(by_along);
-  return rows;
 }
 
 ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
@@ -152,25 +154,17 @@ Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& cauchy,
   return derivatives;
 }
 
-bool ZoneEquations::is_square() const {
-  Index equations = sticks_everywhere() ? 1 : 2;
-  for (const ZoneMesh::Midpoint& midpoint : mesh_.midpoints())
-    equations += (midpoint.matches_normal ? 1 : 0) + (midpoint.matches_along ? 1 : 0);
-  return equations == unknowns_.size() + static_cast<Index>(zones_.size());
+ZoneEquations::Index ZoneEquations::equations() const {
+  return std::ssize(normal_) + std::ssize(along_) + (sticks_everywhere() ? 1 : 2);
 }
 
 Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double of_load,
                                             double of_creep) const {
-  std::vector<double> numbers;
-  const auto add = [&](const ArrayXd& all, bool ZoneMesh::Midpoint::*matches) {
-    for (Index i = 0; i < all.size(); ++i)
-      if (mesh_.midpoints()[static_cast<std::size_t>(i)].*matches) numbers.push_back(all(i));
-  };
-  add(at_midpoints.normal, &ZoneMesh::Midpoint::matches_normal);
-  add(at_midpoints.along, &ZoneMesh::Midpoint::matches_along);
-  numbers.push_back(of_load);
-  if (!sticks_everywhere()) numbers.push_back(of_creep);
-  return Eigen::Map<Eigen::VectorXd>(numbers.data(), static_cast<Index>(numbers.size()));
+  Eigen::VectorXd numbers(equations());
+  const Eigen::Vector2d further(of_load, of_creep);
+  numbers << at_midpoints.normal(normal_), at_midpoints.along(along_),
+      further.head(sticks_everywhere() ? 1 : 2);
+  return numbers;
 }
 
 Eigen::VectorXd ZoneEquations::residual(const Kernels& kernels) const {
@@ -204,24 +198,28 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
 
 Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
   const Index unknowns = mesh_.unknowns(), lengths = unknowns + 2, zones = static_cast<Index>(zones_.size());
-  const Rows of = rows(kernels);
+  const Eigen::VectorXd weights = this->weights();
+  const Sparse pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
+               shear = weights.asDiagonal() * mesh_.at_nodes().shear;
+  const Rows rest = kernels.rest.at_points(pressure, shear), by_lengths = this->by_lengths(kernels);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(lengths + zones, lengths + zones);
   Index row = 0;
-  const auto add = [&](const Eigen::MatrixXd& rows, bool ZoneMesh::Midpoint::*matches, Index further,
-                       double slope) {
-    std::vector<Index> matched;
-    for (Index i = 0; i < rows.rows(); ++i)
-      if (mesh_.midpoints()[static_cast<std::size_t>(i)].*matches) matched.push_back(i);
-    const auto count = static_cast<Index>(matched.size());
-    jacobian.block(row, 0, count, unknowns) = rows(matched, Eigen::seqN(0, unknowns));
-    jacobian.block(row, lengths, count, zones) = rows(matched, Eigen::lastN(zones));
-    jacobian.col(further).segment(row, count).setConstant(slope);
-    row += count;
+  const auto add = [&](const std::vector<Index>& matched, const Sparse& forces,
+                       const Eigen::MatrixXd& rest_at_points, const Sparse& here,
+                       const Eigen::MatrixXd& of_lengths) {
+    const Eigen::MatrixXd cauchy = kernels.cauchy(matched, Eigen::all);
+    auto rows = jacobian.middleRows(row, std::ssize(matched));
+    rows.leftCols(unknowns) = cauchy * forces + kernels.rest.to_targets(matched, rest_at_points);
+    rows.leftCols(unknowns) += here;
+    rows.rightCols(zones) = of_lengths(matched, Eigen::all);
+    row += rows.rows();
   };
-  add(of.normal, &ZoneMesh::Midpoint::matches_normal, unknowns, -2);
-  add(of.along, &ZoneMesh::Midpoint::matches_along, unknowns + 1, -1);
-  const auto add_integral = [&](const Eigen::SparseMatrix<double>& tractions, const ArrayXd& forces) {
-    jacobian.row(row).head(unknowns) = weights().transpose() * tractions;
+  add(normal_, pressure, rest.normal, task_.beta * shear_here_, by_lengths.normal);
+  jacobian.col(unknowns).head(row).setConstant(-2);
+  add(along_, shear, rest.along, -task_.beta * pressure_here_, by_lengths.along);
+  jacobian.col(unknowns + 1).segment(std::ssize(normal_), std::ssize(along_)).setConstant(-1);
+  const auto add_integral = [&](const Sparse& tractions, const ArrayXd& forces) {
+    jacobian.row(row).head(unknowns) = weights.transpose() * tractions;
     for (Index j = 0; j < forces.size(); ++j)
       jacobian(row, lengths + mesh_.zone(mesh_.nodes()[static_cast<std::size_t>(j)])) += forces(j);
     ++row;
@@ -276,7 +274,7 @@ bool ZoneEquations::iterate() {
     if (last_step < short_step && size > last_step / 2) return true;
     // The part of the step after which the same derivatives ask for a shorter one (Deuflhard 2004, 3.3).
     const Eigen::VectorXd unknowns = unknowns_;
-    const std::vector<Zone> zones = zones_;
+    const Zones zones = zones_;
     for (double part = std::min(1.0, longest_step / size);; part /= 2) {
       unknowns_ = unknowns;
       zones_ = zones;

@@ -15,15 +15,17 @@ namespace nipref::fast {
 /// with two of load, length, traction and creep, for zones in a given order: linear in p, q, L1 and the creep, solved
 /// with the zones' lengths by Newton's method. Whether it sticks and slips where it should is not looked at.
 class ZoneEquations {
+  using Index = Eigen::Index;
+
  public:
-  ZoneEquations(const PartialSlipTask& task, const std::vector<Zone>& zones, double nats);
+  ZoneEquations(const PartialSlipTask& task, const Zones& zones, double nats);
 
   /// From these zones, and from unknowns that are nearly right; false where Newton's method finds no zones of such an order.
   bool solve();
   bool solve_from(const Eigen::VectorXd& unknowns);
 
   [[nodiscard]] const PartialSlipTask& task() const { return task_; }
-  [[nodiscard]] const std::vector<Zone>& zones() const { return zones_; }
+  [[nodiscard]] const Zones& zones() const { return zones_; }
   [[nodiscard]] const ZoneMesh& mesh() const { return mesh_; }
   /// Those of the mesh, L1 and the creep.
   [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
@@ -45,7 +47,7 @@ class ZoneEquations {
   /// for a traction, five for a kernel, and their product.
   [[nodiscard]] Eigen::VectorXd rounding_of_lengths() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
-    return Eigen::ArrayXd::NullaryExpr(static_cast<Eigen::Index>(points.size()), [&](Eigen::Index i) {
+    return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
       return mesh_.place(points[static_cast<std::size_t>(i)]);
     });
   }
@@ -58,35 +60,34 @@ class ZoneEquations {
   };
   [[nodiscard]] Kernels kernels() const;
   [[nodiscard]] Misfits misfits(const Kernels& kernels) const;
-  /// The derivatives of the misfits by the unknowns of the mesh and the logarithms of the zones' lengths.
   using Rows = SlopeKernels::Rows;
-  [[nodiscard]] Rows rows(const Kernels& kernels) const;
-  /// Those by the lengths, and of them those of the Cauchy kernels' sums over given forces at the nodes.
+  /// The derivatives of the misfits by the logarithms of the zones' lengths, and of them those of the Cauchy kernels' sums over
+  /// given forces at the nodes.
   [[nodiscard]] Rows by_lengths(const Kernels& kernels) const;
   [[nodiscard]] Eigen::MatrixXd by_distances(const Eigen::MatrixXd& cauchy,
                                              const Eigen::VectorXd& forces) const;
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
+  [[nodiscard]] Index equations() const;  ///< how many
   /// Numbers of all equations in their order: of those at midpoints that are matched, of load or length, of creep or traction.
   [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
                                              double of_creep) const;
   [[nodiscard]] Eigen::MatrixXd jacobian(const Kernels& kernels) const;
-  [[nodiscard]] bool is_square() const;
   [[nodiscard]] Eigen::VectorXd weights() const;  ///< of the nodes
   /// A number for each point, row, and each zone, column.
   [[nodiscard]] Eigen::MatrixXd of_points(const auto& points, const auto& number) const {
     return Eigen::MatrixXd::NullaryExpr(
-        static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(zones_.size()),
-        [&](Eigen::Index i, Eigen::Index zone) { return number(points[static_cast<std::size_t>(i)], zone); });
+        static_cast<Index>(points.size()), static_cast<Index>(zones_.size()),
+        [&](Index i, Index zone) { return number(points[static_cast<std::size_t>(i)], zone); });
   }
   /// How far each zone goes to the points' e: the derivatives of e by the logarithm of its length.
   [[nodiscard]] Eigen::MatrixXd extents(const auto& points) const;
   /// The first of the points, and how many, that lie in a zone.
   struct Range {
-    Eigen::Index first, count;
+    Index first, count;
   };
-  [[nodiscard]] Range range_of(Eigen::Index zone, const auto& points) const {
-    const auto number = [this](const auto& point) { return static_cast<Eigen::Index>(mesh_.zone(point)); };
+  [[nodiscard]] Range range_of(Index zone, const auto& points) const {
+    const auto number = [this](const auto& point) { return static_cast<Index>(mesh_.zone(point)); };
     const auto range = std::ranges::equal_range(points, zone, {}, number);
     return {range.begin() - points.begin(), std::ssize(range)};
   }
@@ -96,8 +97,10 @@ class ZoneEquations {
   [[nodiscard]] bool sticks_everywhere() const;
 
   PartialSlipTask task_;
-  std::vector<Zone> zones_;
+  Zones zones_;
   ZoneMesh mesh_;
+  std::vector<Index> normal_, along_;  ///< the midpoints at which the equations of u' and of v' hold
+  Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at them
   Eigen::VectorXd unknowns_;
 };
 

@@ -17,8 +17,8 @@ double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
 }  // namespace
 
-ZoneMesh::ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats)
-    : step_(pi * pi / nats), friction_(task.friction) {
+ZoneMesh::ZoneMesh(const Zones& zones, const PartialSlipTask& task, double nats)
+    : nats_(nats), step_(pi * pi / nats), friction_(task.friction) {
   cut(zones);
   set_ends(task, nats);
   number();
@@ -34,7 +34,7 @@ void ZoneMesh::measure_gaps() {
       gaps_[a][b] = gaps_[a][b - 1] + panels_[b - 1].length;
 }
 
-void ZoneMesh::cut(const std::vector<Zone>& zones) {
+void ZoneMesh::cut(const Zones& zones) {
   for (std::size_t z = 0; z < zones.size(); ++z) {
     const int parts = std::max(1, static_cast<int>(std::ceil(zones[z].length / longest_panel)));
     const auto sign_of = [&](std::size_t zone) { return zone < zones.size() ? zones[zone].sign : 0; };
@@ -50,7 +50,7 @@ void ZoneMesh::cut(const std::vector<Zone>& zones) {
   }
 }
 
-void ZoneMesh::stretch_to(const std::vector<Zone>& zones) {
+void ZoneMesh::stretch_to(const Zones& zones) {
   for (Panel& panel : panels_) panel.length = zones[at(panel.zone)].length / panel.parts;
   measure_gaps();
 }

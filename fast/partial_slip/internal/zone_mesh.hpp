@@ -65,7 +65,7 @@ class ZoneMesh {
   };
 
   /// nats: -ln of the accuracy that it is made for.
-  ZoneMesh(const std::vector<Zone>& zones, const PartialSlipTask& task, double nats);
+  ZoneMesh(const Zones& zones, const PartialSlipTask& task, double nats);
 
   /// Where the powers begin next to a boundary where slip turns into stick: -ln of t over the panel's length. What they leave
   /// out, smaller by t^2, shifts the boundary by e^(-0.6 nats) of the zone's length. Nearer to it t^(3/2 + a), which tells
@@ -78,8 +78,9 @@ class ZoneMesh {
   }
 
   /// The same unknowns over zones of other lengths.
-  void stretch_to(const std::vector<Zone>& zones);
+  void stretch_to(const Zones& zones);
 
+  [[nodiscard]] double nats() const { return nats_; }
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] int unknowns() const { return unknowns_; }
   [[nodiscard]] const std::vector<Point>& nodes() const { return nodes_; }
@@ -123,7 +124,7 @@ class ZoneMesh {
   };
   static std::size_t at(Eigen::Index index) { return static_cast<std::size_t>(index); }
   void measure_gaps();
-  void cut(const std::vector<Zone>& zones);
+  void cut(const Zones& zones);
   void set_ends(const PartialSlipTask& task, double nats);
   [[nodiscard]] PanelEnd end(std::size_t panel, bool is_right, const PartialSlipTask& task,
                              double nats) const;
@@ -136,7 +137,7 @@ class ZoneMesh {
   void add_nodes(const Panel& panel, double steps, Shares& shares) const;
   void add_shear_of_step(const Panel& panel, const Point& point, Shares& shares) const;
 
-  double step_;
+  double nats_, step_;
   double friction_;
   std::vector<Panel> panels_;
   std::vector<std::vector<double>> gaps_;  ///< from a panel's right end to a later one's left end

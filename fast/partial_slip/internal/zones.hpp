@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,7 +18,13 @@ struct Zone {
   friend bool operator==(const Zone&, const Zone&) = default;
 };
 
-inline double length_of(const std::vector<Zone>& zones) {
+using Zones = std::vector<Zone>;
+
+inline bool in_same_order(const Zones& a, const Zones& b) {
+  return std::ranges::equal(a, b, {}, &Zone::sign, &Zone::sign);
+}
+
+inline double length_of(const Zones& zones) {
   double sum = 0;
   for (const Zone& zone : zones) sum += zone.length;
   return sum;
