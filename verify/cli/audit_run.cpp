@@ -142,23 +142,22 @@ std::string AuditRun::fingerprint() const {
   return Json{{"program", program_json()}, {"command", command_}, {"works", works}}.text();
 }
 
-void AuditRun::do_blocks(Progress& progress) try {
+void AuditRun::do_blocks(Progress& progress) {
+  struct Block {
+    std::size_t work, number;
+  };
   const std::vector<BlockWork*>& works = stored_.works();
-  progress.begin("audit", works.size());
-  for (std::size_t i = 0; i < works.size(); ++i) {
-    BlockWork& work = *works[i];
-    progress.next(work.name());
-    for (std::size_t block = 0; block < work.blocks(); ++block) {
-      if (!shard_.has(block) || stored_.has(i, block)) continue;
-      stop_if_interrupted();
-      const Json found = work.do_block(block, [&](double part) {
-        progress.at((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
-      });
-      if (file_) file_->append(work, block, found);
-      stored_.add(i, block);
-    }
-  }
-} catch (const Interrupted&) {
+  std::vector<Block> missing;
+  for (std::size_t i = 0; i < works.size(); ++i)
+    for (std::size_t block = 0; block < works[i]->blocks(); ++block)
+      if (shard_.has(block) && !stored_.has(i, block)) missing.push_back({i, block});
+  const auto name = [&](const Block& block) { return works[block.work]->name(); };
+  progress.each("audit", missing, name, [&](const Block& block) {
+    BlockWork& work = *works[block.work];
+    const Json found = work.do_block(block.number, [&](double part) { progress.at(part); });
+    if (file_) file_->append(work, block.number, found);
+    stored_.add(block.work, block.number);
+  });
 }
 
 void AuditRun::merge(const std::vector<std::filesystem::path>& folders) {
