@@ -229,16 +229,24 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   // With fewer, zones next to others that are much shorter are not found.
   constexpr double rough = 20;
+  // Newton's method begins with fewer still, as its steps are quick then, and without them where that is misleading.
+  constexpr double roughest = 10;
   std::optional<ZoneContact> best;
   double least = infinity;
-  const auto is_found_from = [&](const Zones& zones) {
-    auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
+  const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
+    auto contact = mended(task, std::move(first), zones, rough);
     if (!contact) return false;
     if (const double wrong = wrongness(*contact, task.friction); wrong < least) {
       least = wrong;
       best = std::move(contact);
     }
     return least < left_by_accuracy(rough);
+  };
+  const auto is_found_from = [&](const Zones& zones) {
+    const auto near = ZoneContact::solved(task, zones, roughest);
+    auto first = near ? ZoneContact::solved(task, *near, rough) : std::nullopt;
+    return (first && is_found_by(std::move(first), zones)) ||
+           is_found_by(ZoneContact::solved(task, zones, rough), zones);
   };
   const ElementContact elements = element_contact(task, 60);
   const auto by_elements = [&] {

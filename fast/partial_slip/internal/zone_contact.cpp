@@ -57,12 +57,6 @@ bool ZoneContact::is_like(const ZoneContact& other) const {
 }
 
 std::optional<ZoneContact> ZoneContact::solved(const PartialSlipTask& task, const Zones& zones, double nats) {
-  // Most of Newton's steps are made with few unknowns.
-  constexpr double few_nats = 10;
-  if (nats > few_nats) {
-    const auto near = solved(task, zones, few_nats);
-    if (auto contact = near ? solved(task, *near, nats) : std::nullopt) return contact;
-  }
   ZoneEquations equations(task, zones, nats);
   if (!equations.solve()) return std::nullopt;
   return ZoneContact(std::move(equations));

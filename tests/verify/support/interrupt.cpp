@@ -49,7 +49,7 @@ TEST_CASE("Ctrl-C: audit, bench and tables answer with what is finished, 130, an
   const std::vector<std::string> audit{"audit", "I3", "I1", "I2", "I4", "I5", "I6"};
   std::vector<std::string> audit_json = audit;
   audit_json.emplace_back("--json");
-  const auto rows = json_interrupted(audit_json, "audit 1/6").at("rows");
+  const auto rows = json_interrupted(audit_json, "] I1,").at("rows");
   REQUIRE(rows.size() >= 1);
   CHECK(rows.size() < 6);
   CHECK(rows[0].at("quantity") == "I3");
@@ -59,7 +59,7 @@ TEST_CASE("Ctrl-C: audit, bench and tables answer with what is finished, 130, an
   const auto tables = json_interrupted({"tables", "--json"}, "tables 1/").at("tables");
   CHECK(tables.size() >= 1);
   CHECK(tables.size() < 20);
-  const std::string text = answer_interrupted(audit, "audit 1/6");
+  const std::string text = answer_interrupted(audit, "] I1,");
   CHECK(contains(text, " I3 "));
   CHECK(!contains(text, " I6 "));
   CHECK(contains(text, "\ninterrupted: "));
@@ -97,7 +97,7 @@ TEST_CASE("progress overwrites its line on a terminal, not on a dumb one, and no
     return run.told();
   };
   const std::string wipe = "\r\x1b[K";
-  CHECK(contains(told("xterm", {"audit", "I3"}), wipe + "audit 0/1 "));
+  CHECK(contains(told("xterm", {"audit", "I3"}), wipe + "audit 0/"));
   CHECK(told("dumb", {"audit", "I3"}).find('\r') == std::string::npos);
   CHECK(told("xterm", {"audit", "I3", "--quiet"}).empty());
 }
