@@ -230,9 +230,12 @@ TEST_CASE("zones that a solution leaves out change it by no more than it says") 
   // Slip turns around in the last 7e-4 of the contact, and with it the power of the pressure there.
   const fast::PartialSlipTask task{
       .beta = 0.721047, .friction = 1.60433, .length = 0.175086, .traction = 0.00349224};
-  const auto rough = fast::with_differences(task, fast::find_zones(task, 20).value(), 17).value();
   const fast::ZoneContact right = fast::find_zones(task, 26).value();
-  REQUIRE(rough.second.zones().size() < right.zones().size());
+  fast::Zones without_turn = right.zones();
+  REQUIRE(without_turn.size() == 5);
+  without_turn.resize(3);
+  const auto rough =
+      fast::with_differences(task, fast::ZoneContact::solved(task, without_turn, 20).value(), 17).value();
   CHECK(rough.lack_zones());
   CHECK(rough.relative < 5e-3);
   CHECK(std::fabs(rough.second.creep() - right.creep()) <= rough.relative * right.length());
