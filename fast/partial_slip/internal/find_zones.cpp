@@ -229,7 +229,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   // With fewer, zones next to others that are much shorter are not found.
   constexpr double rough = 20;
-  // Newton's method begins with fewer still, as its steps are quick then, and without them where that is misleading.
+  // Newton's method begins with fewer still, as its steps are quicker then, and begins again with these where that misleads it.
   constexpr double roughest = 10;
   std::optional<ZoneContact> best;
   double least = infinity;
