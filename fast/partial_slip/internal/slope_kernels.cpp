@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/number/internal/chebyshev.hpp>
