@@ -1,4 +1,6 @@
 // The audit of random scenes sees what is wrong with a solver, and nothing where nothing is.
+#include <utility>
+
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 
@@ -31,6 +33,10 @@ void overstate(const data::SceneResult& what, fast::Estimate& number) {
 
 verify::SceneFindings audited(std::uint64_t index, const verify::SceneSolvers& solvers) {
   return verify::audit_scene("planted", index, solvers);
+}
+
+bool wants(const data::Scene& scene, data::ResultId id) {
+  return std::ranges::find(scene.wanted, id) != scene.wanted.end();
 }
 
 /// Scenes of this seed: an elastic nip that the reference has too, others with friction, memory and on a half-space.
@@ -123,6 +129,30 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
   CHECK(refused.numbers == 0);
   solvers.fast = [](const data::Scene&) -> Solution { throw std::runtime_error("broken"); };
   CHECK(audited(elastic, solvers).failed == "broken");
+}
+
+TEST_CASE("a share of the contacts with friction or with a memory is compared with the reference") {
+  std::size_t asked = 0;
+  for (std::uint64_t n = 0; n < 40; ++n) {
+    for (const std::uint64_t kind : {gripped, operators}) {
+      verify::SceneSolvers solvers;
+      solvers.ref = [&](const data::Scene& scene, int digits) {
+        ++asked;
+        CHECK(!wants(scene, data::ResultId::greatest_shear));
+        return verify::solve_by_ref(scene, digits + 1000);  // refused
+      };
+      bool solved = false;
+      solvers.fast = [&](data::Scene scene) {
+        if (std::exchange(solved, true)) throw std::runtime_error("enough");
+        scene.accuracy = 1e-2;
+        return verify::solve(scene);
+      };
+      const auto found = verify::audit_scene("share", kind + n * verify::drawn_kinds().size(), solvers);
+      CHECK((found.failed == "enough" || found.refused != ""));
+    }
+  }
+  CHECK(asked > 0);
+  CHECK(asked < 20);
 }
 
 TEST_CASE("how much estimates overstate is known from what is ten times as accurate, not of what is given") {
