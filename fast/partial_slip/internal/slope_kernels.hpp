@@ -24,13 +24,12 @@ class SlopeKernels {
   [[nodiscard]] Rows slopes(const auto& pressures, const auto& shears) const {
     return at_targets(under(slopes_, pressures, shears));
   }
-  /// The values at the Chebyshev points, and what they are at some of the targets.
+  /// The values at the Chebyshev points, and the matrix that interpolates them at some of the targets.
   [[nodiscard]] Rows at_points(const auto& pressures, const auto& shears) const {
     return under(values_, pressures, shears);
   }
-  [[nodiscard]] Eigen::MatrixXd to_targets(const std::vector<Eigen::Index>& targets,
-                                           const Eigen::MatrixXd& at_points) const {
-    return Eigen::MatrixXd(at_targets_(targets, Eigen::all)) * at_points;
+  [[nodiscard]] Eigen::MatrixXd to_targets(const std::vector<Eigen::Index>& targets) const {
+    return at_targets_(targets, Eigen::all);
   }
 
  private:

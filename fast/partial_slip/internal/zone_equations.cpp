@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/partial_slip/internal/zone_equations.hpp>
@@ -73,8 +74,9 @@ ZoneEquations::Forces ZoneEquations::forces() const {
 }
 
 ZoneEquations::Kernels ZoneEquations::kernels() const {
-  return {(-pi * mesh_.distances()).cwiseInverse(),
-          {length(), places(mesh_.midpoints()), places(mesh_.nodes())}};
+  Eigen::MatrixXd cauchy = mesh_.distances();
+  cauchy = (-pi * cauchy).cwiseInverse();
+  return {std::move(cauchy), {length(), places(mesh_.midpoints()), places(mesh_.nodes())}};
 }
 
 ZoneEquations::Misfits ZoneEquations::misfits(const Kernels& kernels) const {
@@ -209,8 +211,10 @@ Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
                        const Eigen::MatrixXd& of_lengths) {
     const Eigen::MatrixXd cauchy = kernels.cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
-    rows.leftCols(unknowns) = cauchy * forces + kernels.rest.to_targets(matched, rest_at_points);
-    rows.leftCols(unknowns) += here;
+    auto by_tractions = rows.leftCols(unknowns);
+    by_tractions.noalias() = kernels.rest.to_targets(matched) * rest_at_points;
+    by_tractions.noalias() += cauchy * forces;
+    by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
     row += rows.rows();
   };
