@@ -43,7 +43,7 @@ ZoneEquations::ZoneEquations(const PartialSlipTask& task, const Zones& zones, do
       unknowns_(Eigen::VectorXd::Zero(mesh_.unknowns() + 2)) {}
 
 bool ZoneEquations::solve() {
-  if (equations() != unknowns_.size() + std::ssize(zones_)) return false;
+  if (!is_square()) return false;
   // For given lengths the equations are linear.
   const Kernels kernels = this->kernels();
   unknowns_ = least_squares(jacobian(kernels).leftCols(unknowns_.size()), -residual(kernels));
@@ -51,7 +51,7 @@ bool ZoneEquations::solve() {
 }
 
 bool ZoneEquations::solve_from(const Eigen::VectorXd& unknowns) {
-  if (equations() != unknowns_.size() + std::ssize(zones_)) return false;
+  if (!is_square()) return false;
   unknowns_ = unknowns;
   return iterate();
 }
@@ -159,6 +159,8 @@ Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& cauchy,
 ZoneEquations::Index ZoneEquations::equations() const {
   return std::ssize(normal_) + std::ssize(along_) + (sticks_everywhere() ? 1 : 2);
 }
+
+bool ZoneEquations::is_square() const { return equations() == unknowns_.size() + std::ssize(zones_); }
 
 Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double of_load,
                                             double of_creep) const {

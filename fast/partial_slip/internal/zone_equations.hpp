@@ -69,6 +69,7 @@ class ZoneEquations {
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
   [[nodiscard]] Index equations() const;  ///< how many
+  [[nodiscard]] bool is_square() const;
   /// Numbers of all equations in their order: of those at midpoints that are matched, of load or length, of creep or traction.
   [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
                                              double of_creep) const;
