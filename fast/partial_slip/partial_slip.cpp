@@ -81,11 +81,11 @@ struct PartialSlipNip::Implementation : Solutions {
 
   [[nodiscard]] Estimate estimate(const auto& number, double unit, double scale) const {
     const double value = std::invoke(number, second);
-    // A number is a sum over the nodes, each of which rounds.
-    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns());
     return times(unit,
-                 {value, std::fabs(value - std::invoke(number, first)) + (relative + rounding) * scale});
+                 {value, std::fabs(value - std::invoke(number, first)) + (relative + rounding()) * scale});
   }
+  /// Of a number over its scale: it is a sum over the nodes, each of which rounds.
+  [[nodiscard]] double rounding() const { return 0x1p-53 * static_cast<double>(second.unknowns()); }
   [[nodiscard]] double length() const { return second.length(); }
   [[nodiscard]] Estimate of_length(const auto& number) const {
     return estimate(number, units.length, length());
@@ -104,7 +104,7 @@ struct PartialSlipNip::Implementation : Solutions {
   }
   /// What the error and the rounding of the place e do to a function of it: next to ends and boundaries functions are like roots.
   [[nodiscard]] double by_place(double e, const auto& function) const {
-    const double shift = (relative + 0x1p-51) * length(), here = std::invoke(function, second, e);
+    const double shift = (relative + rounding()) * length(), here = std::invoke(function, second, e);
     double most = 0;
     for (const double place : {e - shift, e + shift})
       most = std::max(most, std::fabs(std::invoke(function, second, place) - here));
@@ -163,10 +163,10 @@ struct PartialSlipNip::Implementation : Solutions {
     return peak_size(part, largest(first.peaks(part)), largest(second.peaks(part)));
   }
   [[nodiscard]] Estimate peak_size(double Traction::*part, const Peak& before, const Peak& peak) const {
-    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size,
-                 whole = std::max(error_of_whole(part), relative * peak.size);
-    return times(units.pressure, {peak.size, std::fabs(peak.size - before.size) +
-                                                 error_near(peak.e).traction().*part + whole + rounding});
+    const double whole = std::max(error_of_whole(part), relative * peak.size);
+    return times(units.pressure,
+                 {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).traction().*part +
+                                 whole + rounding() * peak.size});
   }
   /// Its error reaches to any place whose traction is as large but for twice its error, and whose slope may be 0. Nodes are a step
   /// apart in s, so that what tractions between them are wrong by changes by at most pi/step times its size (Bernstein's
@@ -175,10 +175,10 @@ struct PartialSlipNip::Implementation : Solutions {
     const std::vector<Peak> all = second.peaks(part);
     const Peak before = largest(first.peaks(part)), peak = largest(all);
     const double least = peak.size - 2 * (peak_size(part, before, peak).error / units.pressure);
-    const double rounding = 0x1p-53 * static_cast<double>(second.unknowns()) * peak.size;
     const auto may_be_largest = [&](double e) {
       if (!(e > 0 && e < length() && std::fabs(second.traction(e).*part) >= least)) return false;
-      const double of_nodes = std::numbers::pi / second.step() * (error_near(e).traction().*part + rounding);
+      const double of_nodes =
+          std::numbers::pi / second.step() * (error_near(e).traction().*part + rounding() * peak.size);
       return std::fabs(second.slope(e, part)) <= of_nodes + error_of_whole(part);
     };
     const double place = second.place_of(peak, part);
