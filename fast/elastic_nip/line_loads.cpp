@@ -190,8 +190,8 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
                         data::Friction friction) {
   Work work;
-  return Elimination(matching_matrix(nip, method, contact_length, friction == data::Friction::full, work))
-      .condition();
+  return condition_number(
+      matching_matrix(nip, method, contact_length, friction == data::Friction::full, work));
 }
 
 double oscillation(std::span<const double> loads) {

@@ -52,8 +52,7 @@ Square<Two, 3> mixed_block(const data::Stiffness::Voigt& voigt, double unit) {
 void check_moduli(const data::Stiffness& solid) {
   constexpr double farthest = 1e12;
   // The matrix is symmetric, so that it may be read by columns.
-  if (Elimination(Eigen::Map<const Eigen::Matrix<double, 6, 6>>(solid.voigt.front().data())).condition() <=
-      farthest)
+  if (condition_number(Eigen::Map<const Eigen::Matrix<double, 6, 6>>(solid.voigt.front().data())) <= farthest)
     return;
   throw data::BadInput(
       "solid", "(as given)",

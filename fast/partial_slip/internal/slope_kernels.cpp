@@ -75,6 +75,14 @@ MatrixXd chebyshev(const ArrayXd& places, double length, Index count) {
   return t;
 }
 
+void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of) {
+  const Index points = kernels.cols() / 2;
+  kernels(target, source) = of(0);
+  kernels(target, points + source) = -of(1);
+  kernels(points + target, source) = of(1);
+  kernels(points + target, points + source) = of(2);
+}
+
 }  // namespace
 
 SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
@@ -85,20 +93,17 @@ SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd&
   // Lagrange's polynomials of the points.
   MatrixXd coefficients = 2.0 / count * chebyshev(points, length, count).transpose();
   coefficients.row(0) /= 2;
-  at_targets_ = chebyshev(targets, length, count) * coefficients;
-  at_sources_ = chebyshev(sources, length, count) * coefficients;
-  values_.fill(MatrixXd(count, count));
-  slopes_ = values_;
+  at_targets_ = product(chebyshev(targets, length, count), coefficients);
+  at_sources_ = product(chebyshev(sources, length, count), coefficients).transpose();
+  values_.resize(2 * count, 2 * count);
+  slopes_.resize(2 * count, 2 * count);
   for (Index a = 0; a < count; ++a) {
     for (Index b = 0; b <= a; ++b) {
       const Rests of = rests(points(a) - points(b));
-      for (std::size_t kernel = 0; kernel < 3; ++kernel) {
-        const auto k = static_cast<Index>(kernel);
-        values_[kernel](a, b) = of.value(k);
-        values_[kernel](b, a) = value_parity(k) * of.value(k);
-        slopes_[kernel](a, b) = of.slope(k);
-        slopes_[kernel](b, a) = -value_parity(k) * of.slope(k);
-      }
+      set(values_, a, b, of.value);
+      set(values_, b, a, value_parity * of.value);
+      set(slopes_, a, b, of.slope);
+      set(slopes_, b, a, -value_parity * of.slope);
     }
   }
 }

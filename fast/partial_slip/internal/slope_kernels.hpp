@@ -1,7 +1,8 @@
 #pragma once
 #include <Eigen/Core>
-#include <array>
 #include <vector>
+
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 
@@ -33,17 +34,20 @@ class SlopeKernels {
   }
 
  private:
-  using Kernels = std::array<Eigen::MatrixXd, 3>;  ///< U, V, S
   [[nodiscard]] Rows at_targets(const Rows& at_points) const {
     return {at_targets_ * at_points.normal, at_targets_ * at_points.along};
   }
-  [[nodiscard]] Rows under(const Kernels& kernels, const auto& pressures, const auto& shears) const {
-    const Eigen::MatrixXd p = at_sources_.transpose() * pressures, q = at_sources_.transpose() * shears;
-    return {kernels[0] * p - kernels[1] * q, kernels[1] * p + kernels[2] * q};
+  [[nodiscard]] Rows under(const Eigen::MatrixXd& kernels, const auto& pressures, const auto& shears) const {
+    const Eigen::Index points = at_sources_.rows();
+    Eigen::MatrixXd both(2 * points, pressures.cols());
+    both.topRows(points) = product(at_sources_, pressures);
+    both.bottomRows(points) = product(at_sources_, shears);
+    const Eigen::MatrixXd sums = product(kernels, both);
+    return {sums.topRows(points), sums.bottomRows(points)};
   }
 
-  Eigen::MatrixXd at_targets_, at_sources_;
-  Kernels values_, slopes_;
+  Eigen::MatrixXd at_targets_, at_sources_;  ///< Lagrange's polynomials: columns, rows
+  Eigen::MatrixXd values_, slopes_;          ///< U and -V over V and S
 };
 
 }  // namespace nipref::fast

@@ -116,44 +116,41 @@ ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
              by_weight = rest.values(p_of_zones, q_of_zones);
   Rows rows{2 * own + here.normal.asDiagonal() * own - moved.normal + by_weight.normal,
             here.along.asDiagonal() * own - moved.along + by_weight.along};
-  rows.normal += cauchy * p_of_zones;
-  rows.normal += by_distances(cauchy, normal);
-  rows.along += cauchy * q_of_zones;
-  rows.along += by_distances(cauchy, tangential);
+  add_of_cauchy(cauchy, normal, rows.normal);
+  add_of_cauchy(cauchy, tangential, rows.along);
   return rows;
 }
 
-/// The derivative of -1/(pi d) is 1/(pi d^2) times that of d. Of points in one zone that is d itself; of others it is the part
-/// of each zone that lies between them.
-Eigen::MatrixXd ZoneEquations::by_distances(const Eigen::MatrixXd& cauchy,
-                                            const Eigen::VectorXd& forces) const {
+/// Between points in one zone the kernel falls as the weights grow. From a zone to points outside it the weights grow, and the
+/// distance d by the part of each zone that lies between, by which the derivative of -1/(pi d) is 1/(pi d^2).
+void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
+                                  Eigen::MatrixXd& by_lengths) const {
   const auto zones = static_cast<Index>(zones_.size());
-  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(cauchy.rows(), zones);
   for (Index b = 0; b < zones; ++b) {
     const auto [node, nodes] = range_of(b, mesh_.nodes());
     const auto [first, own] = range_of(b, mesh_.midpoints());
     const auto force = forces.segment(node, nodes);
-    derivatives.col(b).segment(first, own) -= cauchy.block(first, node, own, nodes) * force;
     // The midpoints behind the zone, and those ahead of it.
     for (const bool ahead : {false, true}) {
       const Index row = ahead ? 0 : first + own, rows = ahead ? first : cauchy.rows() - row;
-      const Eigen::MatrixXd squares = pi * cauchy.block(row, node, rows, nodes).cwiseAbs2();
-      const double sign = ahead ? -1 : 1;
+      const auto kernel = cauchy.block(row, node, rows, nodes);
+      const Eigen::MatrixXd squares = (ahead ? -pi : pi) * kernel.cwiseAbs2();
       const Eigen::VectorXd within = Eigen::VectorXd::NullaryExpr(nodes, [&](Index j) {
         return mesh_.from_end(mesh_.nodes()[static_cast<std::size_t>(node + j)], !ahead);
       });
-      derivatives.col(b).segment(row, rows) += sign * (squares * force.cwiseProduct(within));
-      const Eigen::VectorXd sums = sign * (squares * force);
+      auto of_zone = by_lengths.col(b).segment(row, rows);
+      of_zone += kernel * force;
+      of_zone += squares * force.cwiseProduct(within);
+      const Eigen::VectorXd sums = squares * force;
       for (Index i = 0; i < rows; ++i) {
         const ZoneMesh::Point& here = mesh_.midpoints()[static_cast<std::size_t>(row + i)];
         const Index a = mesh_.zone(here);
-        derivatives(row + i, a) += sums(i) * mesh_.from_end(here, ahead);
+        by_lengths(row + i, a) += sums(i) * mesh_.from_end(here, ahead);
         for (Index z = std::min(a, b) + 1; z < std::max(a, b); ++z)
-          derivatives(row + i, z) += sums(i) * zones_[static_cast<std::size_t>(z)].length;
+          by_lengths(row + i, z) += sums(i) * zones_[static_cast<std::size_t>(z)].length;
       }
     }
   }
-  return derivatives;
 }
 
 ZoneEquations::Index ZoneEquations::equations() const {
@@ -214,8 +211,8 @@ Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
     const Eigen::MatrixXd cauchy = kernels.cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
     auto by_tractions = rows.leftCols(unknowns);
-    by_tractions.noalias() = kernels.rest.to_targets(matched) * rest_at_points;
-    by_tractions.noalias() += cauchy * forces;
+    add_product(cauchy, forces, by_tractions);
+    add_product(kernels.rest.to_targets(matched), rest_at_points, by_tractions);
     by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
     row += rows.rows();

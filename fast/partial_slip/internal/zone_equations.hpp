@@ -61,11 +61,11 @@ class ZoneEquations {
   [[nodiscard]] Kernels kernels() const;
   [[nodiscard]] Misfits misfits(const Kernels& kernels) const;
   using Rows = SlopeKernels::Rows;
-  /// The derivatives of the misfits by the logarithms of the zones' lengths, and of them those of the Cauchy kernels' sums over
-  /// given forces at the nodes.
+  /// The derivatives of the misfits by the logarithms of the zones' lengths; to them are added those of the Cauchy kernels' sums
+  /// over given forces at the nodes.
   [[nodiscard]] Rows by_lengths(const Kernels& kernels) const;
-  [[nodiscard]] Eigen::MatrixXd by_distances(const Eigen::MatrixXd& cauchy,
-                                             const Eigen::VectorXd& forces) const;
+  void add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
+                     Eigen::MatrixXd& by_lengths) const;
   /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
   [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
   [[nodiscard]] Index equations() const;  ///< how many
