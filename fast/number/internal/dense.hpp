@@ -16,8 +16,6 @@ struct DenseCode {
   /// begin `stride` numbers apart.
   void (*add_product)(const double* left, const double* right, double* sum, std::ptrdiff_t rows,
                       std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t stride);
-  /// Makes of the first of `right` the vector for which the residual is least. The matrix is lost.
-  void (*least_squares)(double* matrix, double* right, std::ptrdiff_t rows, std::ptrdiff_t columns);
 };
 
 namespace baseline {

@@ -47,9 +47,30 @@ void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>&
       sum.col(column) += entry.value() * left.col(entry.row());
 }
 
-Eigen::VectorXd least_squares(Eigen::MatrixXd matrix, Eigen::VectorXd right) {
-  internal::dense_code().least_squares(matrix.data(), right.data(), matrix.rows(), matrix.cols());
-  return right.head(matrix.cols());
+/// Peters and Wilkinson (1970): with P A = L U, L of more rows than columns, L is well conditioned, and y = U x is the
+/// least-squares solution of L y = P b. Its upper square part L1 is inverted; what the other rows L2 add is a correction by
+/// their few residuals, C = L2 L1^-1: y = L1^-1 (b1 + C^T (1 + C C^T)^-1 (b2 - C b1)).
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  const Eigen::Index rows = matrix.rows(), columns = matrix.cols(), more = rows - columns;
+  // Columns of zeros make it square, as Eigen's elimination asks.
+  Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(rows, rows);
+  factors.leftCols(columns) = matrix;
+  Eigen::VectorXi order(rows);
+  internal::dense_code().factor(factors.data(), order.data(), rows);
+  const auto square = factors.topLeftCorner(columns, columns);
+  Eigen::MatrixXd transposed_c = factors.bottomLeftCorner(more, columns).transpose();
+  for (auto column : transposed_c.colwise())
+    square.transpose().triangularView<Eigen::UnitUpper>().solveInPlace(column);
+  Eigen::VectorXd permuted(rows);
+  permuted(order) = right;
+  Eigen::VectorXd solution = permuted.head(columns);
+  const Eigen::VectorXd residuals = permuted.tail(more) - transposed_c.transpose() * solution;
+  const Eigen::MatrixXd of_residuals =
+      Eigen::MatrixXd::Identity(more, more) + product(transposed_c.transpose(), transposed_c);
+  solution += transposed_c * Elimination(of_residuals).solve(residuals);
+  square.triangularView<Eigen::UnitLower>().solveInPlace(solution);
+  square.triangularView<Eigen::Upper>().solveInPlace(solution);
+  return solution;
 }
 
 }  // namespace nipref::fast

@@ -39,7 +39,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& left, const auto& right) {
   return sum;
 }
 
-/// The vector that makes the residual least; `matrix` has at least as many rows as columns.
-Eigen::VectorXd least_squares(Eigen::MatrixXd matrix, Eigen::VectorXd right);
+/// The vector that makes the residual least; `matrix` has more rows than columns.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace nipref::fast
