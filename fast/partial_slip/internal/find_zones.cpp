@@ -13,6 +13,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// How large new zones are in what they are cut from, to begin with: anywhere, and of slip at the trailing end.
 constexpr double usual_part = 0.2, least_part = 0.01;
+/// Zones are looked for in contacts of so many nats first: with fewer, those next to much shorter ones are not found.
+constexpr double rough = 20;
 
 /// A zone is taken out; its neighbours, or the only one, take its length.
 void remove(Zones& zones, std::size_t number) {
@@ -183,38 +185,61 @@ Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSli
   return zones;
 }
 
+/// Newton's method begins with few unknowns, as its steps are quicker then; that may mislead it.
+std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, const Zones& zones,
+                                                double nats) {
+  constexpr double few = 10;
+  const auto near = ZoneContact::solved(task, zones, few);
+  return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
+}
+
+/// The best contact whose zones have those parts as zones of their own, as new zones may vanish where they are not looked for.
+/// Nothing where none is found, or where that changes nothing.
+std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const ZoneContact& contact,
+                                             const std::vector<Part>& parts) {
+  constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
+                                {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
+  const double wrong = wrongness(contact, task.friction);
+  std::optional<ZoneContact> best;
+  double least = infinity;
+  for (const bool in_two_stages : {true, false}) {
+    // Few unknowns do not see the zones that a better accuracy alone tells.
+    if (in_two_stages && contact.nats() > rough) continue;
+    Zones zones;
+    for (const NewZones& size : sizes) {
+      if (size.in_wrong_part && !turns_at_end(contact.zones(), parts)) continue;
+      // Some parts are cut out as they are, whatever the size.
+      if (std::exchange(zones, with_missing(contact.zones(), parts, task, size)) == zones) continue;
+      if (in_same_order(zones, contact.zones())) return std::nullopt;
+      auto found = in_two_stages ? solved_in_two_stages(task, zones, contact.nats())
+                                 : ZoneContact::solved(task, zones, contact.nats());
+      // Where two lead to one contact the others do, too.
+      if (found && best && found->is_like(*best)) return best;
+      const double of_found = found ? wrongness(*found, task.friction) : infinity;
+      if (of_found < least) {
+        least = of_found;
+        best = std::move(found);
+      }
+      if (least < wrong / 10) return best;
+    }
+  }
+  return best;
+}
+
 /// Changes the zones until they meet all conditions, or as many as the accuracy can tell, or until zones that are missing are
 /// not found. What is left is wrongness().
 std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
                                   Zones zones, double nats) {
+  while (!contact) {
+    if (!leave_out_shortest_slip(zones)) return std::nullopt;
+    contact = ZoneContact::solved(task, zones, nats);
+  }
   constexpr int most_changes = 8;
-  constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
-                                {usual_part / 4, false}, {2 * usual_part, true}, {2 * usual_part, false}};
   for (int change = 0; change < most_changes; ++change) {
-    while (!contact) {
-      if (!leave_out_shortest_slip(zones)) return std::nullopt;
-      contact = ZoneContact::solved(task, zones, nats);
-    }
     const std::vector<Part> parts = wrong_parts(*contact, task.friction, nats);
-    if (parts.empty()) return contact;
-    const double wrong = wrongness(*contact, task.friction);
-    // The best of these, as new zones may vanish where they are not looked for.
-    std::optional<ZoneContact> next;
-    double least = infinity;
-    for (const NewZones& size : sizes) {
-      if (size.in_wrong_part && !turns_at_end(contact->zones(), parts)) continue;
-      // Some parts are cut out as they are, whatever the size.
-      if (std::exchange(zones, with_missing(contact->zones(), parts, task, size)) == zones) continue;
-      if (in_same_order(zones, contact->zones())) return contact;
-      auto found = ZoneContact::solved(task, zones, nats);
-      const double of_found = found ? wrongness(*found, task.friction) : infinity;
-      if (of_found < least) {
-        least = of_found;
-        next = std::move(found);
-      }
-      if (least < wrong / 10) break;
-    }
-    if (!next) return contact;
+    if (parts.empty()) break;
+    auto next = best_with_missing(task, *contact, parts);
+    if (!next) break;
     contact = std::move(next);
   }
   return contact;
@@ -227,10 +252,6 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 }
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
-  // With fewer, zones next to others that are much shorter are not found.
-  constexpr double rough = 20;
-  // Newton's method begins with fewer still, as its steps are quicker then, and begins again with these where that misleads it.
-  constexpr double roughest = 10;
   std::optional<ZoneContact> best;
   double least = infinity;
   const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
@@ -243,10 +264,10 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
     return least < left_by_accuracy(rough);
   };
   const auto is_found_from = [&](const Zones& zones) {
-    const auto near = ZoneContact::solved(task, zones, roughest);
-    auto first = near ? ZoneContact::solved(task, *near, rough) : std::nullopt;
-    return (first && is_found_by(std::move(first), zones)) ||
-           is_found_by(ZoneContact::solved(task, zones, rough), zones);
+    const auto first = solved_in_two_stages(task, zones, rough);
+    if (first && is_found_by(first, zones)) return true;
+    auto again = ZoneContact::solved(task, zones, rough);
+    return !(first && again && again->is_like(*first)) && is_found_by(std::move(again), zones);
   };
   const ElementContact elements = element_contact(task, 60);
   const auto by_elements = [&] {
