@@ -5,6 +5,15 @@
 #include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
+namespace {
+
+Eigen::MatrixXd product_of(const Eigen::MatrixXd& left, const auto& right) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(left.rows(), right.cols());
+  add_product(left, right, sum);
+  return sum;
+}
+
+}  // namespace
 
 Elimination::Elimination(Eigen::MatrixXd matrix) : triangles_(std::move(matrix)), order_(size()) {
   internal::dense_code().factor(triangles_.data(), order_.data(), size());
@@ -45,6 +54,14 @@ void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>&
   for (Eigen::Index column = 0; column < right.cols(); ++column)
     for (Eigen::SparseMatrix<double>::InnerIterator entry(right, column); entry; ++entry)
       sum.col(column) += entry.value() * left.col(entry.row());
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) {
+  return product_of(left, right);
+}
+
+Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right) {
+  return product_of(left, right);
 }
 
 /// Peters and Wilkinson (1970): with P A = L U, L of more rows than columns, L is well conditioned, and y = U x is the

@@ -33,11 +33,8 @@ void add_product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eige
 /// By columns; Eigen's own takes the rows of `left`, whose numbers lie apart.
 void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right,
                  Eigen::Ref<Eigen::MatrixXd> sum);
-Eigen::MatrixXd product(const Eigen::MatrixXd& left, const auto& right) {
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(left.rows(), right.cols());
-  add_product(left, right, sum);
-  return sum;
-}
+Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right);
+Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right);
 
 /// The vector that makes the residual least; `matrix` has more rows than columns.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
