@@ -21,12 +21,14 @@ constexpr double far = 36;
 }  // namespace
 
 ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), forces_(equations_.forces()) {
-  const ArrayXd slip = equations_.misfits().along;
+  const auto tractions = equations_.unknowns().head(mesh().unknowns());
+  const ArrayXd pressure = mesh().at_midpoints().pressure * tractions,
+                shear = mesh().at_midpoints().shear * tractions, slip = equations_.misfits().along;
   for (const ZoneMesh::Midpoint& point : mesh().midpoints()) {
-    const auto [p, q] = traction_at(point);
+    const auto i = static_cast<Index>(samples_.size());
     samples_.push_back({point, mesh().zone(point), mesh().sign(point), mesh().place(point),
-                        mesh().weight(point), p, q, slip(static_cast<Index>(samples_.size())),
-                        ratio_after(point)});
+                        mesh().weight(point), pressure(i), shear(i), slip(i),
+                        std::max(std::fabs(shear(i) / pressure(i)), ratio_after(point))});
   }
 }
 
@@ -34,7 +36,7 @@ double ZoneContact::ratio_after(const ZoneMesh::Point& point) const {
   // In the middle of a panel samples are up to a sixth of it apart, farther than a zone of slip is long.
   constexpr int between = 8;
   double largest = 0;
-  for (int i = 0; i < (mesh().sign(point) == 0 ? between : 1); ++i) {
+  for (int i = 1; i < (mesh().sign(point) == 0 ? between : 1); ++i) {
     const auto [p, q] = traction_at({point.panel, point.s + i * mesh().step() / between});
     largest = std::max(largest, std::fabs(q / p));
   }

@@ -89,7 +89,7 @@ class ZoneContact {
   explicit ZoneContact(ZoneEquations solved);
   [[nodiscard]] const ZoneMesh& mesh() const { return equations_.mesh(); }
   [[nodiscard]] double slope(const ZoneMesh::Point& point, double Traction::*part) const;
-  /// |q/p|, where it sticks the largest up to the next sample.
+  /// The largest |q/p| between a sample that sticks and the next one, 0 for others.
   [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
   [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;
   /// The nodes of all panels but one.
