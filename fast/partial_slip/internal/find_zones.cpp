@@ -193,8 +193,8 @@ std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, con
   return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
 }
 
-/// The best contact whose zones have those parts as zones of their own, as new zones may vanish where they are not looked for.
-/// Nothing where none is found, or where that changes nothing.
+/// The least wrong contact with those parts as zones of their own. New zones begin in several sizes, because Newton's method may
+/// shrink them to nothing from a bad start. Nothing where none is found, or where the zones stay as they are.
 std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const ZoneContact& contact,
                                              const std::vector<Part>& parts) {
   constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
@@ -203,7 +203,7 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
   std::optional<ZoneContact> best;
   double least = infinity;
   for (const bool in_two_stages : {true, false}) {
-    // Few unknowns do not see the zones that a better accuracy alone tells.
+    // Few unknowns cannot tell zones that only a better accuracy shows.
     if (in_two_stages && contact.nats() > rough) continue;
     Zones zones;
     for (const NewZones& size : sizes) {
@@ -213,7 +213,7 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
       if (in_same_order(zones, contact.zones())) return std::nullopt;
       auto found = in_two_stages ? solved_in_two_stages(task, zones, contact.nats())
                                  : ZoneContact::solved(task, zones, contact.nats());
-      // Where two lead to one contact the others do, too.
+      // Where two sizes lead to one contact the others do, too.
       if (found && best && found->is_like(*best)) return best;
       const double of_found = found ? wrongness(*found, task.friction) : infinity;
       if (of_found < least) {

@@ -46,7 +46,7 @@ class SlopeKernels {
     return {sums.topRows(points), sums.bottomRows(points)};
   }
 
-  Eigen::MatrixXd at_targets_, at_sources_;  ///< Lagrange's polynomials: columns, rows
+  Eigen::MatrixXd at_targets_, at_sources_;  ///< Lagrange's polynomials, in columns and in rows
   Eigen::MatrixXd values_, slopes_;          ///< U and -V over V and S
 };
 

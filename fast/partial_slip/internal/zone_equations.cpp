@@ -121,8 +121,8 @@ ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
   return rows;
 }
 
-/// Between points in one zone the kernel falls as the weights grow. From a zone to points outside it the weights grow, and the
-/// distance d by the part of each zone that lies between, by which the derivative of -1/(pi d) is 1/(pi d^2).
+/// Between points in one zone nothing changes, because the kernel falls as the weights grow. From a zone to points outside it the
+/// weights grow with its length, and the distance d by the part of each zone that lies between; d(-1/(pi d))/dd = 1/(pi d^2).
 void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
                                   Eigen::MatrixXd& by_lengths) const {
   const auto zones = static_cast<Index>(zones_.size());
