@@ -20,7 +20,7 @@ using data::BadInput;
 using data::Grip;
 
 /// A system that needs more counts as singular.
-constexpr ExtraDigits extra_digits{12, 400};
+constexpr ExtraDigits extra_kernel_digits{12, 400};
 
 struct Problem {
   const data::ElasticNip& nip;
@@ -227,7 +227,7 @@ void check(const Problem& problem, double contact_length, int digits) {
 }
 
 std::optional<LineLoadNip> solution_of_length(const Problem& problem, double contact_length, int digits) {
-  return solved_to(digits, extra_digits,
+  return solved_to(digits, extra_kernel_digits,
                    [&](int kernel_digits) { return solve(problem, {Float(contact_length)}, kernel_digits); });
 }
 
@@ -255,11 +255,12 @@ LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMetho
     return [&given, kernel_digits](const Lengths& lengths) { return solve(given, lengths, kernel_digits); };
   };
   bool has_start = false;
-  auto solution = solved_to(digits, extra_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
-    if (!has_start) has_start = search.seek(starting_tolerance, by(frictionless, starting_digits));
-    if (!has_start) return std::nullopt;
-    return search.contact_carrying((digits + kernel_digits) / 2, by(problem, kernel_digits));
-  });
+  auto solution =
+      solved_to(digits, extra_kernel_digits, [&](int kernel_digits) -> std::optional<SolvedLineLoads> {
+        if (!has_start) has_start = search.seek(starting_tolerance, by(frictionless, starting_digits));
+        if (!has_start) return std::nullopt;
+        return search.contact_carrying((digits + kernel_digits) / 2, by(problem, kernel_digits));
+      });
   if (solution) return *std::move(solution);
   throw BadInput("load", load, "no contact length was found that carries it");
 }

@@ -309,9 +309,9 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   if (growth > most_growth) return std::nullopt;
   const int expansion = expansion_digits(memories, near, digits);
   const double nats = (expansion + 4) * std::numbers::ln10;
-  const double slowest_decay = std::min(1.5, std::asinh(1.9 / near));
+  const double decay = std::min(1.5, std::asinh(1.9 / near));
   const double points =
-      std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / slowest_decay, growth + 4});
+      std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / decay, growth + 4});
   if (points > most_points) return std::nullopt;
   const std::optional<Memory> memory = memory_of(memories);
   if (!memory) return std::nullopt;
