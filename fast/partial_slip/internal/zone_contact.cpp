@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -214,7 +215,11 @@ std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const 
     for (; sample != samples_.end() && sample->point.panel == panel; ++sample)
       places.push_back(sample->point.s);
     places.insert(places.end(), {ZoneMesh::farthest / 2, ZoneMesh::farthest});
-    const auto size_at = [&](double s) { return std::fabs(traction_at({panel, s}).*part); };
+    // A cusp at a boundary may be like a small power of t: the farthest places stand for the boundary itself.
+    const auto size_at = [&](double s) {
+      const double of_end = s * std::numeric_limits<double>::infinity();
+      return std::fabs(traction_at({panel, std::fabs(s) < ZoneMesh::farthest ? s : of_end}).*part);
+    };
     for (const LocalMaximum& maximum : local_maxima(size_at, places)) {
       const ZoneMesh::Point point{panel, maximum.place};
       found.push_back({maximum.value, mesh().place(point), point});

@@ -35,11 +35,12 @@ class ZoneMesh {
   /// Of |s|: e^-72 of a panel from its end.
   static constexpr double farthest = 72;
 
+  /// s may be infinite: at the panel's end itself.
   struct Point {
     int panel;
     double s;
-    double power = std::exp(s);         ///< e^s
-    double left = power / (1 + power);  ///< distance from the panel's left end over its length
+    double power = std::exp(s);            ///< e^s
+    double left = 1 / (1 + std::exp(-s));  ///< distance from the panel's left end over its length
     double right = 1 / (1 + power);
   };
   struct Traction {
