@@ -26,9 +26,10 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   }
   if (wants(scene, data::Shape::field)) inside += static_cast<double>(problem.field->size());
   if (searches) inside += searched;
-  // With full friction there are pressure and shear, both complex.
-  const double grip_factor = has_full_friction(problem) ? 3 : 1;
-  return 0.02 * (1 + ratio / 4) * integrals + 0.05 * (1 + ratio) * grip_factor * inside;
+  // With full friction there are pressure and shear, both complex; a contact that rolls is not symmetric.
+  constexpr bool rolls = std::is_same_v<Problem, data::ViscoelasticNipProblem>;
+  const double of_kind = rolls ? 2 : has_full_friction(problem) ? 1.5 : 1;
+  return 0.02 * (1 + ratio / 4) * integrals + 0.1 * (1 + ratio) * of_kind * inside;
 }
 
 struct LikelySeconds {
