@@ -75,6 +75,7 @@ MatrixXd chebyshev(const ArrayXd& places, double length, Index count) {
   return t;
 }
 
+/// U, V and S from a source to a target, in their places in the matrix of both.
 void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of) {
   const Index points = kernels.cols() / 2;
   kernels(target, source) = of(0);

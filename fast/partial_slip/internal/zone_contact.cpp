@@ -29,7 +29,7 @@ ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), 
     const auto i = static_cast<Index>(samples_.size());
     samples_.push_back({point, mesh().zone(point), mesh().sign(point), mesh().place(point),
                         mesh().weight(point), pressure(i), shear(i), slip(i),
-                        std::max(std::fabs(shear(i) / pressure(i)), ratio_after(point))});
+                        std::max(ratio_after(point), std::fabs(shear(i) / pressure(i)))});
   }
 }
 
@@ -217,8 +217,8 @@ std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const 
     places.insert(places.end(), {ZoneMesh::farthest / 2, ZoneMesh::farthest});
     // A cusp at a boundary may be like a small power of t: the farthest places stand for the boundary itself.
     const auto size_at = [&](double s) {
-      const double of_end = s * std::numeric_limits<double>::infinity();
-      return std::fabs(traction_at({panel, std::fabs(s) < ZoneMesh::farthest ? s : of_end}).*part);
+      if (std::fabs(s) >= ZoneMesh::farthest) s = std::copysign(std::numeric_limits<double>::infinity(), s);
+      return std::fabs(traction_at({panel, s}).*part);
     };
     for (const LocalMaximum& maximum : local_maxima(size_at, places)) {
       const ZoneMesh::Point point{panel, maximum.place};
