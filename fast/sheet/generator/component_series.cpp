@@ -1,14 +1,38 @@
-#include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include <nipref/fast/sheet/generator/component_series.hpp>
-#include <nipref/fast/sheet/generator/series.hpp>
 
 namespace nipref::fast::generator {
 namespace {
 
 using internal::Component;
 using internal::Shape;
+
+Complex equation(const Complex& z) { return sinh(2 * z) + 2 * z; }
+
+/// For large n: e^(2z) ~ -4z, hence z ~ i pi (n - 1/4) + ln(4 pi (n - 1/4))/2.
+Complex asymptotic_root(int n) {
+  const Real imaginary = pi() * (n - Real(1) / 4);
+  return {Real(log(4 * imaginary) / 2), imaginary};
+}
+
+/// Newton; (sinh 2z + 2z)' = 4 cosh^2 z.
+Complex polished(Complex z) {
+  for (int step = 0; step < 12; ++step) {
+    const Complex cosh_z = cosh(z);
+    const Complex correction = equation(z) / (4 * cosh_z * cosh_z);
+    z -= correction;
+    if (abs(correction) < abs(z) * Real("1e-95")) break;
+  }
+  return z;
+}
+
+void check(const Complex& z, int n) {
+  const bool solves = abs(equation(z)) < Real("1e-85") * abs(z) * abs(z);
+  const bool in_strip = z.real() > 0 && z.imag() > (n - Real(1) / 2) * pi() && z.imag() < n * pi();
+  if (!solves || !in_strip) throw std::logic_error("a root of sinh 2z + 2z is not the one asked for");
+}
 
 /// Coefficient c of c e^(i z x): residue of the kernel's transform at the root z, thesis (AI.8), (AI.13) in
 /// complex form.
@@ -34,67 +58,74 @@ Complex residue(Component component, const Complex& z) {
   throw std::logic_error("unknown component");
 }
 
-/// The components of I6 are even except for a linear term. Coefficients of the wrong parity are checked by their
-/// contribution at x = reach, the largest argument for which the series is used.
-void check_parity(Component component, Series series, const Real& reach) {
-  if (component == Component::alpha_part_of_I6 || component == Component::eta_part_of_I6)
-    series[1] -= pi() / 4;
-  const std::size_t wrong = shape(component) == Shape::odd ? 0 : 1;
-  for (std::size_t k = wrong; k < series.size(); k += 2) {
-    const Real effect = abs(series[k]) * pow(reach, static_cast<int>(k));
-    if (!(effect < Real("1e-25"))) throw std::logic_error("a continued series has lost its parity");
+/// Odd components are Re(2 pi c e^(i z x)), the others -Im(2 pi c e^(i z x)) = Re(2 pi i c e^(i z x)).
+Complex amplitude(Component component, const Complex& root) {
+  const Complex c = 2 * pi() * residue(component, root);
+  return shape(component) == Shape::odd ? c : Complex(-c.imag(), c.real());
+}
+
+/// e^(i z_n x) of the roots up to where these are negligible. They are kept, since all components need the same.
+const std::vector<Complex>& waves(const Real& x) {
+  static std::map<Real, std::vector<Complex>> kept;
+  std::vector<Complex>& found = kept[x];
+  if (found.empty()) {
+    for (auto z = roots().begin(); found.empty() || norm(found.back()) > Real("1e-140"); ++z) {
+      if (z == roots().end()) throw std::logic_error("too few roots for a residue series");
+      found.push_back(exp(Complex(-z->imag() * x, z->real() * x)));
+    }
   }
+  return found;
 }
 
 }  // namespace
 
-ComponentSeries::ComponentSeries(Component component, const std::vector<Complex>& roots)
-    : component_(component), roots_(&roots) {
-  for (const Complex& z : roots) amplitudes_.push_back(amplitude(z));
+const std::vector<Complex>& roots() {
+  constexpr int count = 1200;  // enough at x = 1/20, the most demanding use
+  static const std::vector<Complex> all = [] {
+    std::vector<Complex> found;
+    for (int n = 1; n <= count; ++n) {
+      found.push_back(polished(asymptotic_root(n)));
+      check(found.back(), n);
+    }
+    return found;
+  }();
+  return all;
+}
+
+/// The power series is the polynomial through points that the residues reach. As a function of x^2 it is analytic but from -1
+/// down, so that the polynomial converges like 18^-degree between the points, and like 15^-degree at 0 next to them.
+ComponentSeries::ComponentSeries(Component component) : component_(component) {
+  for (const Complex& z : roots()) amplitudes_.push_back(amplitude(component, z));
+  const Real nearest = Real(1) / 400, farthest = Real(1) / 4, between = Real(1) / 64;
+  about_zero_ = interpolated([this](const Real& square) { return even_part(square); }, nearest, farthest, 56);
+  if (!(abs(value(about_zero_, between) - even_part(between)) < Real("1e-45")))
+    throw std::logic_error("a power series about 0 is not that of its component");
 }
 
 Real ComponentSeries::limit() const { return shape(component_) == Shape::odd ? Real(pi() / 4) : Real(0); }
 
-/// Odd components are Re(2 pi c e^(i z x)), the others -Im(2 pi c e^(i z x)) = Re(2 pi i c e^(i z x)).
-Complex ComponentSeries::amplitude(const Complex& root) const {
-  const Complex c = 2 * pi() * residue(component_, root);
-  return shape(component_) == Shape::odd ? c : Complex(-c.imag(), c.real());
+Real ComponentSeries::linear() const {
+  const bool of_I6 = component_ == Component::alpha_part_of_I6 || component_ == Component::eta_part_of_I6;
+  return of_I6 ? Real(pi() / 4) : Real(0);
 }
 
-Series ComponentSeries::about(const Real& centre, int length) const {
-  const Real negligible("1e-70");
-  Series result(static_cast<std::size_t>(length), Real(0));
-  for (std::size_t n = 0; n < roots_->size(); ++n) {
-    const Complex iz(-(*roots_)[n].imag(), (*roots_)[n].real());
-    Complex term = amplitudes_[n] * exp(iz * centre);
-    Real largest = 0;
-    for (int k = 0; k < length; ++k) {
-      result[static_cast<std::size_t>(k)] += term.real();
-      largest = std::max(largest, Real(abs(term.real()) + abs(term.imag())));
-      term *= iz / (k + 1);
-    }
-    if (largest < negligible) {
-      result.front() += limit();
-      return result;
-    }
-  }
-  throw std::logic_error("too few roots for a Taylor series");
+Real ComponentSeries::by_residues(const Real& x) const {
+  const std::vector<Complex>& wave = waves(x);
+  Real sum = limit();
+  for (std::size_t n = 0; n < wave.size(); ++n)
+    sum += amplitudes_[n].real() * wave[n].real() - amplitudes_[n].imag() * wave[n].imag();
+  return sum;
 }
 
-Series ComponentSeries::about_zero() const {
-  // Logarithmic components are singular at +-2i (and 0, removed), the others at +-i.
-  const bool logarithmic = shape(component_) == Shape::logarithmic;
-  const Real centre = logarithmic ? Real(1) / 2 : Real(1) / 8;
-  const int length = logarithmic ? 90 : 56;
-  const int kept = 40;
-  Series series = about(centre, length);
-  if (logarithmic) {
-    const Series log_x = logarithm(centre, length);
-    for (std::size_t k = 0; k < series.size(); ++k) series[k] += log_x[k];
-  }
-  Series result = shifted(series, -centre, kept);
-  check_parity(component_, result, centre);
-  return result;
+Real ComponentSeries::even_part(const Real& square) const {
+  const Real x = sqrt(square), f = by_residues(x);
+  if (shape(component_) == Shape::odd) return f / x;
+  return shape(component_) == Shape::logarithmic ? Real(f + log(x) - linear() * x) : Real(f - linear() * x);
+}
+
+Real ComponentSeries::operator()(const Real& x) const {
+  if (x < Real(1) / 8) return value(about_zero_, x * x) + linear() * x;
+  return shape(component_) == Shape::odd ? Real(by_residues(x) / x) : by_residues(x);
 }
 
 }  // namespace nipref::fast::generator

@@ -1,7 +1,7 @@
 #include <array>
 
 #include <nipref/fast/sheet/generator/component_series.hpp>
-#include <nipref/fast/sheet/generator/field_moments.hpp>
+#include <nipref/fast/sheet/generator/tabulate.hpp>
 
 namespace nipref::fast::generator {
 namespace {
@@ -60,9 +60,9 @@ void fill_rest(const Real& K5_at_zero, internal::FieldTable& table) {
   }
 }
 
-void fill_residues(const std::vector<Complex>& roots, internal::FieldTable& table) {
+void fill_residues(internal::FieldTable& table) {
   for (std::size_t r = 0; r < internal::field_roots; ++r) {
-    const Complex& z = roots[r];
+    const Complex& z = roots()[r];
     const Complex iz(-z.imag(), z.real()), cosh_z = cosh(z);
     const Complex I4 = -pi() / (cosh_z * cosh_z * cosh_z), I5 = pi() / cosh_z;
     // In the order of FieldFunction.
@@ -77,10 +77,10 @@ void fill_residues(const std::vector<Complex>& roots, internal::FieldTable& tabl
 
 }  // namespace
 
-std::unique_ptr<internal::FieldTable> tabulate_field(const std::vector<Complex>& roots) {
+std::unique_ptr<internal::FieldTable> tabulate_field() {
   auto table = std::make_unique<internal::FieldTable>();
-  fill_rest(-ComponentSeries(internal::Component::eta_part_of_I6, roots).about_zero().front(), *table);
-  fill_residues(roots, *table);
+  fill_rest(-ComponentSeries(internal::Component::eta_part_of_I6).about_zero().front(), *table);
+  fill_residues(*table);
   return table;
 }
 

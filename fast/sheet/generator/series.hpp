@@ -1,23 +1,28 @@
 #pragma once
-#include <nipref/fast/sheet/generator/number.hpp>
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/mpc.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <functional>
+#include <vector>
 
 namespace nipref::fast::generator {
+
+/// 100 digits, of which a polynomial in the form of powers loses at most about 50.
+using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>,
+                                           boost::multiprecision::et_off>;
+using Complex = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<100>,
+                                              boost::multiprecision::et_off>;
+
+inline Real pi() { return boost::math::constants::pi<Real>(); }
+
+/// Coefficients of powers 0, 1, 2, ...
+using Series = std::vector<Real>;
 
 /// p(x).
 Real value(const Series& p, const Real& x);
 
-/// Coefficients of p(x + shift) in powers of x, the first `length` of them.
-Series shifted(const Series& p, const Real& shift, int length);
-
-/// Coefficients of p(x)/(centre + x).
-Series divided_by_argument(const Series& p, const Real& centre);
-
-/// ln(centre + x), the first `length` coefficients.
-Series logarithm(const Real& centre, int length);
-
-/// Polynomial of the given degree that agrees with p at the Chebyshev nodes of [low, high]: its error is
-/// within a small factor of the least possible, about 2^degree times smaller than that of the truncated
-/// series.
-Series economised(const Series& p, const Real& low, const Real& high, int degree);
+/// The polynomial of the given degree that agrees with f at the Chebyshev nodes of [low, high]: its error is within a
+/// small factor of the least possible.
+Series interpolated(const std::function<Real(const Real&)>& f, const Real& low, const Real& high, int degree);
 
 }  // namespace nipref::fast::generator

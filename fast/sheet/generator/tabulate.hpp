@@ -1,18 +1,22 @@
 #pragma once
 #include <memory>
 
-#include <nipref/fast/sheet/generator/number.hpp>
+#include <nipref/fast/sheet/generator/series.hpp>
+#include <nipref/fast/sheet/internal/field_table.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::generator {
 
 /// The numbers of one component, each rounded once from 100 digits.
-std::unique_ptr<internal::ComponentTable> tabulate(internal::Component component,
-                                                   const std::vector<Complex>& roots);
+std::unique_ptr<internal::ComponentTable> tabulate(internal::Component component);
 
 /// The numbers that all components share.
-internal::CommonTable tabulate_common(const std::vector<Complex>& roots);
+internal::CommonTable tabulate_common();
 
-internal::RootTable tabulate_roots(const std::vector<Complex>& roots);
+internal::RootTable tabulate_roots();
+
+/// The field inside the sheet. The coefficients of the rest are the moments of 2 sinh z/S - 2 e^{-z} and
+/// 2 cosh z/S - 2 e^{-z}, where S = sinh 2z + 2z.
+std::unique_ptr<internal::FieldTable> tabulate_field();
 
 }  // namespace nipref::fast::generator
