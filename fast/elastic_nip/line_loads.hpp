@@ -74,7 +74,7 @@ struct ThesisCreep {
 std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges);
 
 /// Condition number of the matching matrix in the 1-norm, estimated from its factors: infinite if it is
-/// singular. The matrix is that of line_loads_system.hpp, d0 and the loads times N/pi being lengths.
+/// singular. The matrix is that of the system solved, d0 and the loads times N/pi being lengths.
 /// Domains as for line_loads_for_length.
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
                         data::Friction friction);

@@ -111,7 +111,7 @@ double LineLoadNip::shear(double y) const {
 
 double LineLoadNip::normal_displacement(double y) const {
   check_beside_loads(*this, y);
-  return sheet->displacement(LineLoadSheet::Direction::normal, loads, y, *spent);
+  return sheet(FaceDirection::normal, loads, y, *spent);
 }
 
 double LineLoadNip::tangential_displacement(double y) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,16 +16,12 @@ struct FaceLoad {
   double y, normal, shear;
 };
 
-/// What the surface of a sheet does under line loads.
-class LineLoadSheet {
- public:
-  virtual ~LineLoadSheet() = default;
-  enum class Direction { normal, tangential };
-  /// The displacement at Y, unit of length, where there is no load: towards the middle plane, or along Y relative to a point
-  /// that is the same for all Y. An elastic sheet counts the kernels that it evaluates in `work`.
-  [[nodiscard]] virtual double displacement(Direction direction, std::span<const FaceLoad> loads, double y,
-                                            Work& work) const = 0;
-};
+enum class FaceDirection { normal, tangential };
+/// What the surface of a sheet does under line loads: its displacement at Y, unit of length, where there is no load, towards
+/// the middle plane, or along Y relative to a point that is the same for all Y. An elastic sheet counts the kernels that it
+/// evaluates.
+using LineLoadSheet =
+    std::function<double(FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& work)>;
 
 /// Creep ratios from `lower` to `upper`, dimensionless.
 struct CreepRange {
@@ -48,7 +45,7 @@ struct LineLoadNip {
   double indentation;           ///< d0, approach of roller and middle plane, unit of length
   std::vector<FaceLoad> loads;  ///< from the leading end on
   bool is_symmetric;  ///< the normal loads are even about Y = 0 and the shear odd, as of an elastic sheet
-  std::shared_ptr<const LineLoadSheet> sheet;
+  LineLoadSheet sheet;
   std::shared_ptr<Work> spent;               ///< grows with each result that is computed
   std::optional<double> gripped_creep = {};  ///< with full friction: the creep ratio it was solved for
   /// With full friction: the creep ratios for which, at this contact length, no normal load is negative, the shear
@@ -92,7 +89,7 @@ struct LineLoadNip {
 
  private:
   [[nodiscard]] double tangential(double y) const {
-    return sheet->displacement(LineLoadSheet::Direction::tangential, loads, y, *spent);
+    return sheet(FaceDirection::tangential, loads, y, *spent);
   }
 };
 

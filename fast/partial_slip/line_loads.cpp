@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/internal/elastic_sheet.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/line_loads.hpp>

@@ -92,33 +92,24 @@ Eigen::MatrixXd influence(const RollingLoads& problem, const Grid& grid) {
   });
 }
 
-/// The surface under loads that started when their leading end was `approach` ahead.
-class RollingSurface final : public LineLoadSheet {
- public:
-  RollingSurface(std::shared_ptr<const RollingLoads> problem, double leading_length)
-      : problem_(std::move(problem)), leading_length_(leading_length) {}
-
-  /// Along Y against the point of the middle plane on the line through the centres. Of the point that is at Y at the time t,
-  /// with lengths in half-thicknesses and times in half-thickness/speed.
-  [[nodiscard]] double displacement(Direction direction, std::span<const FaceLoad> loads, double y,
-                                    Work& /*work*/) const override {
-    const double half_thickness = problem_->nip.half_thickness();
-    const double t = problem_->approach + (leading_length_ - y) / half_thickness;
+/// The surface under loads that started when their leading end was `approach` ahead: along Y against the point of the middle
+/// plane on the line through the centres. Of the point that is at Y at the time t, with lengths in half-thicknesses and times
+/// in half-thickness/speed.
+LineLoadSheet rolling_sheet(const std::shared_ptr<const RollingLoads>& problem, double leading_length) {
+  return [=](FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& /*work*/) {
+    const double half_thickness = problem->nip.half_thickness();
+    const double t = problem->approach + (leading_length - y) / half_thickness;
     if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
     double sum = 0;
     for (const FaceLoad& load : loads) {
       // What the load is ahead of the centres, the pinned point has been passed by.
       const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
-      sum += load.normal * (direction == Direction::normal ? problem_->normal_displacement(t, T)
-                                                           : problem_->tangential_displacement(t, T, t0));
+      sum += load.normal * (direction == FaceDirection::normal ? problem->normal_displacement(t, T)
+                                                               : problem->tangential_displacement(t, T, t0));
     }
     return sum;
-  }
-
- private:
-  std::shared_ptr<const RollingLoads> problem_;
-  double leading_length_;
-};
+  };
+}
 
 LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_length) {
   const RollingLoads& problem = *of;
@@ -148,7 +139,7 @@ LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_
           .indentation = solved(0) * half_thickness,
           .loads = std::move(loads),
           .is_symmetric = false,
-          .sheet = std::make_shared<const RollingSurface>(of, leading_length),
+          .sheet = rolling_sheet(of, leading_length),
           .spent = problem.work};
 }
 
