@@ -142,10 +142,10 @@ struct AtPoint {
   Octuple size = 0;
 
   AtPoint(const Polynomial& p, double growth, double omega) {
-    const OctupleComplex z{growth, omega};
-    const Octuple radius = size_of(z);
+    const OctupleComplex z(growth, omega);
+    const Octuple radius = abs(z);
     for (auto c = p.rbegin(); c != p.rend(); ++c) {
-      value = value * z + OctupleComplex{*c, 0};
+      value = value * z + *c;
       size = size * radius + abs(*c);
     }
   }
@@ -190,11 +190,9 @@ Fading modulus_at(const RationalSolid& solid, Strain of, double p, double omega,
   const Operators& modulus = of_strain(all, of);
   const AtPoint n(modulus.q, p, omega), d(modulus.p, p, omega);
   const auto [name, at] = p == 0 ? std::pair("omega", omega) : std::pair("p", p);
-  if (d.value.re == 0 && d.value.im == 0)
-    throw data::BadInput(name, at, "must not be where the modulus is infinite");
+  if (d.value == 0) throw data::BadInput(name, at, "must not be where the modulus is infinite");
   const OctupleComplex value = n.value / d.value;
-  const Octuple below = size_of(d.value);
-  return rounded({imaginary ? value.im : value.re, n.size * d.size / (below * below)}, name, at);
+  return rounded({imaginary ? value.imag() : value.real(), n.size * d.size / norm(d.value)}, name, at);
 }
 
 Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).compliances.theta1, t); }

@@ -12,32 +12,26 @@ namespace {
 
 using Points = std::vector<OctupleComplex>;
 
-OctupleComplex octuple_exp(const OctupleComplex& a) {
-  const Octuple size = exp(a.re);
-  return a.im == 0 ? OctupleComplex{size, 0} : OctupleComplex{size * cos(a.im), size * sin(a.im)};
-}
-
 /// Divided difference of e^x over points that are within 1 of each other: e^mean times the series in what they are
 /// beside it, whose coefficients are their complete symmetric polynomials.
 OctupleComplex near_difference(const Points& x) {
   OctupleComplex mean;
-  for (const OctupleComplex& point : x) mean = mean + point;
-  mean = (1 / Octuple(x.size())) * mean;
+  for (const OctupleComplex& point : x) mean += point;
+  mean /= x.size();
   constexpr int most_terms = 70;
   std::vector<OctupleComplex> symmetric(most_terms);
-  symmetric[0] = {1, 0};
+  symmetric[0] = 1;
   for (const OctupleComplex& point : x) {
-    for (std::size_t m = 1; m < symmetric.size(); ++m)
-      symmetric[m] = symmetric[m] + (point - mean) * symmetric[m - 1];
+    for (std::size_t m = 1; m < symmetric.size(); ++m) symmetric[m] += (point - mean) * symmetric[m - 1];
   }
   Octuple over = 1;
   for (std::size_t k = 2; k < x.size(); ++k) over /= Octuple(k);
   OctupleComplex sum;
   for (std::size_t m = 0; m < symmetric.size(); ++m) {
     if (m > 0) over /= Octuple(m + x.size() - 1);
-    sum = sum + over * symmetric[m];
+    sum += over * symmetric[m];
   }
-  return octuple_exp(mean) * sum;
+  return exp(mean) * sum;
 }
 
 /// Divided differences of e^x over some of the points, by the two that are farthest from each other, unless all are near
@@ -60,8 +54,7 @@ class ExponentialDifferences {
     Octuple farthest = 0;
     for (std::size_t i = 0; i < some.size(); ++i) {
       for (std::size_t j = i + 1; j < some.size(); ++j) {
-        const OctupleComplex apart = x_[some[i]] - x_[some[j]];
-        const Octuple square = apart.re * apart.re + apart.im * apart.im;
+        const Octuple square = norm(x_[some[i]] - x_[some[j]]);
         if (square > farthest) {
           farthest = square;
           first = i;
@@ -90,7 +83,7 @@ class ExponentialDifferences {
 void check_apart(const Points& roots) {
   for (const OctupleComplex& root : roots) {
     const auto near = std::ranges::count_if(
-        roots, [&](const OctupleComplex& other) { return size_of(other - root) <= 1e-9 * size_of(root); });
+        roots, [&](const OctupleComplex& other) { return abs(other - root) <= 1e-9 * abs(root); });
     if (near >= 5)
       throw data::BadInput("material", "(its rates)", "must not have five rates within 1e-9 of each other");
   }
@@ -120,22 +113,22 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   // Divided differences of a product, from the first root to the last: of the polynomial from the first to the k-th by
   // synthetic division, of the exponential from the k-th on.
   Points rest, faded = roots;
-  for (const Octuple& c : proper) rest.push_back({c / denominator.back(), 0});
-  for (OctupleComplex& root : faded) root = Octuple(t) * root;
-  Octuple slowest = roots.empty() ? Octuple(0) : faded.front().re, value = 0, size = 0;
-  for (const OctupleComplex& root : faded) slowest = std::max(slowest, root.re);
+  for (const Octuple& c : proper) rest.emplace_back(c / denominator.back());
+  for (OctupleComplex& root : faded) root *= t;
+  Octuple slowest = roots.empty() ? Octuple(0) : faded.front().real(), value = 0, size = 0;
+  for (const OctupleComplex& root : faded) slowest = std::max<Octuple>(slowest, root.real());
   ExponentialDifferences differences(std::move(faded));
   ExponentialDifferences::Numbers left(roots.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
   for (std::size_t k = 0; k < roots.size() && !rest.empty(); ++k) {
-    for (std::size_t i = rest.size() - 1; i-- > 0;) rest[i] = rest[i] + roots[k] * rest[i + 1];
+    for (std::size_t i = rest.size() - 1; i-- > 0;) rest[i] += roots[k] * rest[i + 1];
     Octuple scale = 1, over = 1;
     for (std::size_t n = 1; n < left.size(); ++n) {
       scale *= t;
       over *= static_cast<double>(n);
     }
-    value += (scale * (rest.front() * differences.over(left))).re;
-    size += scale / over * size_of(rest.front()) * exp(slowest);
+    value += scale * OctupleComplex(rest.front() * differences.over(left)).real();
+    size += scale / over * abs(rest.front()) * exp(slowest);
     rest.erase(rest.begin());
     left.erase(left.begin());
   }

@@ -10,7 +10,7 @@ namespace {
 using Roots = std::vector<OctupleComplex>;
 
 bool is_near(const OctupleComplex& a, const OctupleComplex& b, double tolerance) {
-  return size_of(a - b) <= tolerance * std::max(size_of(a), size_of(b));
+  return abs(a - b) <= tolerance * std::max<Octuple>(abs(a), abs(b));
 }
 
 void cancel(Roots& zeros, Roots& poles, double shared) {
@@ -28,24 +28,20 @@ void check_simple(const Roots& poles, std::string_view name) {
     for (std::size_t j = 0; j < i; ++j) {
       if (is_near(poles[i], poles[j], 1e-6))
         throw data::NoMaterial(
-            name, static_cast<double>(poles[i].re),
+            name, rounded(poles[i]).real(),
             "must not be a repeated root of the operators: t e^(-rate t) is not among the terms");
     }
   }
 }
 
-std::complex<double> rounded(const OctupleComplex& z) {
-  return {static_cast<double>(z.re), static_cast<double>(z.im)};
-}
-
 /// gain prod (pole - z)/prod (pole - other pole)
 OctupleComplex residue(const Octuple& gain, const Roots& zeros, const Roots& poles, std::size_t k) {
   const auto from_zero = [&](std::size_t j) {
-    return j < zeros.size() ? poles[k] - zeros[j] : OctupleComplex{1, 0};
+    return j < zeros.size() ? poles[k] - zeros[j] : OctupleComplex(1);
   };
   OctupleComplex value = gain * from_zero(k);
   for (std::size_t j = 0; j < poles.size(); ++j) {
-    if (j != k) value = value * (from_zero(j) / (poles[k] - poles[j]));
+    if (j != k) value *= from_zero(j) / (poles[k] - poles[j]);
   }
   return value;
 }
@@ -87,7 +83,7 @@ data::MaterialFunction partial_fractions(const Rational& transform, std::string_
   data::MaterialFunction function{degree < most ? 0 : static_cast<double>(gain), {}};
   for (std::size_t k = 0; k < poles.size(); ++k) {
     std::complex<double> amplitude = rounded(residue(gain, zeros, poles, k));
-    if (poles[k].im == 0) amplitude = amplitude.real();
+    if (poles[k].imag() == 0) amplitude = amplitude.real();
     function.terms.push_back({amplitude, 0.0 - rounded(poles[k])});  // no -0
   }
   // Rounding must not make the amplitudes of a conjugate pair different.

@@ -13,12 +13,12 @@ using Points = std::vector<OctupleComplex>;
 Points quadratic_roots(const Octuple& c, const Octuple& b, const Octuple& a) {
   const Octuple square = b * b - 4 * a * c;
   if (square < 0) {
-    const OctupleComplex root{-b / (2 * a), sqrt(Octuple(-square)) / (2 * a)};
-    return {root, {root.re, -root.im}};
+    const OctupleComplex root(-b / (2 * a), sqrt(Octuple(-square)) / (2 * a));
+    return {root, conj(root)};
   }
   const Octuple q = -(b + (b < 0 ? -1 : 1) * sqrt(square)) / 2;
-  if (q == 0) return {{}, {}};
-  return {{q / a, 0}, {c / q, 0}};
+  if (q == 0) return {0, 0};
+  return {q / a, c / q};
 }
 
 /// All roots at once by the method of Ehrlich and Aberth, from points on a circle that encloses them (Fujiwara's bound),
@@ -35,7 +35,7 @@ Points aberth_roots(const Polynomial& p) {
   Points roots;
   for (std::size_t k = 0; k < degree; ++k) {  // 0.2 keeps any two from starting as each other's conjugates
     const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.2) / order;
-    roots.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    roots.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
   const Octuple rounding = ldexp(Octuple(1), -232);
   constexpr int most_rounds = 1000;
@@ -45,31 +45,29 @@ Points aberth_roots(const Polynomial& p) {
     for (OctupleComplex& root : roots) {
       OctupleComplex value, slope;
       Octuple parts = 0;
-      const Octuple size = size_of(root);
+      const Octuple size = abs(root);
       for (auto c = p.rbegin(); c != p.rend(); ++c) {
         slope = slope * root + value;
-        value = value * root + OctupleComplex{*c, 0};
+        value = value * root + *c;
         parts = parts * size + abs(*c);
       }
-      if (size_of(value) <= rounding * parts) continue;
+      if (abs(value) <= rounding * parts) continue;
       OctupleComplex push;
       for (const OctupleComplex& other : roots) {
         const OctupleComplex apart = root - other;
-        if (apart.re != 0 || apart.im != 0) push = push + OctupleComplex{1, 0} / apart;
+        if (apart != 0) push += 1 / apart;
       }
       const OctupleComplex turned = slope - value * push;
-      if (turned.re == 0 && turned.im == 0) continue;
+      if (turned == 0) continue;
       const OctupleComplex step = value / turned;
-      root = root - step;
-      moves = moves || size_of(step) > rounding * size_of(root);
+      root -= step;
+      moves = moves || abs(step) > rounding * abs(root);
     }
   }
   return roots;
 }
 
 }  // namespace
-
-Octuple size_of(const OctupleComplex& a) { return sqrt(a.re * a.re + a.im * a.im); }
 
 Polynomial trimmed(Polynomial a) {
   while (!a.empty() && a.back() == 0) a.pop_back();
@@ -109,7 +107,7 @@ std::vector<OctupleComplex> roots_of(Polynomial p) {
     roots.emplace_back();
   }
   Points others;
-  if (p.size() == 2) others = {{-p[0] / p[1], 0}};
+  if (p.size() == 2) others = {-p[0] / p[1]};
   if (p.size() == 3) others = quadratic_roots(p[0], p[1], p[2]);
   if (p.size() > 3) others = aberth_roots(p);
   roots.insert(roots.end(), others.begin(), others.end());
@@ -120,12 +118,10 @@ std::vector<OctupleComplex> paired_roots_of(const Polynomial& p) {
   constexpr double real_to = 1e-13;
   std::vector<OctupleComplex> result;
   for (const OctupleComplex& root : roots_of(p)) {
-    if (abs(root.im) <= real_to * size_of(root)) {
-      result.push_back({root.re, 0});
-    } else if (root.im > 0) {
-      result.push_back(root);
-      result.push_back({root.re, -root.im});
-    }
+    if (abs(root.imag()) <= real_to * abs(root))
+      result.emplace_back(root.real());
+    else if (root.imag() > 0)
+      result.insert(result.end(), {root, conj(root)});
   }
   return result;
 }

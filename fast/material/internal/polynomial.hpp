@@ -1,5 +1,7 @@
 #pragma once
+#include <boost/multiprecision/complex_adaptor.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <complex>
 #include <vector>
 
 namespace nipref::fast::internal {
@@ -7,27 +9,14 @@ namespace nipref::fast::internal {
 /// 237 bits, so that roots that coincide, or nearly so, and terms that cancel cost no digit of a double.
 using Octuple = boost::multiprecision::cpp_bin_float_oct;
 
-struct OctupleComplex {
-  Octuple re = 0, im = 0;
+using OctupleComplex =
+    boost::multiprecision::number<boost::multiprecision::complex_adaptor<Octuple::backend_type>,
+                                  boost::multiprecision::et_off>;
 
-  friend OctupleComplex operator+(const OctupleComplex& a, const OctupleComplex& b) {
-    return {a.re + b.re, a.im + b.im};
-  }
-  friend OctupleComplex operator-(const OctupleComplex& a, const OctupleComplex& b) {
-    return {a.re - b.re, a.im - b.im};
-  }
-  friend OctupleComplex operator*(const OctupleComplex& a, const OctupleComplex& b) {
-    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-  }
-  friend OctupleComplex operator*(const Octuple& a, const OctupleComplex& b) { return {a * b.re, a * b.im}; }
-  friend OctupleComplex operator/(const OctupleComplex& a, const OctupleComplex& b) {
-    const Octuple square = b.re * b.re + b.im * b.im;
-    return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
-  }
-};
-
-/// The modulus.
-Octuple size_of(const OctupleComplex& a);
+/// In double.
+inline std::complex<double> rounded(const OctupleComplex& z) {
+  return {static_cast<double>(z.real()), static_cast<double>(z.imag())};
+}
 
 /// Real coefficients, that of p^0 first; the last one is not 0. The polynomial 0 has none.
 using Polynomial = std::vector<Octuple>;

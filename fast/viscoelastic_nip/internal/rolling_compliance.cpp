@@ -7,35 +7,32 @@ namespace nipref::fast {
 namespace {
 
 using internal::OctupleComplex;
+using internal::rounded;
 
 OctupleComplex exactly(std::complex<double> z) { return {z.real(), z.imag()}; }
-
-std::complex<double> rounded(const OctupleComplex& z) {
-  return {static_cast<double>(z.re), static_cast<double>(z.im)};
-}
 
 /// p times (rate + z)
 std::vector<OctupleComplex> times_linear(const std::vector<OctupleComplex>& p, std::complex<double> rate) {
   std::vector<OctupleComplex> result(p.size() + 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    result[i] = result[i] + exactly(rate) * p[i];
-    result[i + 1] = result[i + 1] + p[i];
+    result[i] += exactly(rate) * p[i];
+    result[i + 1] += p[i];
   }
   return result;
 }
 
 /// That of N over the product of all s_k + z. The imaginary parts of its coefficients cancel.
 internal::Polynomial numerator(const std::vector<Memory>& terms) {
-  std::vector<OctupleComplex> whole{{1, 0}};
+  std::vector<OctupleComplex> whole{1};
   for (const Memory& term : terms) whole = times_linear(whole, term.rate);
   for (std::size_t k = 0; k < terms.size(); ++k) {
     std::vector<OctupleComplex> others{exactly(terms[k].amplitude)};
     for (std::size_t l = 0; l < terms.size(); ++l)
       if (l != k) others = times_linear(others, terms[l].rate);
-    for (std::size_t i = 0; i < others.size(); ++i) whole[i] = whole[i] + others[i];
+    for (std::size_t i = 0; i < others.size(); ++i) whole[i] += others[i];
   }
   internal::Polynomial result;
-  for (const OctupleComplex& c : whole) result.push_back(c.re);
+  for (const OctupleComplex& c : whole) result.push_back(c.real());
   return result;
 }
 
@@ -48,18 +45,18 @@ RollingCompliance rolling_compliance(std::vector<Memory> terms) {
   std::vector<OctupleComplex> roots = internal::paired_roots_of(numerator(result.terms));
   std::ranges::stable_sort(roots, std::greater(),
                            [](const OctupleComplex& root) { return std::abs(rounded(root)); });
-  OctupleComplex stiffness{1, 0};
+  OctupleComplex stiffness = 1;
   for (const OctupleComplex& root : roots) {
     OctupleComplex slope;
     std::vector<OctupleComplex> ratios;
     for (const Memory& term : result.terms) {
       const OctupleComplex difference = root + exactly(term.rate);
       ratios.push_back(exactly(term.amplitude) / difference);
-      slope = slope - ratios.back() / difference;
+      slope -= ratios.back() / difference;
     }
-    const OctupleComplex amplitude = OctupleComplex{1, 0} / slope;
+    const OctupleComplex amplitude = 1 / slope;
     result.inverse.push_back({rounded(amplitude), -rounded(root)});
-    stiffness = stiffness - amplitude / root;
+    stiffness -= amplitude / root;
     result.stiffness.push_back(rounded(stiffness).real());
     std::vector<std::complex<double>>& row = result.closure.emplace_back();
     for (const OctupleComplex& ratio : ratios) row.push_back(-rounded(amplitude * ratio));
