@@ -44,7 +44,7 @@ void check_not_below_0(const std::string& name, double value) {
 /// theta1 or theta2.
 Rational series_of(const data::PronyList& list, const std::string& name) {
   check_not_below_0(name + "_instantaneous", list.instantaneous);
-  Polynomial numerator = internal::trimmed({list.instantaneous}), denominator{1};
+  Polynomial numerator{list.instantaneous}, denominator{1};
   std::vector<Polynomial> factors;
   // Terms of one rate are one, as a root that many factors share is found to few digits.
   std::map<double, Octuple> by_rate;
@@ -56,22 +56,19 @@ Rational series_of(const data::PronyList& list, const std::string& name) {
   }
   for (const auto& [rate, amplitude] : by_rate) {
     const Polynomial factor{rate, 1};
-    numerator = sum(product(numerator, factor), product({amplitude}, denominator));
-    denominator = product(denominator, factor);
+    numerator = sum(numerator * factor, amplitude * denominator);
+    denominator *= factor;
     factors.push_back(factor);
   }
-  if (numerator.empty()) throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
+  if (numerator.is_zero()) throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
   return {{numerator}, factors};
 }
 
 Polynomial polynomial_of(const std::vector<double>& coefficients, const std::string& name) {
-  Polynomial p;
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+  for (std::size_t k = 0; k < coefficients.size(); ++k)
     check_not_below_0(name + "_" + std::to_string(k), coefficients[k]);
-    p.emplace_back(coefficients[k]);
-  }
-  p = internal::trimmed(std::move(p));
-  if (p.empty()) throw data::BadInput(name, "0", "must have a coefficient that is not 0");
+  Polynomial p(coefficients.begin(), coefficients.end());
+  if (p.is_zero()) throw data::BadInput(name, "0", "must have a coefficient that is not 0");
   return p;
 }
 
@@ -112,9 +109,7 @@ struct Build {
   static Solid of_compliances(const internal::Compliances& both) {
     const Polynomial n1 = product(both.theta1.numerator), d1 = product(both.theta1.denominator);
     const Polynomial n2 = product(both.theta2.numerator), d2 = product(both.theta2.denominator);
-    return {{product({2}, n1), d1},
-            {product({{6}, n1, n2}), sum(product({{3}, d2, n1}), product({{-1}, d1, n2})), {{6}, n1, n2}},
-            both};
+    return {{2 * n1, d1}, {6 * n1 * n2, sum(3 * d2 * n1, -1 * d1 * n2), {{6}, n1, n2}}, both};
   }
 };
 
@@ -144,7 +139,7 @@ struct AtPoint {
   AtPoint(const Polynomial& p, double growth, double omega) {
     const OctupleComplex z(growth, omega);
     const Octuple radius = abs(z);
-    for (auto c = p.rbegin(); c != p.rend(); ++c) {
+    for (auto c = p.data().rbegin(); c != p.data().rend(); ++c) {
       value = value * z + *c;
       size = size * radius + abs(*c);
     }
@@ -170,7 +165,7 @@ Fading relaxation(const RationalSolid& solid, Strain of, double t) {
 Fading creep(const RationalSolid& solid, Strain of, double t) {
   const Solid all = built(solid);
   const Operators& modulus = of_strain(all, of);
-  if (modulus.q.empty())
+  if (modulus.q.is_zero())
     throw data::BadInput("theta2", "3 theta1 at all times", "must be less: nothing resists dilatation");
   return in_time({{modulus.p}, {{0, 1}, modulus.q}}, t);
 }

@@ -89,16 +89,6 @@ void check_apart(const Points& roots) {
   }
 }
 
-/// What is left of a polynomial beside a multiple of another.
-Polynomial remainder(Polynomial a, const Polynomial& by) {
-  while (a.size() >= by.size()) {
-    const Octuple factor = a.back() / by.back();
-    for (std::size_t k = 0; k + 1 < by.size(); ++k) a[a.size() - by.size() + k] -= factor * by[k];
-    a.pop_back();
-  }
-  return a;
-}
-
 }  // namespace
 
 Sized<Octuple> inverse_transform(const Rational& transform, double t) {
@@ -109,11 +99,11 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
     roots.insert(roots.end(), more.begin(), more.end());
   }
   const Polynomial denominator = product(transform.denominator);
-  const Polynomial proper = remainder(product(transform.numerator), denominator);
+  const Polynomial proper = product(transform.numerator) % denominator;
   // Divided differences of a product, from the first root to the last: of the polynomial from the first to the k-th by
   // synthetic division, of the exponential from the k-th on.
   Points rest, faded = roots;
-  for (const Octuple& c : proper) rest.emplace_back(c / denominator.back());
+  for (const Octuple& c : proper.data()) rest.emplace_back(c / denominator.data().back());
   for (OctupleComplex& root : faded) root *= t;
   Octuple slowest = roots.empty() ? Octuple(0) : faded.front().real(), value = 0, size = 0;
   for (const OctupleComplex& root : faded) slowest = std::max<Octuple>(slowest, root.real());

@@ -49,20 +49,20 @@ OctupleComplex residue(const Octuple& gain, const Roots& zeros, const Roots& pol
 }  // namespace
 
 Compliances compliances_of(const Operators& shear, const Operators& bulk) {
-  const Polynomial six = product({6}, bulk.q), two = product({2}, shear.q);
+  const Polynomial six = 6 * bulk.q, two = 2 * shear.q;
   // A factor p that both have is left out at once: rounding would split its double root.
   if (shear.p == bulk.p) return {{{shear.p}, {two}}, {{{3}, shear.p}, {sum(six, two)}}};
-  return {{{shear.p}, {two}}, {{{3}, shear.p, bulk.p}, {sum(product(six, shear.p), product(two, bulk.p))}}};
+  return {{{shear.p}, {two}}, {{{3}, shear.p, bulk.p}, {sum(six * shear.p, two * bulk.p)}}};
 }
 
 data::MaterialFunction partial_fractions(const Rational& transform, std::string_view name, double shared) {
   const Polynomial denominator = product(transform.denominator);
-  if (denominator.empty()) throw data::NoMaterial(name, "0", "must leave a modulus that is not 0");
-  Octuple gain = 1 / denominator.back();
+  if (denominator.is_zero()) throw data::NoMaterial(name, "0", "must leave a modulus that is not 0");
+  Octuple gain = 1 / denominator.data().back();
   Roots zeros;
   std::size_t degree = 0;
   for (const Polynomial& factor : transform.numerator) {
-    gain *= factor.back();
+    gain *= factor.data().back();
     degree += factor.size() - 1;
     const Roots roots = paired_roots_of(factor);
     zeros.insert(zeros.end(), roots.begin(), roots.end());

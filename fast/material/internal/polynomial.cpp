@@ -30,7 +30,7 @@ Points aberth_roots(const Polynomial& p) {
   for (std::size_t k = 0; k < degree; ++k) {
     if (p[k] != 0)
       radius = std::max<Octuple>(
-          radius, 2 * pow(Octuple(abs(p[k] / p.back())), 1 / Octuple(order - static_cast<double>(k))));
+          radius, 2 * pow(Octuple(abs(p[k] / p[degree])), 1 / Octuple(order - static_cast<double>(k))));
   }
   Points roots;
   for (std::size_t k = 0; k < degree; ++k) {  // 0.2 keeps any two from starting as each other's conjugates
@@ -46,7 +46,7 @@ Points aberth_roots(const Polynomial& p) {
       OctupleComplex value, slope;
       Octuple parts = 0;
       const Octuple size = abs(root);
-      for (auto c = p.rbegin(); c != p.rend(); ++c) {
+      for (auto c = p.data().rbegin(); c != p.data().rend(); ++c) {
         slope = slope * root + value;
         value = value * root + *c;
         parts = parts * size + abs(*c);
@@ -69,43 +69,25 @@ Points aberth_roots(const Polynomial& p) {
 
 }  // namespace
 
-Polynomial trimmed(Polynomial a) {
-  while (!a.empty() && a.back() == 0) a.pop_back();
-  return a;
-}
-
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  if (a.empty() || b.empty()) return {};
-  Polynomial c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t k = 0; k < b.size(); ++k) c[i + k] += a[i] * b[k];
-  }
-  return c;
-}
-
 Polynomial sum(const Polynomial& a, const Polynomial& b) {
   const Octuple nothing = ldexp(Octuple(1), -200);
-  Polynomial c(std::max(a.size(), b.size()));
+  std::vector<Octuple> c(std::max(a.size(), b.size()));
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Octuple x = i < a.size() ? a[i] : Octuple(0), y = i < b.size() ? b[i] : Octuple(0);
-    c[i] = x + y;
-    if (abs(c[i]) <= nothing * (abs(x) + abs(y))) c[i] = 0;
+    c[i] = abs(x + y) <= nothing * (abs(x) + abs(y)) ? Octuple(0) : x + y;
   }
-  return trimmed(std::move(c));
+  return std::move(c);
 }
 
 Polynomial product(const std::vector<Polynomial>& factors) {
   Polynomial all{1};
-  for (const Polynomial& factor : factors) all = product(all, factor);
+  for (const Polynomial& factor : factors) all *= factor;
   return all;
 }
 
 std::vector<OctupleComplex> roots_of(Polynomial p) {
   Points roots;
-  while (p.size() > 1 && p.front() == 0) {
-    p.erase(p.begin());
-    roots.emplace_back();
-  }
+  for (; p.size() > 1 && p[0] == 0; p >>= 1) roots.emplace_back();
   Points others;
   if (p.size() == 2) others = {-p[0] / p[1]};
   if (p.size() == 3) others = quadratic_roots(p[0], p[1], p[2]);

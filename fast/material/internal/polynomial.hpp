@@ -1,4 +1,5 @@
 #pragma once
+#include <boost/math/tools/polynomial.hpp>
 #include <boost/multiprecision/complex_adaptor.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <complex>
@@ -19,13 +20,10 @@ inline std::complex<double> rounded(const OctupleComplex& z) {
 }
 
 /// Real coefficients, that of p^0 first; the last one is not 0. The polynomial 0 has none.
-using Polynomial = std::vector<Octuple>;
+using Polynomial = boost::math::tools::polynomial<Octuple>;
 
-Polynomial product(const Polynomial& a, const Polynomial& b);
-/// A coefficient that cancels to less than 2^-200 of its terms is 0: leading coefficients of doubles cancel exactly.
+/// a + b. A coefficient that cancels to less than 2^-200 of its terms is 0: leading coefficients of doubles cancel exactly.
 Polynomial sum(const Polynomial& a, const Polynomial& b);
-/// Without the zeros at its end.
-Polynomial trimmed(Polynomial a);
 
 /// The product of some factors over that of others.
 struct Rational {

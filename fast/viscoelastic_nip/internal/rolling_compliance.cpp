@@ -11,29 +11,21 @@ using internal::rounded;
 
 OctupleComplex exactly(std::complex<double> z) { return {z.real(), z.imag()}; }
 
-/// p times (rate + z)
-std::vector<OctupleComplex> times_linear(const std::vector<OctupleComplex>& p, std::complex<double> rate) {
-  std::vector<OctupleComplex> result(p.size() + 1);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    result[i] += exactly(rate) * p[i];
-    result[i + 1] += p[i];
-  }
-  return result;
-}
-
 /// That of N over the product of all s_k + z. The imaginary parts of its coefficients cancel.
 internal::Polynomial numerator(const std::vector<Memory>& terms) {
-  std::vector<OctupleComplex> whole{1};
-  for (const Memory& term : terms) whole = times_linear(whole, term.rate);
+  using Complex = boost::math::tools::polynomial<OctupleComplex>;
+  const auto linear = [](const Memory& term) { return Complex{exactly(term.rate), 1}; };
+  Complex whole{1};
+  for (const Memory& term : terms) whole *= linear(term);
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    std::vector<OctupleComplex> others{exactly(terms[k].amplitude)};
+    Complex others{exactly(terms[k].amplitude)};
     for (std::size_t l = 0; l < terms.size(); ++l)
-      if (l != k) others = times_linear(others, terms[l].rate);
-    for (std::size_t i = 0; i < others.size(); ++i) whole[i] += others[i];
+      if (l != k) others *= linear(terms[l]);
+    whole += others;
   }
-  internal::Polynomial result;
-  for (const OctupleComplex& c : whole) result.push_back(c.real());
-  return result;
+  std::vector<internal::Octuple> real;
+  for (const OctupleComplex& c : whole.data()) real.push_back(c.real());
+  return std::move(real);
 }
 
 }  // namespace
