@@ -1,6 +1,6 @@
 #pragma once
 
-// Layout of the numbers behind the field inside the sheet, written at build time by generator/field_moments.hpp.
+// Layout of the numbers behind the field inside the sheet, written at build time by generator/tabulate.hpp.
 
 namespace nipref::fast::internal {
 
