@@ -1,7 +1,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,39 +60,5 @@ void watch_guards();
 std::uint32_t offences_noted();
 
 void note_offence(std::uint32_t offence);
-
-/// What calls of the plugin have done besides their results since the last call, of protocol::Noticed; it is undone.
-std::uint32_t noticed();
-
-/// Calls kernels, one at a time, with guarded arrays. The points are those of an Exchange, the answers go to it.
-class Trial {
- public:
-  Trial();
-
-  /// Evaluates the same points several times.
-  void evaluate(const Kernel& kernel, protocol::Exchange& exchange);
-
-  /// Measures the time of so many calls with all points. The status is that of the last call with another than 0.
-  void time(const Kernel& kernel, protocol::Exchange& exchange);
-
- private:
-  using Order = std::vector<std::size_t>;
-
-  /// The arrays of one call.
-  struct Arrays {
-    void fill(const Kernel& kernel, const protocol::Exchange& exchange, const Order& order);
-    int call(const Kernel& kernel, const protocol::Exchange& exchange, const Order& order,
-             protocol::Column& values);
-
-    std::vector<GuardedArray> guarded_arguments;
-    GuardedArray guarded_output{protocol::output_overrun};
-    std::vector<const double*> arguments;
-    std::span<double> output;
-  };
-  void evaluate_in_threads(const Kernel& kernel, protocol::Exchange& exchange);
-
-  std::vector<std::unique_ptr<Arrays>> arrays_;  ///< the first of this thread, the others of further threads
-  int times_in_threads_ = 0;
-};
 
 }  // namespace nipref::verify::host
