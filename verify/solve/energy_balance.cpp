@@ -202,7 +202,7 @@ EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits
     return balance_of(scene, problem.nip, *naming_keys(scene, solve));
   };
   auto [balance, seconds] = timed([&] {
-    return digits ? balance_by([&] { return solve_ref_nip(problem, *digits); })
+    return digits ? balance_by([&] { return solve_nip<RefPath>(problem, *digits); })
                   : balance_by([&] { return solve_nip(problem, scene.accuracy); });
   });
   balance.title = scene.title;

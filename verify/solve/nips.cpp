@@ -23,9 +23,6 @@ using data::PartialSlipProblem;
 using data::ViscoelasticNipProblem;
 using fast::Estimate;
 
-template <class Path>
-using Solved = std::unique_ptr<SolvedContact<typename Path::Number>>;
-
 /// Calls for_load or for_length with the number that the scene gives.
 auto for_given(const data::Given& given, const auto& for_load, const auto& for_length) {
   const auto* const load = std::get_if<data::GivenLoad>(&given);
@@ -310,29 +307,23 @@ SolvedInDouble compared_with_truth(const auto& problem, const auto& line_loads, 
 
 }  // namespace
 
-template <class Problem>
-SolvedInDouble solve_nip(const Problem& problem, double accuracy) {
+template <class Path, class Problem>
+Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy) {
   const auto solve_by = [&](const auto& method) {
-    if constexpr (requires { method.leading_elements; }) {
+    if constexpr (Path::is_fast && requires { method.leading_elements; }) {
       return compared_with_truth(problem, method, accuracy);
     } else {
-      return solved<FastPath>(problem, method, accuracy);
+      return solved<Path>(problem, method, accuracy);
     }
   };
   return std::visit(solve_by, problem.method);
 }
 
-template <class Problem>
-SolvedByRef solve_ref_nip(const Problem& problem, int digits) {
-  return std::visit([&](const auto& method) { return solved<RefPath>(problem, method, digits); },
-                    problem.method);
-}
-
-template SolvedInDouble solve_nip(const ElasticNipProblem&, double);
-template SolvedInDouble solve_nip(const ViscoelasticNipProblem&, double);
-template SolvedInDouble solve_nip(const PartialSlipProblem&, double);
-template SolvedByRef solve_ref_nip(const ElasticNipProblem&, int);
-template SolvedByRef solve_ref_nip(const ViscoelasticNipProblem&, int);
-template SolvedByRef solve_ref_nip(const PartialSlipProblem&, int);
+template SolvedInDouble solve_nip<FastPath>(const ElasticNipProblem&, double);
+template SolvedInDouble solve_nip<FastPath>(const ViscoelasticNipProblem&, double);
+template SolvedInDouble solve_nip<FastPath>(const PartialSlipProblem&, double);
+template SolvedByRef solve_nip<RefPath>(const ElasticNipProblem&, int);
+template SolvedByRef solve_nip<RefPath>(const ViscoelasticNipProblem&, int);
+template SolvedByRef solve_nip<RefPath>(const PartialSlipProblem&, int);
 
 }  // namespace nipref::verify

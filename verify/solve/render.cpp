@@ -70,25 +70,17 @@ Json place_json(const SceneSolution<Number>& solution, const data::SceneResult& 
   return {{"place", text}, {"next_depth", is_first ? Json(fmt::format("{}", *depth)) : Json()}};
 }
 
-/// The results as the text shows them.
+/// The numbers of a result as the text shows them, each with its place.
 template <class Number>
-Json rows_json(const SceneSolution<Number>& solution) {
-  return json_list(solution.results, [&](const auto& result) {
-    std::vector<Json> numbers;
-    for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-      const Number& number = result.numbers[i];
-      Json row{{"value", value_text(number)},
+std::vector<Json> shown_numbers(const SceneSolution<Number>& solution,
+                                const typename SceneSolution<Number>::Result& result) {
+  return mapped(std::views::iota(std::size_t{0}, result.numbers.size()), [&](std::size_t i) {
+    const Number& number = result.numbers[i];
+    Json shown{{"value", value_text(number)},
                {"error", error_text(number)},
                {"error_word", is_proven(number) ? "bound" : "error"}};
-      row.append(place_json(solution, *result.what, i));
-      numbers.push_back(row);
-    }
-    return Json{{"name", result.what->name},
-                {"meaning", result.what->meaning},
-                {"measured_against", data::text(result.what->scale)},
-                {"unit", result.what->unit},
-                {"one", result.what->shape == data::Shape::number ? numbers.front() : Json()},
-                {"numbers", numbers}};
+    shown.append(place_json(solution, *result.what, i));
+    return shown;
   });
 }
 
@@ -122,12 +114,18 @@ template <class Number>
 Json solution_json(const SceneSolution<Number>& solution, bool full) {
   Json results = Json::object();
   for (const auto& result : solution.results) {
-    results.set(result.what->name,
-                {{"value", values_json<Number>(*result.what, result.numbers, solution.field, value_json)},
-                 {"error", values_json<Number>(*result.what, result.numbers, solution.field, error_json)},
+    const data::SceneResult& what = *result.what;
+    const std::vector<Json> shown = shown_numbers(solution, result);
+    results.set(what.name,
+                {{"value", values_json<Number>(what, result.numbers, solution.field, value_json)},
+                 {"error", values_json<Number>(what, result.numbers, solution.field, error_json)},
                  {"proven", std::ranges::all_of(result.numbers, [](const auto& x) { return is_proven(x); })},
                  {"met", result.met()},
-                 {"unit", result.what->unit}});
+                 {"unit", what.unit},
+                 {"_meaning", what.meaning},
+                 {"_measured_against", data::text(what.scale)},
+                 {"_one", what.shape == data::Shape::number ? shown.front() : Json()},
+                 {"_numbers", shown}});
   }
   const auto& positions = solution.positions;
   const std::optional<bool> met = solution.met();
@@ -146,7 +144,6 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
           {"_met", met},
           {"_missed", json_list(solution.missed())},
           {"_discrete", solution.is_discrete},
-          {"_rows", rows_json(solution)},
           {"_work", work_text(solution.work)},
           {"_error_work", is_empty(solution.error_work) ? Json() : Json(work_text(solution.error_work))}};
 }

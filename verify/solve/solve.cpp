@@ -5,15 +5,136 @@
 namespace nipref::verify {
 namespace {
 
-SolvedInDouble solved(const data::HalfSpaceProblem& problem, double) { return solve_half_space(problem); }
-SolvedInDouble solved(const auto& nip, double accuracy) { return solve_nip(nip, accuracy); }
-
-SolvedByRef solved_by_ref(const data::HalfSpaceProblem& problem, int digits) {
-  const ref::JointResponse surface(problem, digits);
-  surface.check_subcritical();
-  return solve_ref_half_space(surface, problem, digits);
+std::vector<double> places_between(const data::Profile& profile, const ContactEnds& ends) {
+  if (const auto* const given = std::get_if<data::Positions>(&profile)) return given->y;
+  const int points = std::get<data::EvenlySpaced>(profile).points;
+  return mapped(std::views::iota(0, points), [&](int i) {
+    return std::lerp(ends.first, ends.last, static_cast<double>(i) / (points - 1));
+  });
 }
-SolvedByRef solved_by_ref(const auto& nip, int digits) { return solve_ref_nip(nip, digits); }
+
+/// What a scene gives, which its solver may refuse: the key, its value, and the name of the solver's argument.
+struct GivenKey {
+  const char* key;
+  double value;
+  std::string_view argument;
+};
+GivenKey given_key(const data::HalfSpaceProblem& problem) {
+  const bool rolls = std::holds_alternative<data::RigidRollingSphere>(problem.body);
+  return {rolls ? "rolling.speed" : "sliding.speed", problem.speed, "speed"};
+}
+GivenKey given_key(const auto& nip) {
+  if (const auto* const load = std::get_if<data::GivenLoad>(&nip.given))
+    return {"load.per_length", load->per_length, "load"};
+  return {"contact.length", std::get<data::GivenLength>(nip.given).contact_length, "contact_length"};
+}
+
+/// The keys of the solvers' other arguments.
+constexpr std::pair<std::string_view, const char*> other_keys[] = {
+    {"nip.material", "material"},
+    {"method.kind", "method.kind"},
+    {"elements_per_side", "method.leading_elements"},
+    {"residue_terms", "method.residue_terms"},
+    {"force_per_length", "traction.force_per_length"},
+    {"friction_coefficient", "friction.coefficient"}};
+
+/// A value or an error overflows only if the scene's own numbers are at the ends of the range of double.
+bool is_finite(const fast::Estimate& number) {
+  return std::isfinite(number.value) && std::isfinite(number.error);
+}
+/// No scene leaves the range of these numbers.
+bool is_finite(const ref::Estimate&) { return true; }
+
+long double magnitude_of(const fast::Estimate& number) { return std::fabs(number.value); }
+long double magnitude_of(const ref::Estimate& number) {
+  return std::fabs(mpfr_get_ld(ref::raw(number.value), MPFR_RNDN));
+}
+
+/// The places at which a result of this shape is wanted.
+template <class Number>
+Places places_of(data::Shape shape, const SceneSolution<Number>& solution) {
+  Places places;
+  if (shape == data::Shape::profile)
+    for (const double y : solution.positions) places.push_back({y});
+  if (shape == data::Shape::field) {
+    for (const double depth : solution.field.depths)
+      for (const double y : solution.field.positions) places.push_back({y, depth});
+  }
+  return places;
+}
+
+/// The largest error of each number that meets the accuracy; empty if the error does not depend on the accuracy.
+template <class Number>
+std::vector<long double> allowed_errors(const SolvedContact<Number>& contact, ResultId id,
+                                        const Places& places, const std::vector<Number>& numbers,
+                                        long double accuracy) {
+  if (contact.measure == Measure::truth) return {};
+  long double largest = 0;
+  for (const Number& number : numbers) largest = std::max(largest, magnitude_of(number));
+  std::vector<long double> allowed;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const long double least =
+        result_size(contact, id, places.empty() ? 0 : places[i].y, static_cast<double>(accuracy));
+    // The reference's digits are relative to the largest number of the result.
+    constexpr bool is_ref = std::is_same_v<Number, ref::Estimate>;
+    allowed.push_back(accuracy * std::max(least, is_ref ? largest : magnitude_of(numbers[i])));
+  }
+  return allowed;
+}
+
+/// The numbers of a profile, of which BadInput names the position that it refuses.
+template <class Number>
+std::vector<Number> profile_of(const SolvedContact<Number>& contact, ResultId id, const Places& places,
+                               const data::SceneOrigin& origin) {
+  std::vector<Number> numbers;
+  for (const Place& place : places) {
+    try {
+      numbers.push_back(contact.at(id, place.y));
+    } catch (const data::BadInput& error) {
+      origin.refuse_as("profile.positions[" + std::to_string(numbers.size()) + "]", error);
+    }
+  }
+  return numbers;
+}
+
+/// Computes the result at this place of the scene's list of wanted results.
+template <class Number>
+typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
+                                                      const SolvedContact<Number>& contact,
+                                                      const SceneSolution<Number>& solution) {
+  typename SceneSolution<Number>::Result result{&data::scene_result(scene.wanted[wanted]), {}};
+  const auto [id, shape] = std::pair(result.what->id, result.what->shape);
+  const Places places = places_of(shape, solution);
+  result.numbers =
+      shape == data::Shape::profile ? profile_of(contact, id, places, scene.origin) : contact.get(id, places);
+  if (!std::ranges::all_of(result.numbers, [](const Number& number) { return is_finite(number); })) {
+    scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", result.what->name,
+                        "must be left out: in this scene it leaves the range of doubles");
+  }
+  result.allowed = allowed_errors(contact, id, places, result.numbers, solution.accuracy);
+  return result;
+}
+
+/// The largest ratio of an error of the result to its allowed error.
+long double excess(const SceneSolution<fast::Estimate>::Result& result) {
+  long double largest = 0;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i)
+    largest = std::max(largest, result.numbers[i].error / result.allowed[i]);
+  return largest;
+}
+
+/// Computes again, by a contact that was refined, the results that miss the accuracy. More terms may increase rounding
+/// errors, so that a result is replaced only by a better one.
+void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
+                    SceneSolution<fast::Estimate>& solution) {
+  for (std::size_t wanted = 0; wanted < solution.results.size(); ++wanted) {
+    auto& result = solution.results[wanted];
+    if (result.met().value_or(true)) continue;
+    auto refined = collect_result(scene, wanted, contact, solution);
+    if (excess(refined) < excess(result)) result = std::move(refined);
+  }
+  solution.work = contact.work();
+}
 
 void refuse_moments_by_ref(const data::Scene& scene) {
   if (std::holds_alternative<data::ViscoelasticNipProblem>(scene.system) && is_by_line_loads(scene)) return;
@@ -27,14 +148,115 @@ void refuse_moments_by_ref(const data::Scene& scene) {
   }
 }
 
+/// A scene's contact, whose refusal names the scene's key.
+template <class Path>
+Solved<Path> solved(const data::Scene& scene, typename Path::Accuracy accuracy) {
+  const auto solve_one = [&](const auto& problem) -> Solved<Path> {
+    if constexpr (requires { problem.nip; }) {
+      return solve_nip<Path>(problem, accuracy);
+    } else if constexpr (Path::is_fast) {
+      return solve_half_space(problem);
+    } else {
+      const ref::JointResponse surface(problem, accuracy);
+      surface.check_subcritical();
+      return solve_ref_half_space(surface, problem, accuracy);
+    }
+  };
+  return naming_keys(scene, [&] { return std::visit(solve_one, scene.system); });
+}
+
 }  // namespace
+
+bool wants(const data::Scene& scene, data::Shape shape) {
+  return std::ranges::any_of(scene.wanted,
+                             [&](ResultId id) { return data::scene_result(id).shape == shape; });
+}
+
+bool is_by_line_loads(const data::Scene& scene) {
+  return std::visit(
+      [](const auto& problem) {
+        if constexpr (requires { problem.method; })
+          return !std::holds_alternative<data::ConvergedMethod>(problem.method);
+        return false;
+      },
+      scene.system);
+}
+
+template <class Number>
+std::vector<BeyondTheory> beyond_theory(const data::Scene& scene, const SolvedContact<Number>& contact) {
+  const auto of_problem = [&](const auto& problem) -> std::vector<BeyondTheory> {
+    if constexpr (requires { problem.nip; }) {
+      const double indentation = value_of(contact.number(ResultId::indentation)),
+                   half = problem.nip.half_thickness();
+      const auto [key, given, argument] = given_key(problem);
+      if (!(indentation < half))
+        scene.origin.refuse(
+            key, given,
+            fmt::format(
+                "must be smaller: the faces of the rollers would meet, each {:.3g} into the sheet, of "
+                "which half is {:g}",
+                indentation, half));
+      const auto [first, last] = contact.ends();
+      const double farther = std::max(std::fabs(first), std::fabs(last));
+      std::vector<BeyondTheory> found{
+          {"compressive_strain", indentation / half, linear_theory_limit},
+          {"roller_slope", farther / problem.nip.roller_radius, linear_theory_limit}};
+      std::erase_if(found, [](const BeyondTheory& one) { return one.value <= one.limit; });
+      return found;
+    }
+    return {};
+  };
+  return std::visit(of_problem, scene.system);
+}
+
+template std::vector<BeyondTheory> beyond_theory(const data::Scene&, const SolvedContact<fast::Estimate>&);
+template std::vector<BeyondTheory> beyond_theory(const data::Scene&, const SolvedContact<ref::Estimate>&);
+
+template <class Number>
+SceneSolution<Number> collect_results(const data::Scene& scene, const SolvedContact<Number>& contact,
+                                      long double accuracy) {
+  SceneSolution<Number> solution;
+  solution.title = scene.title;
+  solution.accuracy = accuracy;
+  solution.is_discrete = is_by_line_loads(scene);
+  solution.warnings = beyond_theory(scene, contact);
+  std::visit(
+      [&](const auto& problem) {
+        if (wants(scene, data::Shape::profile))
+          solution.positions = places_between(*problem.profile, contact.profile_ends());
+        if constexpr (requires { problem.field; })
+          if (wants(scene, data::Shape::field)) solution.field = *problem.field;
+      },
+      scene.system);
+  for (std::size_t wanted = 0; wanted < scene.wanted.size(); ++wanted)
+    solution.results.push_back(collect_result(scene, wanted, contact, solution));
+  solution.work = contact.work();
+  solution.error_work = contact.error_work();
+  return solution;
+}
+
+template SceneSolution<fast::Estimate> collect_results(const data::Scene&,
+                                                       const SolvedContact<fast::Estimate>&, long double);
+template SceneSolution<ref::Estimate> collect_results(const data::Scene&, const SolvedContact<ref::Estimate>&,
+                                                      long double);
+
+void refuse_by_key(const data::Scene& scene, const data::BadInput& error) {
+  const auto [key, value, argument] =
+      std::visit([](const auto& problem) { return given_key(problem); }, scene.system);
+  if (const auto* const material = dynamic_cast<const data::NoMaterial*>(&error))
+    scene.origin.refuse_as(material->key(), error);
+  if (error.argument() == "digits") throw data::BadInput(error);
+  if (error.argument().ends_with(" rate")) scene.origin.refuse_as("material", error);
+  for (const auto& [name, its_key] : other_keys)
+    if (error.argument() == name) scene.origin.refuse_as(its_key, error);
+  if (error.argument() == argument) scene.origin.refuse_as(key, error);
+  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
+}
 
 SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   auto [solution, seconds] = timed([&] {
-    const SolvedInDouble contact = naming_keys(scene, [&] {
-      return std::visit([&](const auto& problem) { return solved(problem, scene.accuracy); }, scene.system);
-    });
+    const auto contact = solved<FastPath>(scene, scene.accuracy);
     auto found = collect_results(scene, *contact, scene.accuracy);
     while (!found.missed().empty() && contact->refine()) collect_better(scene, *contact, found);
     return found;
@@ -47,10 +269,7 @@ SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits) 
   scene.check();
   refuse_moments_by_ref(scene);
   auto [solution, seconds] = timed([&] {
-    const SolvedByRef contact = naming_keys(scene, [&] {
-      return std::visit([&](const auto& problem) { return solved_by_ref(problem, digits); }, scene.system);
-    });
-    return collect_results(scene, *contact, std::pow(10.0L, -digits));
+    return collect_results(scene, *solved<RefPath>(scene, digits), std::pow(10.0L, -digits));
   });
   solution.seconds = seconds;
   return solution;

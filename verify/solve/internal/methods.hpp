@@ -14,23 +14,52 @@
 
 namespace nipref::verify {
 
+/// What differs between the paths for a template that serves both.
+struct FastPath {
+  static constexpr bool is_fast = true;
+  using Accuracy = double;  ///< a scene's
+  using Number = fast::Estimate;
+  using Point = fast::InnerPoint;
+  using Stresses = fast::InnerStresses;
+  using Displacements = fast::InnerDisplacements;
+  using Greatest = fast::GreatestShear;
+  using Line = fast::Direction;  ///< of a half-space's surface, from the motion
+  using Position = double;
+  static Number exactly(double value, int) { return {value, 0}; }
+  static Line line(double degrees) { return Line::of_degrees(degrees); }
+  static Line reversed(const Line& psi) { return {-psi.cosine, -psi.sine, -psi.cosine_low, -psi.sine_low}; }
+};
+struct RefPath {
+  static constexpr bool is_fast = false;
+  using Accuracy = int;  ///< digits
+  using Number = ref::Estimate;
+  using Point = ref::InnerPoint;
+  using Stresses = ref::InnerStresses;
+  using Displacements = ref::InnerDisplacements;
+  using Greatest = ref::GreatestShear;
+  using Line = ref::Exact;  ///< degrees
+  using Position = ref::Exact;
+  static Number exactly(double value, int digits) { return ref::exactly(value, digits); }
+  static Line line(double degrees) { return Line(degrees); }
+  static Line reversed(const Line& psi) { return Line(mpq_class(psi.value() + 180)); }
+};
+
+template <class Path>
+using Solved = std::unique_ptr<SolvedContact<typename Path::Number>>;
+using SolvedInDouble = Solved<FastPath>;
+using SolvedByRef = Solved<RefPath>;
+
 // A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if
 // the contact's length is not allowed.
 
-using SolvedInDouble = std::unique_ptr<SolvedContact<fast::Estimate>>;
-using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;
-
-/// A nip in double by its problem's method; `accuracy` is the scene's. Without a method it is the continuous contact. The
-/// error of a result of line loads is its distance to the same result of the continuous contact, solved to 1e-5, whose
-/// own error is added. The kernels of line loads of a rolling nip are exact to rounding, or the truncated series that
-/// the scene asks for. Instantiated for both problems.
-template <class Problem>
-SolvedInDouble solve_nip(const Problem& problem, double accuracy);
-
-/// The same by the reference. The errors are proven bounds for line loads, and for much of what the continuous contacts
-/// have (ref/README.md, What is proven), otherwise estimates.
-template <class Problem>
-SolvedByRef solve_ref_nip(const Problem& problem, int digits);
+/// A nip by its problem's method; `accuracy` is the scene's, or the digits. Without a method it is the continuous contact.
+///
+/// In double the error of a result of line loads is its distance to the same result of the continuous contact, solved to
+/// 1e-5, whose own error is added. The kernels of line loads of a rolling nip are exact to rounding, or the truncated
+/// series that the scene asks for. The reference's errors are proven bounds for line loads, and for much of what the
+/// continuous contacts have (ref/README.md, What is proven), otherwise estimates. Instantiated for the problems of nips.
+template <class Path = FastPath, class Problem>
+Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy);
 
 /// What line loads do on the roller.
 inline data::Grip grip_of(const data::ElasticNipProblem& problem) {
@@ -87,40 +116,5 @@ bool is_by_line_loads(const data::Scene& scene);
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const SolvedContact<Number>& contact,
                                       long double accuracy);
-
-/// Computes again, by a contact that was refined, the results that miss the accuracy. More terms may increase rounding
-/// errors, so that a result is replaced only by a better one.
-void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
-                    SceneSolution<fast::Estimate>& solution);
-
-/// What differs between the paths for a template that serves both.
-struct FastPath {
-  static constexpr bool is_fast = true;
-  using Accuracy = double;  ///< a scene's
-  using Number = fast::Estimate;
-  using Point = fast::InnerPoint;
-  using Stresses = fast::InnerStresses;
-  using Displacements = fast::InnerDisplacements;
-  using Greatest = fast::GreatestShear;
-  using Line = fast::Direction;  ///< of a half-space's surface, from the motion
-  using Position = double;
-  static Number exactly(double value, int) { return {value, 0}; }
-  static Line line(double degrees) { return Line::of_degrees(degrees); }
-  static Line reversed(const Line& psi) { return {-psi.cosine, -psi.sine, -psi.cosine_low, -psi.sine_low}; }
-};
-struct RefPath {
-  static constexpr bool is_fast = false;
-  using Accuracy = int;  ///< digits
-  using Number = ref::Estimate;
-  using Point = ref::InnerPoint;
-  using Stresses = ref::InnerStresses;
-  using Displacements = ref::InnerDisplacements;
-  using Greatest = ref::GreatestShear;
-  using Line = ref::Exact;  ///< degrees
-  using Position = ref::Exact;
-  static Number exactly(double value, int digits) { return ref::exactly(value, digits); }
-  static Line line(double degrees) { return Line(degrees); }
-  static Line reversed(const Line& psi) { return Line(mpq_class(psi.value() + 180)); }
-};
 
 }  // namespace nipref::verify
