@@ -1,7 +1,6 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
@@ -52,23 +51,6 @@ void mark_pareto_optimal(std::vector<BenchRow>& rows) {
     row.pareto_optimal = row.max_relative_error &&
                          std::ranges::none_of(rows, [&](const BenchRow& by) { return is_beaten(row, by); });
   }
-}
-
-std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
-                            const std::vector<OtherKernel>& others) {
-  std::vector<BenchRow> rows = bench_double(quantity, progress, others);
-  std::ranges::move(bench_digits(quantity, progress), std::back_inserter(rows));
-  return rows;
-}
-
-std::vector<BenchRow> bench_group(const BenchGroup& group, const BenchProgress& progress, int rounds) {
-  std::vector<BenchRow> rows;
-  for (const BenchPart& part : group.parts(rounds)) {
-    if (interrupted()) break;
-    progress(part.name);
-    std::ranges::move(part.rows(), std::back_inserter(rows));
-  }
-  return rows;
 }
 
 std::vector<BenchRow> timed_rows(const std::string& quantity, const std::string& arguments,

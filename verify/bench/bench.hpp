@@ -55,10 +55,11 @@ std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows);
 /// True if the promised ratios are met: all if `strict`, otherwise those of errors.
 bool all_met(const BenchReport& report, bool strict);
 
-// A bench that is interrupted (support/internal/interrupt.hpp) returns the rows that it has finished.
-
-/// A callback with the name of what is being timed; may be empty.
-using BenchProgress = std::function<void(const std::string&)>;
+/// Ways to the same values, timed together.
+struct BenchPart {
+  std::string name;
+  std::function<std::vector<BenchRow>()> rows;
+};
 
 /// A user's kernel of a quantity, timed beside fast in a process of its own.
 struct OtherKernel {
@@ -68,17 +69,12 @@ struct OtherKernel {
 };
 
 /// Double precision: fast at several rtol, scalar and batch, the catalogue's peers, and those of the other kernels that
-/// compute this quantity, each with its error against ref.
-std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
-                                   const std::vector<OtherKernel>& others = {});
+/// compute this quantity, each with its error against ref. A part for each range; the parts refer to the quantity.
+std::vector<BenchPart> double_bench(const Quantity& quantity, const std::vector<OtherKernel>& others = {});
 
 /// 30 to 200 digits: ref and the catalogue's multiprecision peers, and ref's first call, which builds the quadrature nodes.
 /// Empty for a quantity without such peers.
-std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress);
-
-/// Both.
-std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
-                            const std::vector<OtherKernel>& others = {});
+std::vector<BenchPart> digits_bench(const Quantity& quantity);
 
 /// The rows that follow each other and are ways to the same values.
 std::vector<std::span<const BenchRow>> ways_to_same_values(const std::vector<BenchRow>& rows);

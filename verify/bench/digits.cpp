@@ -2,7 +2,6 @@
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -67,19 +66,19 @@ std::vector<BenchRow> bench_at(const Quantity& quantity, int digits) {
 
 }  // namespace
 
-std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress) {
-  std::vector<BenchRow> rows, first_calls;
-  if (quantity.multiprecision_peers.empty()) return rows;
-  for (const int digits : peer_digits()) {
-    if (interrupted()) break;
-    if (progress) progress(fmt::format("{} digits", digits));
-    std::vector<BenchRow> found = bench_at(quantity, digits);
-    first_calls.push_back(found.back());
-    found.pop_back();
-    std::ranges::move(found, std::back_inserter(rows));
-  }
-  std::ranges::move(first_calls, std::back_inserter(rows));
-  return rows;
+std::vector<BenchPart> digits_bench(const Quantity& quantity) {
+  if (quantity.multiprecision_peers.empty()) return {};
+  return {{quantity.name + " digits", [&] {
+             std::vector<BenchRow> rows, first_calls;
+             for (const int digits : peer_digits()) {
+               std::vector<BenchRow> found = bench_at(quantity, digits);
+               first_calls.push_back(found.back());
+               found.pop_back();
+               std::ranges::move(found, std::back_inserter(rows));
+             }
+             std::ranges::move(first_calls, std::back_inserter(rows));
+             return rows;
+           }}};
 }
 
 }  // namespace nipref::verify

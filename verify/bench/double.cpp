@@ -3,7 +3,6 @@
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/grade/speed.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
@@ -142,29 +141,27 @@ std::vector<Point> draw_costly_points(const Quantity& quantity) {
 
 }  // namespace
 
-std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
-                                   const std::vector<OtherKernel>& others) {
-  std::vector<BenchRow> rows;
-  const auto add = [&](const std::string& arguments, const std::vector<Point>& points,
-                       const std::vector<Truth>& truths, std::size_t least, int rounds) {
-    std::ranges::move(timed_rows(quantity.name, arguments, ways_to(quantity, points, truths, others, least),
-                                 {.count = rounds, .seconds = 1e-3}),
-                      std::back_inserter(rows));
+std::vector<BenchPart> double_bench(const Quantity& quantity, const std::vector<OtherKernel>& others) {
+  const auto rows_at = [&quantity, others](const std::string& arguments, const std::vector<Point>& points,
+                                           const std::vector<Truth>& truths, std::size_t least, int rounds) {
+    return timed_rows(quantity.name, arguments, ways_to(quantity, points, truths, others, least),
+                      {.count = rounds, .seconds = 1e-3});
   };
-  if (quantity.is_costly) {
-    const std::vector<Point> points = draw_costly_points(quantity);
-    add(fmt::format("as in the audit, {} points", costly_points), points,
-        first_truths(quantity, points, costly_points, seconds_of_costly_truth), costly_points, 3);
-    return rows;
-  }
-  for (const TimedRange& range : ranges(quantity)) {
-    if (interrupted()) break;
-    if (progress) progress(range.name);
-    const std::vector<Point> points = draw_points(quantity, range);
-    add(range_text(quantity, range), points, first_truths(quantity, points, points_compared, unlimited),
-        least_points, 15);
-  }
-  return rows;
+  if (quantity.is_costly)
+    return {{quantity.name, [=, &quantity] {
+               const std::vector<Point> points = draw_costly_points(quantity);
+               return rows_at(fmt::format("as in the audit, {} points", costly_points), points,
+                              first_truths(quantity, points, costly_points, seconds_of_costly_truth),
+                              costly_points, 3);
+             }}};
+  return mapped(ranges(quantity), [&](const TimedRange& range) {
+    return BenchPart{quantity.name + " " + range.name, [=, &quantity] {
+                       const std::vector<Point> points = draw_points(quantity, range);
+                       return rows_at(range_text(quantity, range), points,
+                                      first_truths(quantity, points, points_compared, unlimited),
+                                      least_points, usual_rounds);
+                     }};
+  });
 }
 
 }  // namespace nipref::verify

@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -12,13 +10,12 @@ constexpr int status_bad_input = 2;
 constexpr int status_not_written = 4;
 constexpr int status_internal = 70;  // EX_SOFTWARE of sysexits.h
 
-int run_verb(const CommandLine& line, std::ostream& out) {
-  if (line.help || line.version) {
-    out << (line.help ? folded(*line.help) : version_answer_text(line.json));
-    return 0;
-  }
+Answer answer_to(const CommandLine& line) {
+  if (line.help) return {0, folded(*line.help)};
+  if (line.version) return {0, version_answer_text(line.json)};
   if (const auto isa = line.option("isa")) fast::use_instruction_set(*isa);
-  return find_verb(line.verb).run(line, out);
+  const VerbAnswer found = find_verb(line.verb).run(line);
+  return {found.all_well ? 0 : 1, written(found, line)};
 }
 
 /// Whatever was in the input, the message stays one line.
@@ -33,9 +30,7 @@ std::string in_one_line(std::string message) {
 Answer answer(int argc, const char* const* argv) {
   const bool json = asks_for_json(argc, argv);
   try {
-    std::ostringstream out;
-    const int status = run_verb(parse_command_line(argc, argv), out);
-    return {status, out.str()};
+    return answer_to(parse_command_line(argc, argv));
   } catch (const data::BadInput& error) {
     const std::string message = in_one_line(error.what());
     if (!json) return {status_bad_input, {}, message};

@@ -176,29 +176,29 @@ Audited AuditRun::found() const {
   return audited;
 }
 
-int AuditRun::answer(const CommandLine& line, std::ostream& out) const {
+VerbAnswer AuditRun::answer(const CommandLine& line) const {
   if (!file_ || (!line.option("shard") && !interrupted())) {
     const Audited audited = found();
     Json answer = audits_json(audited, accuracy_);
     answer.set("_of_contacts", hard_cases_ != nullptr);
     answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
-    return write_answer(line, out, "audit", audited.kept(), answer, "audit.txt");
+    return {"audit", answer, audited.kept()};
   }
   const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
   const Json members{
       {"run", line.option("out")}, {"shard", shard},         {"blocks_done", stored_.count() - there_},
       {"blocks_there", there_},    {"blocks", stored_.of()}, {"_interrupted", interrupted()}};
-  return write_answer(line, out, "audit", true, members, "audit_shard.txt");
+  return {"audit", members, true, "audit_shard.txt"};
 }
 
-int audit_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer audit_verb(const CommandLine& line) {
   Progress progress(line.has("quiet"));
   AuditRun run(line);
   run.do_blocks(progress);
-  return run.answer(line, out);
+  return run.answer(line);
 }
 
-int merge_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer merge_verb(const CommandLine& line) {
   const std::vector<std::filesystem::path> folders(line.words.begin(), line.words.end());
   const std::string fingerprint = fingerprint_of(folders);
   const CommandLine command = command_of(folders.front(), fingerprint);
@@ -206,7 +206,7 @@ int merge_verb(const CommandLine& line, std::ostream& out) {
   AuditRun run(command);
   refuse_other_fingerprint(folders.front(), fingerprint, run.fingerprint());
   run.merge(folders);
-  return run.answer(line, out);
+  return run.answer(line);
 }
 
 }  // namespace nipref::verify

@@ -1,8 +1,6 @@
 #pragma once
-#include <ostream>
-
 #include <nipref/verify/audit/internal/work.hpp>
-#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
@@ -40,10 +38,9 @@ class AuditRun {
   /// The findings of the works that are finished, and those of contacts as far as they go.
   [[nodiscard]] Audited found() const;
 
-  /// Prints the findings of the finished works in the form that the command line asks for, and returns the exit status. For
-  /// a shard, or an interrupted run in a folder, prints what this process did and returns status 0, because launchers end
-  /// all ranks when one of them returns another status.
-  int answer(const CommandLine& line, std::ostream& out) const;
+  /// The findings of the finished works. For a shard, or an interrupted run in a folder, what this process did, with which
+  /// all is well, because launchers end all ranks when one of them returns another status than 0.
+  [[nodiscard]] VerbAnswer answer(const CommandLine& line) const;
 
  private:
   Shard shard_;

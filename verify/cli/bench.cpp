@@ -5,6 +5,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/support/internal/process.hpp>
 
 namespace nipref::verify {
@@ -43,10 +44,13 @@ void add_round(const std::string& program, const std::vector<std::string>& words
                        "must be a nipref whose bench takes the same words and answers with --json");
 }
 
-/// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have.
-std::vector<AgainstRow> bench_against(const std::string& old_program, const std::vector<std::string>& words,
-                                      Progress& progress) {
+/// Runs `bench` of an older program and of this one in turns, a few rounds, with the same words. Of the ways that both
+/// have, the new time over the old one, with the least and the largest ratio of the rounds.
+VerbAnswer bench_against(const std::string& old_program, const CommandLine& line) {
+  const auto most_slowdown = max_slowdown_option(line);
+  const std::vector<std::string> words = words_of_bench(line);
   const std::string own = std::filesystem::read_symlink("/proc/self/exe").string();
+  Progress progress(standard_error(line.has("quiet")));
   Program before, now;
   progress.begin("bench against", 2 * rounds);
   for (int round = 0; round < rounds; ++round) {
@@ -56,48 +60,35 @@ std::vector<AgainstRow> bench_against(const std::string& old_program, const std:
       add_round(is_old ? old_program : own, words, is_old ? before : now);
     }
   }
-  std::vector<AgainstRow> rows;
+  std::vector<Json> rows;
+  bool is_quick = true;
   for (const auto& [key, measured] : now) {
     const auto old = before.find(key);
     if (old == before.end()) continue;
     const auto& [quantity, range, method] = key;
-    rows.push_back({quantity, range, method, Speed(measured.nanoseconds, old->second.nanoseconds, 0),
-                    old->second.ulp, measured.ulp});
+    const Speed speed(measured.nanoseconds, old->second.nanoseconds, 0);
+    is_quick = is_quick && !(most_slowdown && speed.slower_by(*most_slowdown));
+    rows.push_back({{"quantity", quantity},
+                    {"range", range},
+                    {"method", method},
+                    {"old_max_error_ulp", old->second.ulp},
+                    {"max_error_ulp", measured.ulp},
+                    {"times",
+                     {{"old_nanoseconds", speed.other_nanoseconds},
+                      {"nanoseconds", speed.nanoseconds},
+                      {"ratio", speed.ratio},
+                      {"least_ratio", speed.lower_ratio},
+                      {"largest_ratio", speed.upper_ratio}}}});
   }
-  return rows;
-}
-
-Json against_json(const std::vector<AgainstRow>& rows) {
-  return json_list(rows, [](const AgainstRow& row) {
-    return Json{{"quantity", row.quantity},
-                {"range", row.range},
-                {"method", row.method},
-                {"old_max_error_ulp", row.old_ulp},
-                {"max_error_ulp", row.new_ulp},
-                {"times",
-                 {{"old_nanoseconds", row.speed.other_nanoseconds},
-                  {"nanoseconds", row.speed.nanoseconds},
-                  {"ratio", row.speed.ratio},
-                  {"least_ratio", row.speed.lower_ratio},
-                  {"largest_ratio", row.speed.upper_ratio}}}};
-  });
-}
-
-int against_verb(const CommandLine& line, std::ostream& out) {
-  const auto most = max_slowdown_option(line);
-  Progress progress(standard_error(line.has("quiet")));
-  const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of_bench(line), progress);
-  const auto too_slow = [&](const AgainstRow& row) { return most && row.slower_by(*most); };
-  return write_answer(line, out, "bench_against", std::ranges::none_of(rows, too_slow),
-                      {{"rows", against_json(rows)}}, "bench_against.txt");
+  return {"bench_against", {{"rows", rows}}, is_quick};
 }
 
 }  // namespace
 
-int bench_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer bench_verb(const CommandLine& line) {
   const Selection selected = line.words.empty() ? bench_everything() : selection(line.words, bench_groups());
   static_cast<void>(max_slowdown_option(line));
-  if (line.option("against")) return against_verb(line, out);
+  if (const auto older = line.option("against")) return bench_against(*older, line);
   std::vector<std::unique_ptr<PluginKernel>> kernels;
   std::vector<OtherKernel> others;
   if (const auto file = line.option("with")) {
@@ -109,7 +100,7 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   const BenchReport report = bench_all(selected, progress, others);
   Json answer = bench_json(report);
   answer.set("_machine", version_json());
-  return write_answer(line, out, "bench", all_met(report, line.has("strict")), answer, "bench.txt");
+  return {"bench", answer, all_met(report, line.has("strict"))};
 }
 
 std::vector<std::string_view> bench_groups() {
@@ -125,13 +116,14 @@ Selection bench_everything() {
 }
 
 BenchReport bench_all(const Selection& selected, Progress& progress, const std::vector<OtherKernel>& others) {
-  const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
-  auto parts = mapped(selected.quantities, [&](const Quantity* quantity) {
-    return BenchPart{quantity->name, [=, &others] { return bench(*quantity, show, others); }};
-  });
+  std::vector<BenchPart> parts;
+  for (const Quantity* const quantity : selected.quantities)
+    for (const auto& of_kind : {double_bench(*quantity, others), digits_bench(*quantity)})
+      parts.insert(parts.end(), of_kind.begin(), of_kind.end());
   for (const BenchGroup& group : bench_group_table) {
-    if (selected.has(group.name))
-      parts.push_back({std::string(group.name), [=] { return bench_group(group, show); }});
+    if (!selected.has(group.name)) continue;
+    for (const BenchPart& part : group.parts(usual_rounds))
+      parts.push_back({fmt::format("{} {}", group.name, part.name), part.rows});
   }
   BenchReport report;
   progress.each("bench", parts, &BenchPart::name, [&](const BenchPart& part) {

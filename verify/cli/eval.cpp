@@ -160,17 +160,11 @@ Json answer_json(const EvalAnswer& answer) {
           {"proven", answer.proven},
           {"digits", answer.digits},
           {"met", answer.met},
-          {"times", {{"seconds", answer.seconds}}}};
-}
-
-/// The answer as the text shows it: the number's digits as they were computed.
-Json shown_json(const EvalAnswer& answer) {
-  Json shown = answer_json(answer);
-  shown.append({{"path", answer.path},
-                {"value", answer.value},
-                {"error", answer.error},
-                {"accuracy", answer.met ? Json(fmt::format("{:g}", answer.accuracy)) : Json()}});
-  return shown;
+          {"times", {{"seconds", answer.seconds}}},
+          // The digits as they were computed.
+          {"_value", answer.value},
+          {"_error", answer.error},
+          {"_accuracy", answer.met ? Json(fmt::format("{:g}", answer.accuracy)) : Json()}};
 }
 
 Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
@@ -185,36 +179,27 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"caveat", Json::unless_empty(caveat_of(request))},
           {"results", results},
           {"_definition", request.quantity->definition},
-          {"_answers", json_list(answers, shown_json)},
           {"_scale", request.quantity->scale},
           {"_differs", request.form == nullptr ? Json() : Json(request.form->differs)}};
-}
-
-std::vector<std::string> columns_of(const EvalRequest& request) {
-  if (request.form != nullptr) return {request.form->name};
-  std::vector<std::string> columns;
-  if (request.by_ref) columns = {"ref", "ref_error"};
-  if (request.by_fast) columns.insert(columns.end(), {"fast", "fast_error"});
-  columns.emplace_back("missed");
-  return columns;
 }
 
 SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
   SweepRow row;
   std::vector<std::string> missed;
-  for (const EvalAnswer& answer : answers_to(request, arguments)) {
-    row.add(answer.value, number_json(answer.path, answer.value));
-    if (answer.error) row.add(*answer.error, number_json(answer.path, *answer.error));
-    if (answer.met == false) missed.push_back(answer.path);
+  for (const auto& [path, value, seconds, digits, error, proven, accuracy, met] :
+       answers_to(request, arguments)) {
+    row.add(path, number_json(path, value), value);
+    if (error) row.add(path + "_error", number_json(path, *error), *error);
+    if (met == false) missed.push_back(path);
   }
   const std::string paths = fmt::format("{}", fmt::join(missed, " "));
-  if (request.form == nullptr) row.add(paths, Json::unless_empty(paths));
+  if (request.form == nullptr) row.add("missed", Json::unless_empty(paths), paths);
   row.fell_short = !missed.empty();
   return row;
 }
 
 /// A row for each combination, in their order whatever the threads, with the paths that missed the accuracy.
-int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream& out) {
+VerbAnswer eval_sweep(const EvalRequest& request, const CommandLine& line) {
   const Quantity& quantity = *request.quantity;
   const Assignments all = with_material_numbers(quantity, line.assignments);
   refuse_unknown_arguments(quantity, all);
@@ -222,29 +207,27 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
       mapped(all, [&](const auto& pair) { return axis_of(pair.first, pair.second, line.count("points")); }));
   const Sweep sweep{"eval_sweep",
                     points,
-                    columns_of(request),
                     {{"quantity", quantity.name}, {"caveat", Json::unless_empty(caveat_of(request))}},
-                    columns_of(request),
                     [&](std::size_t i) {
                       const Assignments given = points.assignments(i, &AxisValue::exact);
                       return row_of(request, parse_arguments(quantity, given));
                     }};
-  return write_sweep(sweep, line, out);
+  return swept(sweep, line);
 }
 
 }  // namespace
 
-int eval_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer eval_verb(const CommandLine& line) {
   refuse_more_words(line);
   const EvalRequest request = request_of(line);
   const Assignments given = with_material_numbers(*request.quantity, line.assignments);
   if (std::ranges::any_of(given, [](const auto& pair) { return is_swept(pair.second); }))
-    return eval_sweep(request, line, out);
+    return eval_sweep(request, line);
   refuse_option(line, "points", "has no effect without a range: must be left out");
   const ParsedArguments arguments = parse_arguments(*request.quantity, given);
   const std::vector<EvalAnswer> answers = answers_to(request, arguments);
   const bool met = std::ranges::none_of(answers, [](const EvalAnswer& one) { return one.met == false; });
-  return write_answer(line, out, "eval", met, to_json(request, arguments, answers), "eval.txt");
+  return {"eval", to_json(request, arguments, answers), met};
 }
 
 }  // namespace nipref::verify

@@ -82,10 +82,6 @@ class Destination {
   bool is_file_ = false;
 };
 
-int answer(const CommandLine& line, std::ostream& out, const Json& members, bool kept) {
-  return write_answer(line, out, "golden", kept, members, "golden_" + line.words.front() + ".txt");
-}
-
 /// What is not asked for is the quantity's own.
 GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   GoldenOptions options = golden_options(quantity);
@@ -122,7 +118,7 @@ std::vector<std::string> names_of(const CommandLine& line) {
   return names;
 }
 
-int make(const CommandLine& line, std::ostream& out) {
+VerbAnswer make(const CommandLine& line) {
   const auto names = names_of(line);
   const Destination destination(line, names.size());
   for (const std::string& name : names)
@@ -142,7 +138,7 @@ int make(const CommandLine& line, std::ostream& out) {
                      {"rows", made.file.rows.size()},
                      {"refused", refused_json(made.refused)}});
   });
-  return answer(line, out, {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept);
+  return {"golden", {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept};
 }
 
 /// A word is a quantity, a kind of contacts, or a file.
@@ -180,7 +176,7 @@ Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<Ch
           {"_missing", count(GoldenFault::missing)}};
 }
 
-int check(const CommandLine& line, std::ostream& out) {
+VerbAnswer check(const CommandLine& line) {
   std::vector<fs::path> paths;
   std::vector<GoldenFailure> folder;
   for (std::size_t i = 1; i < line.words.size(); ++i) paths.push_back(file_of(line.words[i]));
@@ -205,7 +201,7 @@ int check(const CommandLine& line, std::ostream& out) {
   progress.each("golden check", paths, name,
                 [&](const fs::path& path) { files.push_back(check_golden(path, options)); });
   const bool kept = folder.empty() && std::ranges::all_of(files, &CheckedGolden::kept);
-  return answer(line, out, checked_json(folder, files), kept);
+  return {"golden", checked_json(folder, files), kept};
 }
 
 struct UpdatedFile {
@@ -235,7 +231,7 @@ Json updated_json(const UpdatedFile& file) {
           {"_changed", file.updated.changed.size()}};
 }
 
-int update(const CommandLine& line, std::ostream& out) {
+VerbAnswer update(const CommandLine& line) {
   const Provenance made_with = provenance();
   if (!made_with.clean && !line.has("dirty")) {
     throw BadInput(
@@ -256,18 +252,15 @@ int update(const CommandLine& line, std::ostream& out) {
                                    [&](double part) { progress.at(part); })});
   });
   if (interrupted()) files.clear();
-  // The answer is printed before the files are written.
   const bool kept =
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
-  const int status =
-      answer(line, out, {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept);
   for (const UpdatedFile& file : files) {
     if (!file.updated.changed.empty()) destination.write(file.quantity.name, file.updated.file);
   }
-  return status;
+  return {"golden", {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept};
 }
 
-int list(const CommandLine& line, std::ostream& out) {
+VerbAnswer list(const CommandLine& line) {
   std::vector<Json> files, missing;
   std::size_t rows = 0;
   for (const std::string& name : names_of(line)) {
@@ -283,11 +276,10 @@ int list(const CommandLine& line, std::ostream& out) {
                      {"rows", csv.records.size() - 1},
                      {"header", json_object(header_of(csv).header)}});
   }
-  return answer(line, out, {{"action", "list"}, {"files", files}, {"missing", missing}, {"_rows", rows}},
-                true);
+  return {"golden", {{"action", "list"}, {"files", files}, {"missing", missing}, {"_rows", rows}}};
 }
 
-int export_files(const CommandLine& line, std::ostream& out) {
+VerbAnswer export_files(const CommandLine& line) {
   const auto names = names_of(line);
   const std::string format = line.option_or_usual("format");
   const Destination destination(line, names.size(), format == "cpp" ? ".hpp" : "." + format);
@@ -296,16 +288,20 @@ int export_files(const CommandLine& line, std::ostream& out) {
     destination.replace(name, exported_golden(golden_path(name), format));
     files.push_back({{"quantity", name}, {"file", destination.file_of(name).string()}});
   }
-  return answer(line, out, {{"action", "export"}, {"version", golden_version()}, {"files", files}}, true);
+  return {"golden", {{"action", "export"}, {"version", golden_version()}, {"files", files}}};
 }
 
 }  // namespace
 
-int golden_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer golden_verb(const CommandLine& line) {
   const std::string action = line.words.empty() ? "(missing)" : line.words.front();
   constexpr std::array<Verb*, golden_actions.size()> run{make, check, update, list, export_files};
   for (std::size_t i = 0; i < run.size(); ++i)
-    if (golden_actions[i] == action) return run[i](line, out);
+    if (golden_actions[i] == action) {
+      VerbAnswer answer = run[i](line);
+      answer.text = "golden_" + action + ".txt";
+      return answer;
+    }
   throw BadInput("golden", action, "must be make, check, update, list or export");
 }
 

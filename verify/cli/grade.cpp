@@ -88,21 +88,18 @@ std::string where_text(const CommandLine& line) {
   return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
 }
 
-Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quantity& quantity,
-                       const Ranges& ranges) {
+/// Its speed beside fast, and beside an older kernel if that is asked for.
+void add_speed(const CommandLine& line, PluginKernel& kernel, const Ranges& ranges, Graded& graded) {
+  const Quantity& quantity = *graded.grade.found.quantity;
   const std::vector<Point> points = timing_points(quantity, ranges);
-  Behaviour behaviour;
-  if (!points.empty()) behaviour.to_fast = speed_against_fast(kernel, quantity, points);
-  if (const auto older_file = line.option("against")) {
-    Slowdown slowdown{*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
-    const auto older = open_kernel(plugin_of(line, *older_file), kernel.info().name);
-    if (older->info().arity != kernel.info().arity)
-      throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
-    if (!points.empty()) slowdown.speed = speed_against(kernel, *older, points);
-    behaviour.to_older = slowdown;
-  }
-  behaviour.faults = kernel.faults();
-  return behaviour;
+  if (!points.empty()) graded.to_fast = speed_against_fast(kernel, quantity, points);
+  const auto older_file = line.option("against");
+  if (!older_file) return;
+  graded.to_older = {*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
+  const auto older = open_kernel(plugin_of(line, *older_file), kernel.info().name);
+  if (older->info().arity != kernel.info().arity)
+    throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
+  if (!points.empty()) graded.to_older->speed = speed_against(kernel, *older, points);
 }
 
 Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
@@ -118,13 +115,15 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   // A library's version and folder are no part of what the kernel is.
   std::string file = plugin.file.filename().string();
   if (const std::size_t version = file.find(".so."); version != std::string::npos) file.resize(version + 3);
-  const std::string what = chosen.kernel + " of " + file;
-  return {.grade = grade_of(what, where_text(line), found),
-          .seconds = seconds,
-          .promised = promised,
-          .own = own,
-          .seed = options.seed,
-          .behaviour = behaviour_of(line, *kernel, *chosen.quantity, options.ranges)};
+  Graded graded{.grade = grade_of(chosen.kernel + " of " + file, where_text(line), found),
+                .seconds = seconds,
+                .promised = promised,
+                .own = own,
+                .seed = options.seed,
+                .is_kernel = true};
+  add_speed(line, *kernel, options.ranges, graded);
+  graded.faults = kernel->faults();
+  return graded;
 }
 
 void refuse_what_is_wrong(const CommandLine& line) {
@@ -243,7 +242,7 @@ bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded
 
 }  // namespace
 
-int grade_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer grade_verb(const CommandLine& line) {
   std::optional<Baseline> baseline = baseline_of(line);
   std::vector<Graded> all = names_plugin(line) ? graded_kernels(line) : graded_file(line);
   bool kept = true, to_be_written = false;
@@ -256,14 +255,14 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
   if (const auto path = line.option("keep-worst"))
     for (const Graded& graded : all) keep_worst(*path, graded);
   if (const auto junit = line.option("junit")) write_output_file(*junit, junit_text(all));
-  const auto text = [&] {
+  const auto text = [=] {
     std::string of_all;
     for (const Graded& graded : all)
       of_all +=
           folded(graded_text(graded)) + (line.has("ctest") ? text_of("ctest.txt", graded_json(graded)) : "");
-    return of_all;
+    return of_all + note_of_interrupt();
   };
-  return write_answer(line, out, "grade", kept, {{"rows", json_list(all, graded_json)}}, text);
+  return {"grade", {{"rows", json_list(all, graded_json)}}, kept, text};
 }
 
 }  // namespace nipref::verify

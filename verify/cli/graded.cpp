@@ -37,11 +37,10 @@ Json older_json(const std::optional<Slowdown>& older) {
 }
 
 Json times_json(const Graded& graded) {
-  Json times{{"seconds", graded.seconds}};
-  if (const auto& behaviour = graded.behaviour)
-    times.append(
-        {{"to_fast", speed_json(behaviour->to_fast, "fast")}, {"to_older", older_json(behaviour->to_older)}});
-  return times;
+  if (!graded.is_kernel) return {{"seconds", graded.seconds}};
+  return {{"seconds", graded.seconds},
+          {"to_fast", speed_json(graded.to_fast, "fast")},
+          {"to_older", older_json(graded.to_older)}};
 }
 
 /// What ends a process is an error of the test's subject, not a value that is wrong.
@@ -57,8 +56,8 @@ std::string promised_by(const Graded& graded) {
 
 std::string why_not_kept(const Graded& graded) {
   const Grade& grade = graded.grade;
-  if (graded.behaviour && !graded.behaviour->faults.empty()) {
-    const Fault& first = graded.behaviour->faults.front();
+  if (!graded.faults.empty()) {
+    const Fault& first = graded.faults.front();
     return fmt::format("{}{}: {}", name_of(first.kind),
                        first.point ? " at" + point_text(*grade.found.quantity, *first.point) : "",
                        first.words);
@@ -66,8 +65,7 @@ std::string why_not_kept(const Graded& graded) {
   if (!grade.found.kept())
     return fmt::format("largest error found {:.4g} ulp, promised {}", grade.found.max_error_ulp,
                        promised_by(graded));
-  if (graded.behaviour && !graded.behaviour->kept())
-    return "slower than " + graded.behaviour->to_older->older;
+  if (graded.to_older && !graded.to_older->kept()) return "slower than " + graded.to_older->older;
   return fmt::format("baseline: {}: {}", words_of(graded.against_baseline->comparison),
                      graded.against_baseline->words);
 }
@@ -108,7 +106,7 @@ GoldenFile kept_file(const std::string& path, const Quantity& quantity) {
 /// A test case: times are decimals without exponents there, and a message is one line.
 Json case_json(const Graded& graded) {
   const Grade& grade = graded.grade;
-  const bool errs = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
+  const bool errs = std::ranges::any_of(graded.faults, is_error);
   const Json why = graded.kept() ? Json() : Json(why_not_kept(graded));
   return {{"name", fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where)},
           {"seconds", graded.seconds},
@@ -120,8 +118,8 @@ Json case_json(const Graded& graded) {
 }  // namespace
 
 bool Graded::kept() const {
-  if (!grade.found.kept() || (behaviour && !behaviour->kept())) return false;
-  return !against_baseline || against_baseline->comparison == Comparison::not_worse;
+  return grade.found.kept() && faults.empty() && (!to_older || to_older->kept()) &&
+         (!against_baseline || against_baseline->comparison == Comparison::not_worse);
 }
 
 std::string take_promise(const CommandLine& line, AuditOptions& options) {
@@ -149,16 +147,14 @@ std::string graded_text(const Graded& graded) { return text_of("grade.txt", grad
 
 Json graded_json(const Graded& graded) {
   Json row = grade_json(graded.grade);
-  const std::vector<Fault> none;
   row.append({{"promise", promised_by(graded)},
               {"own", own_json(graded)},
               {"baseline", baseline_json(graded)},
-              {"faults",
-               faults_json(*graded.grade.found.quantity, graded.behaviour ? graded.behaviour->faults : none)},
+              {"faults", faults_json(*graded.grade.found.quantity, graded.faults)},
               {"remarks", json_list(graded.remarks)},
               {"times", times_json(graded)},
-              {"_behaviour", graded.behaviour.has_value()},
-              {"_faulty", graded.behaviour && !graded.behaviour->faults.empty()}});
+              {"_kernel", graded.is_kernel},
+              {"_faulty", !graded.faults.empty()}});
   return row;
 }
 

@@ -18,15 +18,6 @@ struct Slowdown {
   [[nodiscard]] bool kept() const { return speed && speed->ratio <= 1 + allowed; }
 };
 
-/// What there is to say of a kernel besides its errors.
-struct Behaviour {
-  std::vector<Fault> faults;
-  std::optional<Speed> to_fast;  ///< none: it fails
-  std::optional<Slowdown> to_older = {};
-
-  [[nodiscard]] bool kept() const { return faults.empty() && (!to_older || to_older->kept()); }
-};
-
 /// A grade and all that is said of it besides.
 struct Graded {
   Grade grade;
@@ -35,8 +26,11 @@ struct Graded {
   std::optional<double> own = {};  ///< the value at the worst point; nothing where there is none
   std::string seed = {};           ///< of its points
   std::vector<std::string> remarks = {};
-  std::optional<Behaviour> behaviour = {};  ///< of a kernel
   std::optional<BaselineComparison> against_baseline = {};
+  bool is_kernel = false;  ///< what follows is of kernels alone
+  std::vector<Fault> faults = {};
+  std::optional<Speed> to_fast = {};  ///< none: it fails
+  std::optional<Slowdown> to_older = {};
 
   [[nodiscard]] bool kept() const;
 };

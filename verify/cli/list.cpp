@@ -53,7 +53,7 @@ auto named(const Rows& rows, bool all, std::vector<std::string>& words) {
 
 }  // namespace
 
-int list_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer list_verb(const CommandLine& line) {
   CommandLine rest = line;
   const bool of_scenes = std::ranges::find(line.words, scene_group) != line.words.end();
   const auto keys = named(data::scene_keys(), of_scenes, rest.words);
@@ -67,7 +67,7 @@ int list_verb(const CommandLine& line, std::ostream& out) {
               {"_of_results", !results.empty()}};
   if (!keys.empty()) answer.set("keys", json_list(keys, key_json));
   if (!results.empty()) answer.set("results", json_list(results, result_json));
-  return write_answer(line, out, "list", true, answer, "list.txt");
+  return {"list", answer};
 }
 
 }  // namespace nipref::verify

@@ -94,17 +94,15 @@ std::string text_of(const std::string& name, const Json& members, const Escape& 
   return filled_text(templates.at(name), members, templates, escape);
 }
 
-int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const Json& members, const std::string& name_of_template) {
-  return write_answer(line, out, verb, all_well, members,
-                      [&] { return folded(text_of(name_of_template, members)); });
+std::string written(const VerbAnswer& answer, const CommandLine& line) {
+  if (line.json) return answer_text(answer.verb, answer.members, line.no_times);
+  if (const auto* const text = std::get_if<1>(&answer.text)) return (*text)();
+  const std::string& name = std::get<0>(answer.text);
+  return folded(text_of(name.empty() ? answer.verb + ".txt" : name, answer.members)) + note_of_interrupt();
 }
 
-int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const Json& members, const std::function<std::string()>& text) {
-  const char* const end = interrupted() ? "\ninterrupted: above is what was finished by then\n" : "";
-  out << (line.json ? answer_text(verb, members, line.no_times) : text() + end);
-  return all_well ? 0 : 1;
+std::string note_of_interrupt() {
+  return interrupted() ? "\ninterrupted: above is what was finished by then\n" : "";
 }
 
 std::string version_answer_text(bool json) {

@@ -1,5 +1,4 @@
 #pragma once
-#include <ostream>
 #include <system_error>
 
 #include <nipref/verify/cli/command_line.hpp>
@@ -48,13 +47,20 @@ std::string answer_text(std::string_view verb, const Json& members, bool no_time
 std::string text_of(const std::string& name, const Json& members,
                     const std::function<std::string(const std::string&)>& escape = std::identity());
 
-/// Writes the answer of a verb, as JSON, or as the text that its template makes of the members, folded. Members whose names
-/// begin with '_' are for the template alone. Returns the exit status: 0 if all is well, otherwise 1.
-int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const Json& members, const std::string& name_of_template);
-/// The same with a text that no template makes.
-int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const Json& members, const std::function<std::string()>& text);
+/// What a verb answers.
+struct VerbAnswer {
+  std::string verb;      ///< as JSON names it
+  Json members;          ///< those whose names begin with '_' are for the text alone
+  bool all_well = true;  ///< otherwise a check fell short
+  /// The template that makes a text of the members, which is folded, by default VERB.txt; or the text, where none makes it.
+  std::variant<std::string, std::function<std::string()>> text = {};
+};
+
+/// The answer as the command line asks for it, as JSON or as text.
+std::string written(const VerbAnswer& answer, const CommandLine& line);
+
+/// What stands below the text of an answer that an interrupt has left unfinished; otherwise empty.
+std::string note_of_interrupt();
 
 /// What this program was compiled with.
 std::string compiler();

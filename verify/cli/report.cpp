@@ -162,7 +162,7 @@ Json report_json(const Report& report) {
           {"comparison", report.comparison ? comparison_json(*report.comparison) : Json()}};
 }
 
-int report_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer report_verb(const CommandLine& line) {
   const auto older = older_report(line);
   const auto folder = output_folder(line);
   AuditRun audits(line, true);
@@ -186,11 +186,11 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   const std::string answer = answer_text("report", found, line.no_times);
   const std::string page =
       folder ? write_page(*folder, answer, draw) : "nipref report -o DIR writes all of it as DIR/index.html";
-  const auto text = [&] {
+  const auto text = [found, page, compares = report.comparison.has_value()] {
     return report_text(answer_text("report", found), page) +
-           (report.comparison ? "\n" + text_of("comparison.txt", comparison_json(*report.comparison)) : "");
+           (compares ? "\n" + text_of("comparison.txt", found.at("comparison")) : "") + note_of_interrupt();
   };
-  return write_answer(line, out, "report", report.kept(line.has("strict")), found, text);
+  return {"report", found, report.kept(line.has("strict")), text};
 }
 
 }  // namespace nipref::verify

@@ -1,7 +1,6 @@
 #pragma once
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/common.hpp>
@@ -21,16 +20,6 @@ Selection bench_everything();
 /// Times what is selected, of quantities and bench_groups(). What is finished, if the process is interrupted.
 BenchReport bench_all(const Selection& selected, Progress& progress,
                       const std::vector<OtherKernel>& others = {});
-
-/// One way to a quantity's values in an older program and in this one.
-struct AgainstRow {
-  std::string quantity, range, method;
-  Speed speed;  ///< new over old, with the least and the largest ratio of the rounds
-  std::optional<double> old_ulp, new_ulp;  ///< largest errors found, units in the last place of the scale
-
-  /// Slower by more than `part` in every round: what one round in three says alone is the machine's.
-  [[nodiscard]] bool slower_by(double part) const { return speed.lower_ratio > 1 + part; }
-};
 
 /// The tables of these ids, replayed and corrected; those that are finished, if the process is interrupted.
 /// BadInput for unknown ids.

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -27,13 +26,9 @@ void must(bool done, const fs::path& file) {
   if (!done) throw OutputError(file.string());
 }
 
-/// Writes the text and syncs the file.
-void write_and_sync(const Descriptor& to, std::string_view text, const fs::path& file) {
-  must(write_all(to.number(), text) && fsync(to.number()) == 0, file);
-}
-
+/// What is written is on the disk.
 int opened(const fs::path& file, int flags) {
-  const int number = open(file.c_str(), flags | O_CLOEXEC, 0666);
+  const int number = open(file.c_str(), flags | O_CLOEXEC | O_SYNC, 0666);
   must(number >= 0, file);
   return number;
 }
@@ -50,7 +45,7 @@ void write_once(const fs::path& file, std::string_view text, const std::string& 
   if (fs::exists(file)) return;
   fs::path ours = file;
   ours += fmt::format(".{}.{}", who, getpid());
-  write_and_sync(Descriptor(opened(ours, O_WRONLY | O_CREAT | O_TRUNC)), text, ours);
+  must(write_all(Descriptor(opened(ours, O_WRONLY | O_CREAT | O_TRUNC)).number(), text), ours);
   const bool done = link(ours.c_str(), file.c_str()) == 0 || errno == EEXIST;
   const int why = errno;
   unlink(ours.c_str());
@@ -59,26 +54,8 @@ void write_once(const fs::path& file, std::string_view text, const std::string& 
   sync_folder(file.parent_path());
 }
 
-/// The position at which the last complete line ends.
-off_t end_of_lines(int descriptor, const fs::path& file) {
-  struct stat status = {};
-  must(fstat(descriptor, &status) == 0, file);
-  off_t end = status.st_size;
-  for (char letter = 0; end > 0; --end) {
-    must(pread(descriptor, &letter, 1, end - 1) == 1, file);
-    if (letter == '\n') break;
-  }
-  return end;
-}
-
 bool is_shard_file(const fs::path& file) {
   return file.filename().string().starts_with("shard-") && file.extension() == ".jsonl";
-}
-
-/// "I1 block 17" or "I1 blocks 17 to 29".
-std::string gap_text(const std::string& work, std::size_t first, std::size_t last) {
-  return first == last ? fmt::format("{} block {}", work, first)
-                       : fmt::format("{} blocks {} to {}", work, first, last);
 }
 
 }  // namespace
@@ -135,7 +112,8 @@ std::string StoredBlocks::gaps() const {
       while (block < hashes.size() && hashes[block] == 0) ++block;
       if (block == first) continue;
       if (named.size() < most_gaps_named) {
-        named.push_back(gap_text(works_[work]->name(), first, block - 1));
+        const char* const form = block - first == 1 ? "{} block {}" : "{} blocks {} to {}";
+        named.push_back(fmt::format(fmt::runtime(form), works_[work]->name(), first, block - 1));
       } else {
         unnamed += block - first;
       }
@@ -207,13 +185,14 @@ ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Sha
   const int number = file_.emplace(opened(path_, O_RDWR | O_CREAT | O_APPEND)).number();
   if (flock(number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     refuse("out", folder.string(), "must be left to the process that is writing {}", path_);
-  must(ftruncate(number, end_of_lines(number, path_)) == 0, path_);
+  const std::size_t last_end = text_of(path_).rfind('\n');  // npos + 1 is the file's start
+  must(ftruncate(number, static_cast<off_t>(last_end + 1)) == 0, path_);
   sync_folder(folder);
 }
 
 void ShardFile::append(const BlockWork& work, std::size_t block, const Json& found) {
-  write_and_sync(*file_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
-                 path_);
+  const Json line{{"work", work.name()}, {"block", block}, {"found", found}};
+  must(write_all(file_->number(), line.line() + "\n"), path_);
 }
 
 }  // namespace nipref::verify

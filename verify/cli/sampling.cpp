@@ -29,14 +29,14 @@ AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity,
   return options;
 }
 
-int points_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer points_verb(const CommandLine& line) {
   const std::string name = line.words.empty() ? "(missing)" : line.words.front();
   const auto answer = [&](const Quantity& quantity, const std::vector<Point>& points) {
     const std::string csv = points_csv(
         quantity, points,
         {"quantity: " + name, fmt::format("command: nipref {}", fmt::join(words_of(line, {"json"}), " ")),
          "arguments: exact in hexadecimal; NAME_decimal is read as the same double"});
-    return write_answer(line, out, "points", true, {{"quantity", name}, {"csv", csv}}, [&] { return csv; });
+    return VerbAnswer{"points", {{"quantity", name}, {"csv", csv}}, true, [=] { return csv; }};
   };
   if (is_contact_kind(name))
     return answer(contact_quantities(name).front(),

@@ -12,17 +12,14 @@ namespace {
 
 using data::BadInput;
 
-/// 1 if something is not as accurate as was asked.
 template <class Number>
-int print(const data::Scene& scene, const SceneSolution<Number>& solution, const CommandLine& line,
-          std::ostream& out) {
-  const bool full = line.has("full");
+VerbAnswer answer_of(const data::Scene& scene, const SceneSolution<Number>& solution, bool full) {
   Json answer = solution_json(solution, full);
   const auto step_json = [](const SearchStep& step) -> Json {
     return {{"contact_length", step.contact_length}, {"load", step.load}};
   };
   if (full) answer.set("search", json_list(thesis_search(scene), step_json));
-  return write_answer(line, out, "solve", solution.missed().empty(), answer, "solve.txt");
+  return {"solve", answer, solution.missed().empty()};
 }
 
 /// A list as TOML writes it is one value, and so is a title.
@@ -36,97 +33,70 @@ data::Scene scene_at(const data::SceneText& text, const AxesProduct& scenes, std
   return data::load_scene(text, scenes.assignments(number, &AxisValue::shown));
 }
 
-/// The first scene that is none to be refused; BadInput, the first one's, if all are.
-data::Scene first_scene(const data::SceneText& text, const AxesProduct& scenes) {
-  std::optional<BadInput> refused;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    try {
-      return scene_at(text, scenes, i);
-    } catch (const BadInput& error) {
-      if (!refused) refused = error;
-    }
-  }
-  throw BadInput(*refused);
-}
-
-std::vector<std::string> columns_of(const data::Scene& scene) {
-  std::vector<std::string> columns;
-  for (const data::ResultId id : scene.wanted) {
-    columns.emplace_back(data::scene_result(id).name);
-    columns.push_back(columns.back() + "_error");
-  }
-  columns.insert(columns.end(), {"missed", "warnings"});
-  if (wants(scene, data::Shape::profile)) columns.emplace_back("positions");
-  if (wants(scene, data::Shape::field)) columns.insert(columns.end(), {"field.positions", "field.depths"});
-  return columns;
-}
-
-const std::vector<std::string> heads_of_numbers{"result", "depth",  "position", "value",
-                                                "error",  "missed", "warnings"};
-
 std::string place_text(const std::optional<double>& place) { return place ? fmt::format("{}", *place) : ""; }
 
 /// A line for each number of each result, with its place, and lists for JSON.
 template <class Number>
 void add_lists(SweepRow& row, const SceneSolution<Number>& solution, const std::string& missed,
                const std::string& warnings) {
-  const Json answer = solution_json(solution);
+  const Json answer = solution_json(solution), results = answer.at("results");
+  row.heads = {"result", "depth", "position", "value", "error", "missed", "warnings"};
+  row.lines.clear();
   for (const auto& result : solution.results) {
-    const Json numbers = answer.at("results").at(result.what->name);
-    row.values.insert(row.values.end(), {numbers.at("value"), numbers.at("error")});
+    const std::string name(result.what->name);
+    row.add(name, results.at(name).at("value"));
+    row.add(name + "_error", results.at(name).at("error"));
     for (std::size_t i = 0; i < result.numbers.size(); ++i) {
       const auto [position, depth] = solution.place(*result.what, i);
-      row.lines.push_back({std::string(result.what->name), place_text(depth), place_text(position),
-                           value_text(result.numbers[i]), error_text(result.numbers[i]), missed, warnings});
+      row.lines.push_back({name, place_text(depth), place_text(position), value_text(result.numbers[i]),
+                           error_text(result.numbers[i]), missed, warnings});
     }
   }
-  row.values.insert(row.values.end(), {missed, warnings});
-  if (!solution.positions.empty()) row.values.push_back(answer.at("positions"));
-  if (const Json field = answer.at("field"); !field.is_null())
-    row.values.insert(row.values.end(), {field.at("positions"), field.at("depths")});
+  row.add("missed", missed);
+  row.add("warnings", warnings);
+  if (!solution.positions.empty()) row.add("positions", answer.at("positions"));
+  const Json field = answer.at("field");
+  for (const char* const places : {"positions", "depths"})
+    if (!field.is_null()) row.add(fmt::format("field.{}", places), field.at(places));
 }
 
 template <class Number>
-SweepRow row_of(const SceneSolution<Number>& solution, bool has_lists) {
+SweepRow row_of(const SceneSolution<Number>& solution) {
   SweepRow row;
   const auto missed = solution.missed();
   row.fell_short = !missed.empty();
   const std::string names = fmt::format("{}", fmt::join(missed, " "));
   const std::string warnings =
       fmt::format("{}", fmt::join(mapped(solution.warnings, &BeyondTheory::quantity), " "));
-  if (has_lists) {
+  if (std::ranges::any_of(solution.results,
+                          [](const auto& result) { return result.what->shape != data::Shape::number; })) {
     add_lists(row, solution, names, warnings);
     return row;
   }
+  const auto add = [&](const std::string& column, const std::string& text) {
+    row.add(column, std::is_same_v<Number, ref::Estimate> ? Json(text) : Json::number(text), text);
+  };
   for (const auto& result : solution.results) {
-    for (const std::string& text : {value_text(result.numbers.front()), error_text(result.numbers.front())})
-      row.add(text, std::is_same_v<Number, ref::Estimate> ? Json(text) : Json::number(text));
+    const std::string name(result.what->name);
+    add(name, value_text(result.numbers.front()));
+    add(name + "_error", error_text(result.numbers.front()));
   }
-  row.add(names, Json::unless_empty(names));
-  row.add(warnings, Json::unless_empty(warnings));
+  row.add("missed", Json::unless_empty(names), names);
+  row.add("warnings", Json::unless_empty(warnings), warnings);
   return row;
 }
 
 /// A row for each combination with its results and errors, with the names of those that missed the accuracy, and with
 /// what is beyond linear theory; where a profile, a field or a list is wanted, a row for each number with its place.
-/// digits: of ref; nothing: by fast. 1 if a scene was refused or missed its accuracy. BadInput if all are refused.
-int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
-                const CommandLine& line, std::ostream& out) {
-  const data::Scene first = first_scene(text, scenes);
-  const bool has_lists = std::ranges::any_of(
-      first.wanted, [](data::ResultId id) { return data::scene_result(id).shape != data::Shape::number; });
-  const std::vector<std::string> columns = columns_of(first);
-  const Sweep sweep{"solve_sweep",
-                    scenes,
-                    columns,
-                    {{"path", digits ? "ref" : "fast"}},
-                    has_lists ? heads_of_numbers : columns,
-                    [&](std::size_t i) {
-                      const data::Scene scene = scene_at(text, scenes, i);
-                      return digits ? row_of(solve_by_ref(scene, *digits), has_lists)
-                                    : row_of(solve(scene), has_lists);
-                    }};
-  return write_sweep(sweep, line, out);
+/// digits: of ref; nothing: by fast. It falls short if a scene was refused or missed its accuracy. BadInput if all are
+/// refused.
+VerbAnswer solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
+                       const CommandLine& line) {
+  const auto row_at = [&](std::size_t i) {
+    const data::Scene scene = scene_at(text, scenes, i);
+    return digits ? row_of(solve_by_ref(scene, *digits)) : row_of(solve(scene));
+  };
+  return swept({"solve_sweep", scenes, {{"path", digits ? "ref" : "fast"}}, row_at}, line);
 }
 
 Json estimate_json(const fast::Estimate& number) {
@@ -149,18 +119,18 @@ AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line) {
   return AxesProduct(std::move(axes));
 }
 
-int solve_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer solve_verb(const CommandLine& line) {
   const auto [text, digits] = scene_request(line);
   const AxesProduct scenes = swept_scenes(text, line);
-  if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line, out);
+  if (scenes.size() > 1 || line.has("csv")) return solve_sweep(text, scenes, digits, line);
   refuse_option(line, "points", "has no effect without a range: must be left out");
   const data::Scene scene = scene_at(text, scenes, 0);
-  if (!digits) return print(scene, solve(scene), line, out);
+  if (!digits) return answer_of(scene, solve(scene), line.has("full"));
   if (!line.has("quiet")) fmt::print(stderr, "{}", warning_of_time(likely_seconds_by_ref(scene, *digits)));
-  return print(scene, solve_by_ref(scene, *digits), line, out);
+  return answer_of(scene, solve_by_ref(scene, *digits), line.has("full"));
 }
 
-int balance_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer balance_verb(const CommandLine& line) {
   const auto [text, digits] = scene_request(line);
   const EnergyBalance balance = energy_balance(data::load_scene(text, line.assignments), digits);
   const Json answer{{"title", balance.title},
@@ -172,7 +142,7 @@ int balance_verb(const CommandLine& line, std::ostream& out) {
                     {"allowed", balance.allowed()},
                     {"met", balance.meets()},
                     {"times", {{"seconds", balance.seconds}}}};
-  return write_answer(line, out, "balance", balance.meets(), answer, "balance.txt");
+  return {"balance", answer, balance.meets()};
 }
 
 }  // namespace nipref::verify

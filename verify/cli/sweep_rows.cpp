@@ -48,11 +48,18 @@ std::string without_commas(std::string text) {
   return csv_field(text);
 }
 
+/// Of the first row that there is; without one there are no columns.
+SweepRow shape_of(const std::vector<FinishedRow>& rows) {
+  const auto known = std::ranges::find_if(rows, [](const FinishedRow& row) { return row.row.has_value(); });
+  return known == rows.end() ? SweepRow() : *known->row;
+}
+
 std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
-  const std::vector<std::vector<std::string>> unknown{std::vector<std::string>(sweep.heads.size())};
+  const std::vector<std::string> heads = shape_of(rows).heads;
+  const std::vector<std::vector<std::string>> unknown{std::vector<std::string>(heads.size())};
   std::string text;
   for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";
-  for (const std::string& head : sweep.heads) text += csv_field(head) + ",";
+  for (const std::string& head : heads) text += csv_field(head) + ",";
   text += "refused\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::string start;
@@ -66,24 +73,19 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) 
   return text;
 }
 
-Json columns_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
   Json columns = Json::object();
   const auto& axes = sweep.product.axes();
-  for (std::size_t a = 0; a < axes.size(); ++a) {
-    std::vector<Json> values;
-    for (std::size_t i = 0; i < rows.size(); ++i) values.emplace_back(sweep.product.at(i)[a]->shown);
-    columns.set(axes[a].name, values);
-  }
-  for (std::size_t j = 0; j < sweep.columns.size(); ++j)
-    columns.set(sweep.columns[j], json_list(rows, [&](const FinishedRow& row) {
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    columns.set(axes[a].name, json_list(std::views::iota(std::size_t{0}, rows.size()),
+                                        [&](std::size_t i) { return sweep.product.at(i)[a]->shown; }));
+  const std::vector<std::string> names = shape_of(rows).columns;
+  for (std::size_t j = 0; j < names.size(); ++j)
+    columns.set(names[j], json_list(rows, [&](const FinishedRow& row) {
                   return row.row ? row.row->values[j] : Json();
                 }));
-  return columns;
-}
-
-Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
   Json members = sweep.members;
-  members.set("columns", columns_json(sweep, rows));
+  members.set("columns", columns);
   members.set("refused",
               json_list(rows, [](const FinishedRow& row) { return Json::unless_empty(refusal_text(row)); }));
   return members;
@@ -91,15 +93,14 @@ Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
 
 }  // namespace
 
-int write_sweep(const Sweep& sweep, const CommandLine& line, std::ostream& out) {
+VerbAnswer swept(const Sweep& sweep, const CommandLine& line) {
   const std::vector<FinishedRow> rows = finished_rows(sweep, line.has("quiet"));
   if (std::ranges::all_of(rows, [](const FinishedRow& row) { return row.refused.has_value(); }))
     throw BadInput(*rows.front().refused);
-  out << (line.json ? answer_text(sweep.verb, sweep_json(sweep, rows), line.no_times)
-                    : sweep_csv(sweep, rows));
-  return std::ranges::all_of(rows, [](const FinishedRow& row) { return row.row && !row.row->fell_short; })
-             ? 0
-             : 1;
+  const bool all_well =
+      std::ranges::all_of(rows, [](const FinishedRow& row) { return row.row && !row.row->fell_short; });
+  if (line.json) return {sweep.verb, sweep_json(sweep, rows), all_well};
+  return {sweep.verb, {}, all_well, [csv = sweep_csv(sweep, rows)] { return csv; }};
 }
 
 }  // namespace nipref::verify

@@ -6,11 +6,11 @@
 namespace nipref::verify {
 namespace {
 
-int list_tables(const std::vector<std::string>& ids, const CommandLine& line, std::ostream& out) {
+VerbAnswer list_tables(const std::vector<std::string>& ids) {
   std::vector<data::TableSummary> summaries;
   if (ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  return write_answer(line, out, "tables", true, table_list_json(summaries), "tables_list.txt");
+  return {"tables", table_list_json(summaries), true, "tables_list.txt"};
 }
 
 /// Unexplained though the table does not speak against the printed number, and not known to be so.
@@ -40,14 +40,13 @@ bool fall_short(const std::vector<Replay>& replays) {
   });
 }
 
-int tables_verb(const CommandLine& line, std::ostream& out) {
+VerbAnswer tables_verb(const CommandLine& line) {
   const std::vector<std::string> ids =
       each_once(mapped(line.words, [](const auto& name) { return data::find_table_id(name); }));
-  if (line.has("list")) return list_tables(ids, line, out);
+  if (line.has("list")) return list_tables(ids);
   Progress progress(line.has("quiet"));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
-  return write_answer(line, out, "tables", !fall_short(replays), tables_json(replays, line.has("full")),
-                      "tables.txt");
+  return {"tables", tables_json(replays, line.has("full")), !fall_short(replays)};
 }
 
 }  // namespace nipref::verify

@@ -1,14 +1,11 @@
 #pragma once
-#include <ostream>
-
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 
-/// A verb of the command line. It writes its result to `out` and returns the exit status: 0 all well, 1 a check fell short. Bad
-/// input is thrown as BadInput before anything is written.
-using Verb = int(const CommandLine& line, std::ostream& out);
+/// A verb of the command line. BadInput for bad input.
+using Verb = VerbAnswer(const CommandLine& line);
 
 Verb list_verb, eval_verb, solve_verb, balance_verb, tables_verb, limits_verb, claims_verb, errata_verb,
     figures_verb, audit_verb, merge_verb, points_verb, grade_verb, golden_verb, bench_verb, report_verb;

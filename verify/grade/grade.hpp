@@ -28,24 +28,20 @@ std::optional<double> condition_number(const Quantity& quantity, const Point& po
 /// Adds the reference's value and the condition number at the worst point.
 Grade grade_of(std::string what, std::string where, AuditResult found);
 
-/// Grades a callable, double(double) for a quantity of one argument, double(std::span<const double> arguments), or an
-/// Evaluator, which is called from several threads at once. Everything else is as in audit().
+/// Grades a callable, double(double) for a quantity of one argument, or double(std::span<const double> arguments), which is
+/// called from several threads at once. Everything else is as in audit().
 template <class Callable>
 Grade grade(const Quantity& quantity, const Callable& callable, const AuditOptions& options) {
-  if constexpr (std::invocable<Callable, std::span<const Point>, std::span<double>>) {
-    return grade_of("a callable", "its domain", audit(quantity, callable, options));
-  } else {
-    const auto one_by_one = [&](std::span<const Point> points, std::span<double> values) {
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if constexpr (std::invocable<Callable, double>) {
-          values[i] = callable(points[i].front());
-        } else {
-          values[i] = callable(std::span<const double>(points[i]));
-        }
+  const auto one_by_one = [&](std::span<const Point> points, std::span<double> values) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if constexpr (std::invocable<Callable, double>) {
+        values[i] = callable(points[i].front());
+      } else {
+        values[i] = callable(std::span<const double>(points[i]));
       }
-    };
-    return grade_of("a callable", "its domain", audit(quantity, one_by_one, options));
-  }
+    }
+  };
+  return grade_of("a callable", "its domain", audit(quantity, one_by_one, options));
 }
 
 Json grade_json(const Grade& grade);

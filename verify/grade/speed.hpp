@@ -36,6 +36,9 @@ struct Speed {
 
   /// `lower`: the share of the rounds whose ratio is below lower_ratio, as large as that above upper_ratio.
   Speed(const std::vector<double>& nanoseconds_of_rounds, const std::vector<double>& others, double lower);
+
+  /// Slower by more than `part` in every round, if `lower` is 0: what one round in three says alone is the machine's.
+  [[nodiscard]] bool slower_by(double part) const { return lower_ratio > 1 + part; }
 };
 
 /// Random points of the ranges at which fast has finite values; empty if there are none.

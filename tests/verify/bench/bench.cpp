@@ -7,6 +7,7 @@
 #include <nipref/verify/catalogue/sheet/internal/peers.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
+#include <nipref/verify/grade/speed.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 #include "support/paths.hpp"
@@ -19,6 +20,12 @@ namespace {
 std::string ref_I1(const std::string& alpha, int digits) {
   const std::array arguments{ref::Exact::parse(alpha, "alpha")};
   return verify::find_quantity("I1").by_ref(arguments, digits).value_text();
+}
+
+std::vector<verify::BenchRow> rows_of(const std::vector<verify::BenchPart>& parts) {
+  std::vector<verify::BenchRow> rows;
+  for (const verify::BenchPart& part : parts) std::ranges::move(part.rows(), std::back_inserter(rows));
+  return rows;
 }
 
 std::string bench_text(const verify::BenchReport& report) {
@@ -95,7 +102,7 @@ TEST_CASE("a promised ratio is formed only of ways that are both as right as it 
 }
 
 TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
-  const auto rows = verify::bench(verify::find_quantity("I7"), {});
+  const auto rows = rows_of(verify::double_bench(verify::find_quantity("I7")));
   REQUIRE(rows.size() == 2);
   for (const verify::BenchRow& row : rows) {
     CHECK(row.quantity == "I7");
@@ -109,7 +116,7 @@ TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
 TEST_CASE("a quantity that costs a solution is timed at a few points, and only where it is named") {
   const verify::Quantity& theta1 = verify::find_quantity("material.theta1");
   REQUIRE(theta1.is_costly);
-  const auto rows = verify::bench(theta1, {});
+  const auto rows = rows_of(verify::double_bench(theta1));
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].arguments == "as in the audit, 12 points");
   CHECK(rows[0].nanoseconds > 0);
@@ -122,12 +129,12 @@ TEST_CASE("a quantity that costs a solution is timed at a few points, and only w
 TEST_CASE("somebody's kernel is timed beside fast, with its errors, and only for its own quantity") {
   const auto kernel = verify::open_kernel({plugin_file("kernels")}, "all_sound");
   const std::vector<verify::OtherKernel> others{{"mine", "I3", kernel.get()}};
-  const auto rows = verify::bench_double(verify::find_quantity("I3"), {}, others);
+  const auto rows = rows_of(verify::double_bench(verify::find_quantity("I3"), others));
   const auto mine = std::ranges::find(rows, "mine", &verify::BenchRow::method);
   REQUIRE(mine != rows.end());
   CHECK(mine->nanoseconds > 0);
   CHECK(mine->max_error_ulp.value() == rows.front().max_error_ulp.value());
-  const auto other_rows = verify::bench_double(verify::find_quantity("I4"), {}, others);
+  const auto other_rows = rows_of(verify::double_bench(verify::find_quantity("I4"), others));
   CHECK(std::ranges::find(other_rows, "mine", &verify::BenchRow::method) == other_rows.end());
 }
 
@@ -142,7 +149,7 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
                          return alpha;
                        };
                      }}};
-  verify::bench_double(quantity, {});
+  rows_of(verify::double_bench(quantity));
   CHECK(seen.size() >= 6 * 400);  // in each of the six ranges
 }
 
@@ -172,11 +179,10 @@ TEST_CASE("a missed ratio of times fails a run only where it is strict, one of e
 }
 
 TEST_CASE("slower is what is so in every round") {
-  const auto row = [](double second_round) {
-    return nipref::verify::AgainstRow{"I1", "all", "fast full", {{11.5, second_round, 13}, {10, 10, 10}, 0},
-                                      {},   {}};
+  const auto speed = [](double second_round) {
+    return verify::Speed({11.5, second_round, 13}, {10, 10, 10}, 0);
   };
-  CHECK(row(12).slower_by(0.1));
-  CHECK_FALSE(row(12).slower_by(0.15));
-  CHECK_FALSE(row(9).slower_by(0.1));
+  CHECK(speed(12).slower_by(0.1));
+  CHECK_FALSE(speed(12).slower_by(0.15));
+  CHECK_FALSE(speed(9).slower_by(0.1));
 }

@@ -53,7 +53,7 @@ TEST_CASE("a wrong sign is wrong everywhere, and a wrong limit where it is") {
   CHECK(tiny.found.spread.wrong->lower[0] > -1e-6);
   CHECK(tiny.found.spread.wrong->upper[0] > 1e-8);
   verify::Json row = verify::grade_json(tiny);
-  row.append({{"_behaviour", false},
+  row.append({{"_kernel", false},
               {"own", nullptr},
               {"promise", "2 ulp"},
               {"baseline", nullptr},

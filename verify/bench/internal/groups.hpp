@@ -5,16 +5,12 @@
 
 namespace nipref::verify {
 
-/// Ways to the same values, timed together.
-struct BenchPart {
-  std::string name;
-  std::function<std::vector<BenchRow>()> rows;
-};
+inline constexpr int usual_rounds = 15;
 
 /// What is timed besides the quantities of the catalogue: the rows have the group's name as `quantity`.
 struct BenchGroup {
   std::string_view name;
-  std::vector<BenchPart> (*parts)(int rounds);
+  std::vector<BenchPart> (*parts)(int rounds);  ///< the times are medians over so many rounds
 };
 
 /// Whole elastic contacts found for a load, by the thesis's method as it stands (line loads, 500 residues of each kernel,
@@ -31,9 +27,6 @@ inline constexpr BenchGroup bench_group_table[] = {{"elastic-nip", elastic_bench
                                                    {"viscoelastic-nip", viscoelastic_bench},
                                                    {"half-space", half_space_bench}};
 
-/// The rows of a group's parts. The times are medians over so many rounds.
-std::vector<BenchRow> bench_group(const BenchGroup& group, const BenchProgress& progress, int rounds = 15);
-
 /// The largest errors of a way to compute some values, and how the errors in ulp are distributed.
 struct WayError {
   std::optional<double> ulps, relative, mean_ulps = {}, percentile_999_ulps = {};
@@ -49,7 +42,7 @@ struct TimedWay {
 
 struct TimedRounds {
   std::size_t over = 0;  ///< the way whose time the ratios are to
-  int count = 15;
+  int count = usual_rounds;
   double seconds = 5e-3;            ///< of a round
   double values_in_evaluation = 1;  ///< which are timed as one
 };
