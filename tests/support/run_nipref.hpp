@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/paths.hpp"

@@ -142,7 +142,6 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     add_option(line, option, value_of(verb, option, word, std::span(words).subspan(i + 1)));
     if (!option.is_flag && !word.value) ++i;
   }
-  line.no_times = line.has("no-times");
   for (const auto& [name, value] : line.options) check_option(*find_option(verb, name), value);
   check_company(verb, line);
   return line;

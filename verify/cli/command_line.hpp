@@ -16,7 +16,6 @@ struct CommandLine {
   std::map<std::string, std::string> options =
       {};  ///< given as --name value or as name=value; of flags empty
   bool json = false;
-  bool no_times = false;                 ///< only with json
   std::optional<std::string> help = {};  ///< the help text, if help is asked for
   bool version = false;                  ///< the version is asked for instead of a verb
 

@@ -204,31 +204,25 @@ VerbAnswer check(const CommandLine& line) {
   return {"golden", checked_json(folder, files), kept};
 }
 
-struct UpdatedFile {
-  const Quantity& quantity;
-  std::string path;
-  UpdatedGolden updated;
-};
-
 Json value_json(const GoldenRow& row) {
   const auto& [value, bound] = row.numbers.front();
   return {{"value", value}, {"error", bound}, {"proven", row.proven}};
 }
 
-Json updated_json(const UpdatedFile& file) {
+Json updated_json(const Quantity& quantity, const fs::path& file, const UpdatedGolden& updated) {
   const auto changed = [&](const ChangedRow& row) -> Json {
     return {{"row", row.row},
-            {"arguments", point_json(file.quantity, row.before.arguments)},
+            {"arguments", point_json(quantity, row.before.arguments)},
             {"why", row.why},
             {"before", value_json(row.before)},
             {"after", value_json(row.after)}};
   };
-  return {{"quantity", file.quantity.name},
-          {"file", file.path},
-          {"rows", file.updated.file.rows.size()},
-          {"changed", json_list(file.updated.changed, changed)},
-          {"refused", refused_json(file.updated.refused)},
-          {"_changed", file.updated.changed.size()}};
+  return {{"quantity", quantity.name},
+          {"file", file.string()},
+          {"rows", updated.file.rows.size()},
+          {"changed", json_list(updated.changed, changed)},
+          {"refused", refused_json(updated.refused)},
+          {"_changed", updated.changed.size()}};
 }
 
 VerbAnswer update(const CommandLine& line) {
@@ -241,23 +235,23 @@ VerbAnswer update(const CommandLine& line) {
   const auto quantities = selection(std::span(line.words).subspan(1)).quantities;
   const Destination destination(line, quantities.size());
   Progress progress(line.has("quiet"));
-  std::vector<UpdatedFile> files;
+  std::vector<Json> files;
+  std::map<std::string, GoldenFile> changed;
+  bool kept = true;
   progress.each("golden update", quantities, &Quantity::name, [&](const Quantity* quantity) {
     const fs::path path = golden_path(quantity->name);
     if (!fs::exists(path) && line.words.size() == 1) return;
     const GoldenFile before = read_golden(path);
     destination.check(quantity->name, before.rows.size());
-    files.push_back({*quantity, destination.file_of(quantity->name).string(),
-                     update_golden(*quantity, before, line.has("all"), made_with,
-                                   [&](double part) { progress.at(part); })});
+    const UpdatedGolden updated =
+        update_golden(*quantity, before, line.has("all"), made_with, [&](double part) { progress.at(part); });
+    kept = kept && updated.refused.empty();
+    files.push_back(updated_json(*quantity, destination.file_of(quantity->name), updated));
+    if (!updated.changed.empty()) changed[quantity->name] = updated.file;
   });
-  if (interrupted()) files.clear();
-  const bool kept =
-      std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
-  for (const UpdatedFile& file : files) {
-    if (!file.updated.changed.empty()) destination.write(file.quantity.name, file.updated.file);
-  }
-  return {"golden", {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept};
+  if (interrupted()) return {"golden", {{"action", "update"}, {"files", std::vector<Json>()}}};
+  for (const auto& [name, file] : changed) destination.write(name, file);
+  return {"golden", {{"action", "update"}, {"files", files}}, kept};
 }
 
 VerbAnswer list(const CommandLine& line) {

@@ -1,7 +1,6 @@
 #include <cstdio>
 
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace {

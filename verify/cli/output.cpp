@@ -95,7 +95,7 @@ std::string text_of(const std::string& name, const Json& members, const Escape& 
 }
 
 std::string written(const VerbAnswer& answer, const CommandLine& line) {
-  if (line.json) return answer_text(answer.verb, answer.members, line.no_times);
+  if (line.json) return answer_text(answer.verb, answer.members, line.has("no-times"));
   if (const auto* const text = std::get_if<1>(&answer.text)) return (*text)();
   const std::string& name = std::get<0>(answer.text);
   return folded(text_of(name.empty() ? answer.verb + ".txt" : name, answer.members)) + note_of_interrupt();

@@ -175,15 +175,16 @@ VerbAnswer report_verb(const CommandLine& line) {
   progress.tell(fmt::format("nipref report does these parts, one after the other: {}\n",
                             fmt::join(mapped(parts, &ReportPart::about), ", ")));
   do_parts(report, parts, [&](const ReportPart& part) {
-    const std::string answer = answer_text("report", report_json(report), line.no_times);
+    const std::string answer = answer_text("report", report_json(report), line.has("no-times"));
     const std::string page = folder ? write_page(*folder, answer, draw) + ", and grows" : "";
     progress.tell(
         plain(report_lines(report_text(answer_text("report", report_json(report)), page), part.heads)));
   });
   if (older)
-    report.comparison = compare_reports(*older, answer_text("report", report_json(report), line.no_times));
+    report.comparison =
+        compare_reports(*older, answer_text("report", report_json(report), line.has("no-times")));
   const Json found = report_json(report);
-  const std::string answer = answer_text("report", found, line.no_times);
+  const std::string answer = answer_text("report", found, line.has("no-times"));
   const std::string page =
       folder ? write_page(*folder, answer, draw) : "nipref report -o DIR writes all of it as DIR/index.html";
   const auto text = [found, page, compares = report.comparison.has_value()] {

@@ -268,9 +268,8 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
 SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();
   refuse_moments_by_ref(scene);
-  auto [solution, seconds] = timed([&] {
-    return collect_results(scene, *solved<RefPath>(scene, digits), std::pow(10.0L, -digits));
-  });
+  auto [solution, seconds] = timed(
+      [&] { return collect_results(scene, *solved<RefPath>(scene, digits), std::pow(10.0L, -digits)); });
   solution.seconds = seconds;
   return solution;
 }

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/support/internal/number_text.hpp>
@@ -118,11 +117,7 @@ std::optional<double> Json::as_number() const {
 
 bool Json::is_null() const { return value_->tree.is_null(); }
 
-Json exact_json(double number) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%a", number);
-  return std::string_view(text.data());
-}
+Json exact_json(double number) { return fmt::format("{:a}", number); }
 
 double exact_double(const Json& json) {
   if (const auto number = number_in(json.as_text())) return *number;

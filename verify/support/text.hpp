@@ -18,6 +18,9 @@ std::string bad(std::string_view text);
 /// The text without blanks at its ends.
 std::string trimmed(std::string_view text);
 
+/// The text with a blank for each control character, whatever was in it.
+std::string in_one_line(std::string text);
+
 /// The words of a text, between white space.
 std::vector<std::string> words_of(const std::string& text);
 

@@ -48,15 +48,6 @@ Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, bool is_lead
   return {fine.value, fine.error + 2 * std::fabs(fine.value - coarse.value)};
 }
 
-bool has_load(ResultId product) { return product != ResultId::eccentricity; }
-
-/// The radius or the speed, where the product has it.
-template <class Number>
-double given_factor(const SolvedContact<Number>& contact, ResultId product) {
-  if (product == ResultId::eccentricity) return contact.roller_radius;
-  return product == ResultId::power_loss ? contact.speed : 1;
-}
-
 /// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
 double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
   const double half = (ends.last - ends.first) / 2;
@@ -64,11 +55,11 @@ double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
   return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
 }
 
-/// The factor of mu_R in such a product.
+/// The factor of the rolling resistance in such a product, but for the load.
 template <class Number>
-double product_factor(const SolvedContact<Number>& contact, ResultId id) {
-  const double load = has_load(id) ? value_of(contact.number(ResultId::load)) : 1;
-  return load * std::fabs(given_factor(contact, id));
+double given_factor(const SolvedContact<Number>& contact, ResultId product) {
+  if (product == ResultId::eccentricity) return contact.roller_radius;
+  return product == ResultId::power_loss ? contact.speed : 1;
 }
 
 }  // namespace
@@ -85,7 +76,7 @@ void set_products(SolvedContact<Number>& contact) {
   for (const ResultId id : {ResultId::eccentricity, ResultId::resistance_force, ResultId::power_loss}) {
     contact.set(id, [&contact, id] {
       Number result = contact.number(ResultId::rolling_resistance);
-      if (has_load(id)) result = result * contact.number(ResultId::load);
+      if (id != ResultId::eccentricity) result = result * contact.number(ResultId::load);
       return result * exactly(given_factor(contact, id), result);
     });
   }
@@ -156,7 +147,8 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
     case Scale::rounding_of_slope:
       return rounding_of_slope;
     case Scale::rolling_resistance:
-      return rounding_of_slope * product_factor(contact, id);
+      return rounding_of_slope * std::fabs(given_factor(contact, id)) *
+             (id == ResultId::eccentricity ? 1 : value_of(contact.number(ResultId::load)));
     case Scale::radian:
       return 180 / std::numbers::pi;
     case Scale::span_along:
