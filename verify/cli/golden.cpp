@@ -91,10 +91,14 @@ GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   return options;
 }
 
-Json refused_json(const std::vector<RefusedRow>& refused) {
-  return json_list(refused, [](const RefusedRow& row) -> Json {
+Json made_json(const std::string& name, const fs::path& file, const MadeGolden& made) {
+  const auto refused_json = [](const RefusedRow& row) -> Json {
     return {{"arguments", json_object(row.arguments)}, {"reason", row.reason}};
-  });
+  };
+  return {{"quantity", name},
+          {"file", file.string()},
+          {"rows", made.file.rows.size()},
+          {"refused", json_list(made.refused, refused_json)}};
 }
 
 MadeGolden made_of(const std::string& name, const CommandLine& line, const OnProgress& progress) {
@@ -133,10 +137,7 @@ VerbAnswer make(const CommandLine& line) {
     kept = kept && made.refused.empty();
     destination.write(name, made.file);
     rows += made.file.rows.size();
-    files.push_back({{"quantity", name},
-                     {"file", destination.file_of(name).string()},
-                     {"rows", made.file.rows.size()},
-                     {"refused", refused_json(made.refused)}});
+    files.push_back(made_json(name, destination.file_of(name), made));
   });
   return {"golden", {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept};
 }
@@ -209,20 +210,12 @@ Json value_json(const GoldenRow& row) {
   return {{"value", value}, {"error", bound}, {"proven", row.proven}};
 }
 
-Json updated_json(const Quantity& quantity, const fs::path& file, const UpdatedGolden& updated) {
-  const auto changed = [&](const ChangedRow& row) -> Json {
-    return {{"row", row.row},
-            {"arguments", point_json(quantity, row.before.arguments)},
-            {"why", row.why},
-            {"before", value_json(row.before)},
-            {"after", value_json(row.after)}};
-  };
-  return {{"quantity", quantity.name},
-          {"file", file.string()},
-          {"rows", updated.file.rows.size()},
-          {"changed", json_list(updated.changed, changed)},
-          {"refused", refused_json(updated.refused)},
-          {"_changed", updated.changed.size()}};
+Json changed_json(const Quantity& quantity, const ChangedRow& changed) {
+  return {{"row", changed.row},
+          {"arguments", point_json(quantity, changed.before.arguments)},
+          {"why", changed.why},
+          {"before", value_json(changed.before)},
+          {"after", value_json(changed.after)}};
 }
 
 VerbAnswer update(const CommandLine& line) {
@@ -246,7 +239,11 @@ VerbAnswer update(const CommandLine& line) {
     const UpdatedGolden updated =
         update_golden(*quantity, before, line.has("all"), made_with, [&](double part) { progress.at(part); });
     kept = kept && updated.refused.empty();
-    files.push_back(updated_json(*quantity, destination.file_of(quantity->name), updated));
+    Json file = made_json(quantity->name, destination.file_of(quantity->name), updated);
+    file.set("changed",
+             json_list(updated.changed, [&](const ChangedRow& row) { return changed_json(*quantity, row); }));
+    file.set("_changed", updated.changed.size());
+    files.push_back(file);
     if (!updated.changed.empty()) changed[quantity->name] = updated.file;
   });
   if (interrupted()) return {"golden", {{"action", "update"}, {"files", std::vector<Json>()}}};

@@ -44,10 +44,6 @@ Plugin plugin_of(const CommandLine& line, const std::string& file) {
   return plugin;
 }
 
-bool is_named(const KernelInfo& kernel, const std::string& word) {
-  return kernel.name == word || kernel.quantity == word;
-}
-
 Chosen chosen(const KernelInfo& kernel) {
   const Quantity& quantity = find_quantity(kernel.quantity);
   if (kernel.arity != quantity.arguments.size())
@@ -56,29 +52,25 @@ Chosen chosen(const KernelInfo& kernel) {
   return {kernel.name, &quantity};
 }
 
-void refuse_unknown_kernels(const std::vector<KernelInfo>& kernels, std::span<const std::string> words) {
-  std::vector<std::string_view> names;
-  for (const KernelInfo& kernel : kernels) {
-    names.push_back(kernel.name);
-    if (std::ranges::find(names, kernel.quantity) == names.end()) names.push_back(kernel.quantity);
-  }
-  for (const std::string& word : words) {
-    if (std::ranges::none_of(kernels, [&](const KernelInfo& kernel) { return is_named(kernel, word); }))
-      refuse("kernel", word, "{}must be one of {}", data::did_you_mean(word, names), fmt::join(names, ", "));
-  }
-}
-
+/// Those that the words behind the file name, by their own names or by those of their quantities, or all.
 std::vector<Chosen> chosen_kernels(const CommandLine& line, const Plugin& plugin) {
   const std::vector<KernelInfo> kernels = kernels_of(plugin);
   if (plugin.function) return {{plugin.function->symbol, &quantity_of_symbol(line)}};
   const auto words = std::span(line.words).subspan(1);
-  refuse_unknown_kernels(kernels, words);
+  const auto has = [](const auto& names, const auto& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  std::vector<std::string_view> names;
   std::vector<Chosen> all;
   for (const KernelInfo& kernel : kernels) {
-    if (words.empty() ||
-        std::ranges::any_of(words, [&](const std::string& word) { return is_named(kernel, word); }))
+    names.insert(names.end(), {kernel.name, kernel.quantity});
+    if (words.empty() || has(words, kernel.name) || has(words, kernel.quantity))
       all.push_back(chosen(kernel));
   }
+  for (const std::string& word : words)
+    if (!has(names, word))
+      refuse("kernel", word, "{}must be one of {}", data::did_you_mean(word, names),
+             fmt::join(each_once(names), ", "));
   return all;
 }
 
@@ -88,18 +80,25 @@ std::string where_text(const CommandLine& line) {
   return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
 }
 
-/// Its speed beside fast, and beside an older kernel if that is asked for.
+/// Its speed beside fast at full accuracy, both in batches if they can, and beside an older kernel if that is asked for, each
+/// in its own process.
 void add_speed(const CommandLine& line, PluginKernel& kernel, const Ranges& ranges, Graded& graded) {
   const Quantity& quantity = *graded.grade.found.quantity;
   const std::vector<Point> points = timing_points(quantity, ranges);
-  if (!points.empty()) graded.to_fast = speed_against_fast(kernel, quantity, points);
+  const auto speed_beside = [&](const BatchMethod& other) {
+    return in_turns(method_of(kernel, points), other, points.size());
+  };
+  const bool batch = !kernel.info().quantity.empty() && quantity.by_fast_batch;
+  if (!points.empty())
+    graded.to_fast =
+        speed_beside(method_of(batch ? quantity.by_fast_batch : quantity.by_fast_loop, {}, points));
   const auto older_file = line.option("against");
   if (!older_file) return;
   graded.to_older = {*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
   const auto older = open_kernel(plugin_of(line, *older_file), kernel.info().name);
   if (older->info().arity != kernel.info().arity)
     throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
-  if (!points.empty()) graded.to_older->speed = speed_against(kernel, *older, points);
+  if (!points.empty()) graded.to_older->speed = speed_beside(method_of(*older, points));
 }
 
 Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
@@ -143,8 +142,7 @@ bool names_plugin(const CommandLine& line) {
   return first == std::array{'\x7f', 'E', 'L', 'F'};
 }
 
-/// Kernels of a shared object, those that the words name by their names or quantities, or all; fewer if the process
-/// was interrupted. Tells progress, unless quiet.
+/// Kernels of a shared object; fewer if the process was interrupted. Tells progress, unless quiet.
 std::vector<Graded> graded_kernels(const CommandLine& line) {
   refuse_what_is_wrong(line);
   const Plugin plugin = plugin_of(line, line.words.front());

@@ -55,7 +55,8 @@ SweepRow shape_of(const std::vector<FinishedRow>& rows) {
 }
 
 std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
-  const std::vector<std::string> heads = shape_of(rows).heads;
+  const SweepRow shape = shape_of(rows);
+  const std::vector<std::string>& heads = shape.heads.empty() ? shape.columns : shape.heads;
   const std::vector<std::vector<std::string>> unknown{std::vector<std::string>(heads.size())};
   std::string text;
   for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";

@@ -11,9 +11,9 @@ namespace nipref::verify {
 struct SweepRow {
   std::vector<std::string> columns;  ///< behind those of the axes
   std::vector<Json> values;          ///< of JSON, one for each column
-  std::vector<std::string> heads;    ///< of CSV
-  std::vector<std::vector<std::string>> lines{
-      {}};                  ///< of CSV, one for each number where a column has several
+  std::vector<std::string> heads;    ///< of CSV where it has others
+  /// Of CSV, one for each number where a column has several.
+  std::vector<std::vector<std::string>> lines{{}};
   bool fell_short = false;  ///< of what was asked
 
   /// A column of JSON alone.
@@ -24,7 +24,6 @@ struct SweepRow {
   /// A column of both, where CSV has one line.
   void add(const std::string& column, const Json& value, const std::string& cell) {
     add(column, value);
-    heads.push_back(column);
     lines.front().push_back(cell);
   }
 };

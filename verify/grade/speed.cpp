@@ -10,20 +10,6 @@ constexpr std::size_t most_timed = 1024, least_timed = 32;
 constexpr int rounds = 15;
 constexpr double seconds_of_round = 2e-3;
 
-/// Both at as many points as the slower one bears.
-std::optional<Speed> in_turns(const BatchMethod& one, const BatchMethod& other, std::size_t points) {
-  std::vector<Contender> ways{one.contender(least_timed, points), other.contender(least_timed, points)};
-  std::vector<Timing> timings = time_interleaved(ways, 1, seconds_of_round);
-  for (Contender& way : ways) way.least = way.most = std::min(timings[0].count, timings[1].count);
-  timings = time_interleaved(ways, rounds, seconds_of_round);
-  const auto fails = [](const Timing& timing) { return !std::isfinite(std::ranges::max(timing.rounds)); };
-  if (std::ranges::any_of(timings, fails)) return std::nullopt;
-  const auto nanoseconds = [](const Timing& timing) {
-    return mapped(timing.rounds, [](double seconds) { return 1e9 * seconds; });
-  };
-  return Speed(nanoseconds(timings[0]), nanoseconds(timings[1]), 0.25);
-}
-
 }  // namespace
 
 Contender BatchMethod::contender(std::size_t least, std::size_t most) const {
@@ -76,17 +62,17 @@ std::vector<Point> timing_points(const Quantity& quantity, const Ranges& ranges)
   return points;
 }
 
-std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& quantity,
-                                        const std::vector<Point>& points) {
-  const bool batch = !kernel.info().quantity.empty() && quantity.by_fast_batch;
-  return in_turns(method_of(kernel, points),
-                  method_of(batch ? quantity.by_fast_batch : quantity.by_fast_loop, {}, points),
-                  points.size());
-}
-
-std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
-                                   const std::vector<Point>& points) {
-  return in_turns(method_of(kernel, points), method_of(older, points), points.size());
+std::optional<Speed> in_turns(const BatchMethod& one, const BatchMethod& other, std::size_t points) {
+  std::vector<Contender> ways{one.contender(least_timed, points), other.contender(least_timed, points)};
+  std::vector<Timing> timings = time_interleaved(ways, 1, seconds_of_round);
+  for (Contender& way : ways) way.least = way.most = std::min(timings[0].count, timings[1].count);
+  timings = time_interleaved(ways, rounds, seconds_of_round);
+  const auto fails = [](const Timing& timing) { return !std::isfinite(std::ranges::max(timing.rounds)); };
+  if (std::ranges::any_of(timings, fails)) return std::nullopt;
+  const auto nanoseconds = [](const Timing& timing) {
+    return mapped(timing.rounds, [](double seconds) { return 1e9 * seconds; });
+  };
+  return Speed(nanoseconds(timings[0]), nanoseconds(timings[1]), 0.25);
 }
 
 }  // namespace nipref::verify

@@ -44,14 +44,8 @@ struct Speed {
 /// Random points of the ranges at which fast has finite values; empty if there are none.
 std::vector<Point> timing_points(const Quantity& quantity, const Ranges& ranges);
 
-/// Compares the kernel with fast at full accuracy, both in batches if they can, each in its own process. There must
-/// be at least one point. Nothing if the kernel fails.
-std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& quantity,
-                                        const std::vector<Point>& points);
-
-/// Compares the kernel with an older kernel of the same arguments. There must be at least one point. Nothing if one of
-/// them fails.
-std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
-                                   const std::vector<Point>& points);
+/// Times two methods of so many values side by side, both at as many of them as the slower one bears. There must be at least
+/// one. Nothing if one of them fails.
+std::optional<Speed> in_turns(const BatchMethod& one, const BatchMethod& other, std::size_t points);
 
 }  // namespace nipref::verify

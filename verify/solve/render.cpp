@@ -31,56 +31,36 @@ Json counted(auto count) { return count > 0 ? Json(count) : Json(); }
 /// Counts that are not known are null.
 Json work_json(const fast::Work& work) {
   Json kernels = Json::object();
-  for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k)
-    kernels.set(fmt::format("I{}", k + 1), work.kernel_evaluations[k]);
-  const bool is_counted = work.kernel_evaluations != fast::Work{}.kernel_evaluations;
-  return {{"kernel_evaluations", is_counted ? kernels : Json()},
+  std::vector<Json> evaluated;
+  for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k) {
+    const std::uint64_t count = work.kernel_evaluations[k];
+    const std::string name = fmt::format("I{}", k + 1);
+    kernels.set(name, count);
+    if (count > 0) evaluated.push_back({{"name", name}, {"count", count}});
+  }
+  return {{"kernel_evaluations", evaluated.empty() ? Json() : kernels},
           {"terms", counted(work.terms)},
           {"unknowns", counted(work.unknowns)},
           {"systems", counted(work.systems)},
-          {"line_responses", counted(work.line_responses)}};
+          {"line_responses", counted(work.line_responses)},
+          {"_evaluated", evaluated}};
 }
 
-bool is_empty(const fast::Work& work) { return work.unknowns == 0; }
-
-std::string work_text(const fast::Work& work) {
-  if (work.line_responses > 0) return fmt::format("the response of {} lines", work.line_responses);
-  if (is_empty(work)) return "closed forms";
-  std::string text;
-  for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k) {
-    if (work.kernel_evaluations[k] == 0) continue;
-    text += fmt::format("{} values of I{}, ", work.kernel_evaluations[k], k + 1);
-  }
-  if (work.terms > 0) text += fmt::format("{} series terms, ", work.terms);
-  if (work.systems > 0) text += fmt::format("{} systems of up to ", work.systems);
-  return text + fmt::format("{} unknowns", work.unknowns);
-}
-
-/// What stands before a number of a list, a profile or a field: its place. The first of each depth also has the depth.
-template <class Number>
-Json place_json(const SceneSolution<Number>& solution, const data::SceneResult& what, std::size_t i) {
-  const auto [position, depth] = solution.place(what, i);
-  std::string text;
-  if (depth) {
-    text = fmt::format("  Y = {:<20} ", *position);
-  } else if (position) {
-    text = fmt::format("{} = {:<22} ", what.is_along_line() ? "Y" : "psi", *position);
-  }
-  const bool is_first = depth && i % solution.field.positions.size() == 0;
-  return {{"place", text}, {"next_depth", is_first ? Json(fmt::format("{}", *depth)) : Json()}};
-}
-
-/// The numbers of a result as the text shows them, each with its place.
+/// The numbers of a result as the text shows them, of a profile or a field each with its place; `next_depth` stands at the
+/// first of each depth.
 template <class Number>
 std::vector<Json> shown_numbers(const SceneSolution<Number>& solution,
                                 const typename SceneSolution<Number>::Result& result) {
   return mapped(std::views::iota(std::size_t{0}, result.numbers.size()), [&](std::size_t i) {
     const Number& number = result.numbers[i];
-    Json shown{{"value", value_text(number)},
-               {"error", error_text(number)},
-               {"error_word", is_proven(number) ? "bound" : "error"}};
-    shown.append(place_json(solution, *result.what, i));
-    return shown;
+    const auto [position, depth] = solution.place(*result.what, i);
+    const bool is_first = depth && i % solution.field.positions.size() == 0;
+    return Json{{"value", value_text(number)},
+                {"error", error_text(number)},
+                {"error_word", is_proven(number) ? "bound" : "error"},
+                {"position", position},
+                {"depth", depth},
+                {"next_depth", is_first ? Json(depth) : Json()}};
   });
 }
 
@@ -124,6 +104,7 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
                  {"unit", what.unit},
                  {"_meaning", what.meaning},
                  {"_measured_against", data::text(what.scale)},
+                 {"_axis", what.is_along_line() ? "Y" : "psi"},
                  {"_one", what.shape == data::Shape::number ? shown.front() : Json()},
                  {"_numbers", shown}});
   }
@@ -137,15 +118,13 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
           {"positions", positions.empty() ? Json() : json_list(positions, std::identity())},
           {"field", field_json(solution.field)},
           {"work", work_json(solution.work)},
-          {"error_work", is_empty(solution.error_work) ? Json() : work_json(solution.error_work)},
+          {"error_work", solution.error_work.unknowns == 0 ? Json() : work_json(solution.error_work)},
           {"times", {{"seconds", solution.seconds}}},
           {"_full", full},
           {"_accuracy", met ? Json(fmt::format("{:g}", solution.accuracy)) : Json()},
           {"_met", met},
           {"_missed", json_list(solution.missed())},
-          {"_discrete", solution.is_discrete},
-          {"_work", work_text(solution.work)},
-          {"_error_work", is_empty(solution.error_work) ? Json() : Json(work_text(solution.error_work))}};
+          {"_discrete", solution.is_discrete}};
 }
 
 template Json solution_json(const SceneSolution<fast::Estimate>&, bool);

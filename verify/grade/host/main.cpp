@@ -22,7 +22,8 @@
 #include <string>
 #include <thread>
 
-#include <nipref/verify/grade/host/host.hpp>
+#include <nipref/verify/grade/host/guarded_array.hpp>
+#include <nipref/verify/grade/host/plugin_file.hpp>
 
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __asan_default_options();

@@ -1,15 +1,29 @@
+#pragma once
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include <nipref/verify/grade/host/host.hpp>
+#include <nipref/verify/grade/internal/exchange.hpp>
+#include <nipref/verify/grade/kernel.h>
 
 namespace nipref::verify::host {
-namespace {
+
+/// A kernel and its state.
+struct Kernel {
+  nipref_kernel entry{};
+  void* state = nullptr;
+
+  [[nodiscard]] int evaluate(std::span<const double* const> arguments, std::span<double> out) const {
+    return entry.evaluate(state, out.size(), arguments.data(), out.data());
+  }
+};
 
 template <std::size_t>
 using Double = double;
@@ -36,18 +50,18 @@ constexpr auto evaluators(std::index_sequence<i...>) {
 /// Of 1, 2, ... arguments.
 constexpr auto bare_evaluators = evaluators(std::make_index_sequence<protocol::most_arguments>());
 
-void* symbol_of(void* handle, const char* name, const char* hint = "") {
+inline void* symbol_of(void* handle, const char* name, const char* hint = "") {
   if (void* const found = dlsym(handle, name)) return found;
   throw std::runtime_error(std::string("has no symbol ") + name + hint);
 }
 
-std::string text_of(const char* text) { return text == nullptr ? "" : text; }
+inline std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
-void refuse(const nipref_kernel& kernel, const std::string& why) {
+inline void refuse(const nipref_kernel& kernel, const std::string& why) {
   throw std::runtime_error("has a kernel " + text_of(kernel.name) + " " + why);
 }
 
-Kernel checked(const nipref_kernel& given) {
+inline Kernel checked(const nipref_kernel& given) {
   if (given.abi != NIPREF_KERNEL_ABI)
     throw std::runtime_error("has a kernel of ABI number " + std::to_string(given.abi) + ": must be " +
                              std::to_string(NIPREF_KERNEL_ABI));
@@ -66,10 +80,11 @@ Kernel checked(const nipref_kernel& given) {
   return kernel;
 }
 
-}  // namespace
-
-std::vector<Kernel> load_kernels(const std::string& file, const char* symbol, std::uint32_t arity,
-                                 std::uint32_t flags) {
+/// Loads the file and gives the kernels that it lists, or the one function `symbol` of `arity` doubles, whose
+/// name is not copied; "" for the list.
+/// std::runtime_error saying in one line why there are none.
+inline std::vector<Kernel> load_kernels(const std::string& file, const char* symbol, std::uint32_t arity,
+                                        std::uint32_t flags) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) throw std::runtime_error(text_of(dlerror()));
   std::vector<Kernel> kernels;
