@@ -35,6 +35,8 @@ struct ElasticSphere {
 struct TransverselyIsotropicBody {
   TransverselyIsotropicSolid solid;
   SymmetryAxis axis;  ///< half_space.axis
+
+  void check() const { solid.check(); }
 };
 
 /// The force that presses the body down.

@@ -1,20 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/data/scene/internal/field.hpp>
-#include <nipref/data/scene/internal/half_space.hpp>
-#include <nipref/data/scene/internal/material.hpp>
-#include <nipref/data/scene/internal/profile.hpp>
-#include <nipref/data/scene/internal/sweep.hpp>
-#include <nipref/data/scene/internal/toml_table.hpp>
-#include <nipref/data/scene/internal/wanted.hpp>
+#include <nipref/data/scene/internal/read.hpp>
 
 namespace nipref::data {
 namespace {
@@ -45,12 +37,6 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
   return GivenLoad{file.table("load", SceneKind::nip).number("per_length")};
 }
 
-void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
-  friction.allow(SceneKind::nip, KeyOwner::elastic_nip);
-  problem.friction = friction.choice("model", SceneKind::nip) == "full" ? Friction::full : Friction::none;
-  if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
-}
-
 /// The converged method has no other keys.
 bool is_converged(const TomlTable& method) {
   if (method.choice("kind", SceneKind::nip) != "converged") return false;
@@ -73,6 +59,12 @@ Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
   return GivenTraction{traction.number("force_per_length")};
 }
 
+void read_places(auto& problem, const TomlTable& file, const SceneOrigin& origin) {
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
+  if constexpr (requires { problem.field; })
+    if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
+}
+
 PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& origin) {
   const TomlTable friction = file.table("friction");
   friction.allow(SceneKind::nip, KeyOwner::partial_slip);
@@ -81,16 +73,18 @@ PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& o
       .given = read_given(file, origin)};
   if (file.has("field")) origin.refuse("field", "(its keys)", "must be left out with Coulomb's friction");
   problem.method = read_method(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
+  read_places(problem, file, origin);
   return problem;
 }
 
 ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
-  read_friction(file.table("friction"), problem);
+  const TomlTable friction = file.table("friction");
+  friction.allow(SceneKind::nip, KeyOwner::elastic_nip);
+  if (friction.choice("model", SceneKind::nip) == "full") problem.friction = Friction::full;
+  if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
   problem.method = read_method(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
-  if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
+  read_places(problem, file, origin);
   return problem;
 }
 
@@ -105,27 +99,20 @@ std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(co
   return loads;
 }
 
-ViscoelasticNip read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
+ViscoelasticNipProblem read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   const TomlTable roller = file.table("roller", SceneKind::nip);
   const TomlTable sheet = file.table("sheet", SceneKind::nip);
   const TomlTable rolling = file.table("rolling", SceneKind::nip);
-  return {roller.number("radius"), sheet.number("thickness"),
-          read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
-}
-
-void read_no_friction(const TomlTable& friction, const SceneOrigin& origin) {
-  const std::string model = friction.choice("model", SceneKind::nip);
-  if (model != "none")
-    origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
-}
-
-ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const SceneOrigin& origin) {
-  ViscoelasticNipProblem problem{.nip = read_viscoelastic_nip(file, origin),
-                                 .given = read_given(file, origin)};
-  read_no_friction(file.table("friction", SceneKind::nip), origin);
+  ViscoelasticNipProblem problem{
+      .nip = {roller.number("radius"), sheet.number("thickness"),
+              read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")},
+      .given = read_given(file, origin)};
+  const std::string friction = file.table("friction", SceneKind::nip).choice("model", SceneKind::nip);
+  if (friction != "none")
+    origin.refuse("friction.model", friction,
+                  "must be none: the rolling nip is solved without friction only");
   problem.method = read_viscoelastic_method(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
-  if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
+  read_places(problem, file, origin);
   return problem;
 }
 
@@ -134,7 +121,7 @@ decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& or
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   file.allow(SceneKind::nip);
   const bool is_elastic = material_model(file.table("material")) == "elastic";
-  if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
+  if (file.has("rolling") || !is_elastic) return read_viscoelastic_nip(file, origin);
   if (file.table("friction").choice("model", SceneKind::nip) == "coulomb")
     return read_partial_slip(file, origin);
   return read_elastic_nip(file, origin);

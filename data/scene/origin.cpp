@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/origin.hpp>
 
 namespace nipref::data {
@@ -27,6 +28,24 @@ void SceneOrigin::refuse(std::string_view key, double value, std::string_view al
 
 void SceneOrigin::refuse_as(std::string_view key, const BadInput& error) const {
   refuse(key, error.value(), error.allowed());
+}
+
+void SceneOrigin::require(bool holds, std::string_view key, double value, std::string_view allowed) const {
+  if (!holds) refuse(key, value, allowed);
+}
+
+void SceneOrigin::require_whole(std::string_view key, int value, int least, int most) const {
+  require(least <= value && value <= most, key, value,
+          fmt::format("must be a whole number from {} to {}", least, most));
+}
+
+void SceneOrigin::check_domain(std::string_view key, double value) const {
+  const std::string_view allowed = find_scene_key(key)->refusal_of(value);
+  require(allowed.empty(), key, value, allowed);
+}
+
+void SceneOrigin::check_domain(std::string_view key, const std::vector<double>& list) const {
+  for (std::size_t i = 0; i < list.size(); ++i) check_domain(fmt::format("{}[{}]", key, i), list[i]);
 }
 
 }  // namespace nipref::data

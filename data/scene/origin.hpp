@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nipref/data/bad_input.hpp>
 
@@ -35,6 +36,13 @@ class SceneOrigin {
 
   /// Throws `error` again, about `key` and its place in place of the argument that it names.
   [[noreturn]] void refuse_as(std::string_view key, const BadInput& error) const;
+
+  /// Refuses the value unless this holds.
+  void require(bool holds, std::string_view key, double value, std::string_view allowed) const;
+  void require_whole(std::string_view key, int value, int least, int most) const;
+  /// Refuses a number that is not in the domain that scene_keys() has for the key, and each such number of a list.
+  void check_domain(std::string_view key, double value) const;
+  void check_domain(std::string_view key, const std::vector<double>& list) const;
 
  private:
   std::string file_;

@@ -1,15 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 
-#include <nipref/data/scene/internal/field.hpp>
-#include <nipref/data/scene/internal/half_space_check.hpp>
-#include <nipref/data/scene/internal/profile.hpp>
-#include <nipref/data/scene/internal/require.hpp>
-#include <nipref/data/scene/internal/wanted.hpp>
-#include <nipref/data/scene/scene.hpp>
+#include <nipref/data/scene/internal/check.hpp>
 
 namespace nipref::data {
 namespace {
@@ -35,129 +29,107 @@ void check_nip(const auto& nip, const SceneOrigin& origin) {
   }
 }
 
-struct GivenCheck {
-  double roller_radius;
-  const SceneOrigin& origin;
+void check_given(const Given& given, double roller_radius, const SceneOrigin& origin) {
+  if (const auto* const load = std::get_if<GivenLoad>(&given))
+    return origin.check_domain("load.per_length", load->per_length);
+  const double length = std::get<GivenLength>(given).contact_length;
+  origin.check_domain("contact.length", length);
+  origin.require(
+      length <= roller_radius, "contact.length", length,
+      fmt::format(
+          "must be at most the roller's radius, {}: beyond it a parabola no longer stands for the roller",
+          roller_radius));
+}
 
-  void operator()(const GivenLoad& load) const { check_domain(load.per_length, origin, "load.per_length"); }
-  void operator()(const GivenLength& length) const {
-    const double value = length.contact_length;
-    check_domain(value, origin, "contact.length");
-    require(value <= roller_radius, origin, "contact.length", value,
-            fmt::format("must be at most the roller's radius, {}: beyond it a parabola no longer stands for "
-                        "the roller",
-                        roller_radius));
-  }
-};
+/// Of a profile by line loads.
+void check_points(const std::optional<Profile>& profile, int elements, int most_products,
+                  const SceneOrigin& origin) {
+  if (!profile) return;
+  const int most = std::max(1, most_products / elements);
+  origin.require(count_of(*profile) <= most, "profile", count_of(*profile),
+                 fmt::format("must be at most {} points with {} elements", most, elements));
+}
 
-struct MethodCheck {
-  const Given& given;
-  Friction friction;
-  const std::optional<Profile>& profile;
-  const SceneOrigin& origin;
+void check_method(const ConvergedMethod&, const auto&, Friction, const SceneOrigin&) {}
 
-  void operator()(const ConvergedMethod&) const {}
-  void operator()(const LineLoads& loads) const {
-    const int unknowns =
-        std::holds_alternative<GivenLoad>(given) ? most_unknowns_for_load : most_unknowns_for_length;
-    const int most_elements = (unknowns - 1) / (friction == Friction::full ? 2 : 1);
-    require_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
-    require_whole(loads.trailing_elements, 1, most_elements, origin, "method.trailing_elements");
-    check_domain(loads.residue_terms, origin, "method.residue_terms");
-    require(
-        loads.leading_elements == loads.trailing_elements, origin, "method.trailing_elements",
-        loads.trailing_elements,
-        fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
-    check_points(2 * loads.leading_elements, most_elements_times_points);
-  }
-  void operator()(const ViscoelasticLineLoads& loads) const {
-    const int most_elements = loads.trailing_elements ? most_viscoelastic_elements : most_elements_searched;
-    require_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
-    if (loads.trailing_elements)
-      require_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
-                    "method.trailing_elements");
-    check_domain(loads.residue_terms, origin, "method.residue_terms");
-    check_domain(loads.approach_lengths, origin, "method.approach_lengths");
-    check_points(loads.leading_elements + loads.trailing_elements.value_or(loads.leading_elements),
-                 most_viscoelastic_elements_times_points);
-  }
+void check_method(const LineLoads& loads, const auto& problem, Friction friction, const SceneOrigin& origin) {
+  const int unknowns =
+      std::holds_alternative<GivenLoad>(problem.given) ? most_unknowns_for_load : most_unknowns_for_length;
+  const int most_elements = (unknowns - 1) / (friction == Friction::full ? 2 : 1);
+  origin.require_whole("method.leading_elements", loads.leading_elements, 1, most_elements);
+  origin.require_whole("method.trailing_elements", loads.trailing_elements, 1, most_elements);
+  origin.check_domain("method.residue_terms", loads.residue_terms);
+  origin.require(
+      loads.leading_elements == loads.trailing_elements, "method.trailing_elements", loads.trailing_elements,
+      fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
+  check_points(problem.profile, 2 * loads.leading_elements, most_elements_times_points, origin);
+}
 
- private:
-  void check_points(int elements, int most_products) const {
-    if (!profile) return;
-    const int most = std::max(1, most_products / elements);
-    require(count_of(*profile) <= most, origin, "profile", count_of(*profile),
-            fmt::format("must be at most {} points with {} elements", most, elements));
-  }
-};
+/// The thesis searches for m2 at a given load only.
+void check_method(const ViscoelasticLineLoads& loads, const auto& problem, Friction,
+                  const SceneOrigin& origin) {
+  const auto& [leading, trailing, approach_lengths, residue_terms, smallest_term] = loads;
+  const int most_elements = trailing ? most_viscoelastic_elements : most_elements_searched;
+  origin.require_whole("method.leading_elements", leading, 1, most_elements);
+  if (trailing) origin.require_whole("method.trailing_elements", *trailing, 0, most_viscoelastic_elements);
+  origin.check_domain("method.residue_terms", residue_terms);
+  origin.check_domain("method.approach_lengths", approach_lengths);
+  check_points(problem.profile, leading + trailing.value_or(leading), most_viscoelastic_elements_times_points,
+               origin);
+  if (!trailing && std::holds_alternative<GivenLength>(problem.given))
+    origin.refuse("method.trailing_elements", "(missing)",
+                  "must be given with [contact] length: the search for it is at a given load");
+}
 
 /// Elements that press are found under a load.
-void check_line_loads_with_slip(const PartialSlipProblem& problem, const SceneOrigin& origin) {
-  const auto* const loads = std::get_if<LineLoads>(&problem.method);
-  if (loads == nullptr) return;
-  require_whole(loads->leading_elements, 1, most_elements_with_slip, origin, "method.leading_elements");
-  require(loads->residue_terms == 0, origin, "method.residue_terms", loads->residue_terms,
-          "must be 0 with Coulomb's friction");
-  if (const auto* const length = std::get_if<GivenLength>(&problem.given))
+void check_line_loads_with_slip(const LineLoads& loads, const Given& given, const SceneOrigin& origin) {
+  origin.require_whole("method.leading_elements", loads.leading_elements, 1, most_elements_with_slip);
+  origin.require(loads.residue_terms == 0, "method.residue_terms", loads.residue_terms,
+                 "must be 0 with Coulomb's friction");
+  if (const auto* const length = std::get_if<GivenLength>(&given))
     origin.refuse(
         "contact.length", length->contact_length,
         "must be load.per_length instead: line loads with Coulomb's friction have a length of elements");
 }
 
-/// The thesis searches for m2 at a given load only.
-void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
-  const auto* loads = std::get_if<ViscoelasticLineLoads>(&problem.method);
-  if (loads == nullptr) return;
-  if (!loads->trailing_elements && std::holds_alternative<GivenLength>(problem.given)) {
-    origin.refuse("method.trailing_elements", "(missing)",
-                  "must be given with [contact] length: the search for it is at a given load");
-  }
-}
-
-void check_creep(const ElasticNipProblem& problem, const SceneOrigin& origin) {
-  if (!problem.creep_ratio) return;
-  constexpr const char* key = "friction.creep_ratio";
-  check_domain(*problem.creep_ratio, origin, key);
-  require(problem.friction == Friction::full && std::holds_alternative<LineLoads>(problem.method), origin,
-          key, *problem.creep_ratio,
-          "can be given only to line loads with full friction: otherwise the contact itself settles it");
-}
-
-struct SystemCheck {
-  const SceneOrigin& origin;
-
-  void operator()(const ElasticNipProblem& problem) const {
-    check_sheet(problem, problem.friction);
-    check_creep(problem, origin);
-  }
-  void operator()(const ViscoelasticNipProblem& problem) const {
-    check_sheet(problem, Friction::none);
-    check_viscoelastic_line_loads(problem, origin);
-  }
-  void operator()(const PartialSlipProblem& problem) const {
-    check_nip(problem.nip, origin);
-    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    check_domain(problem.nip.friction_coefficient, origin, "friction.coefficient");
-    if (const auto* const creep = std::get_if<GivenCreep>(&problem.nip.drive))
-      check_domain(creep->creep_ratio, origin, "traction.creep_ratio");
-    else
-      check_domain(std::get<GivenTraction>(problem.nip.drive).force_per_length, origin,
-                   "traction.force_per_length");
-    if (problem.profile) check_profile(*problem.profile, origin);
-    check_line_loads_with_slip(problem, origin);
-    std::visit(MethodCheck{problem.given, Friction::full, problem.profile, origin}, problem.method);
-  }
-  void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
-
- private:
-  void check_sheet(const auto& problem, Friction friction) const {
-    check_nip(problem.nip, origin);
-    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    if (problem.profile) check_profile(*problem.profile, origin);
+void check_nip_problem(const auto& problem, Friction friction, const SceneOrigin& origin) {
+  check_nip(problem.nip, origin);
+  check_given(problem.given, problem.nip.roller_radius, origin);
+  if (problem.profile) check_profile(*problem.profile, origin);
+  if constexpr (requires { problem.field; })
     if (problem.field) check_field(*problem.field, origin);
-    std::visit(MethodCheck{problem.given, friction, problem.profile, origin}, problem.method);
-  }
-};
+  std::visit([&](const auto& method) { check_method(method, problem, friction, origin); }, problem.method);
+}
+
+void check_system(const ElasticNipProblem& problem, const SceneOrigin& origin) {
+  check_nip_problem(problem, problem.friction, origin);
+  if (!problem.creep_ratio) return;
+  origin.check_domain("friction.creep_ratio", *problem.creep_ratio);
+  origin.require(
+      problem.friction == Friction::full && std::holds_alternative<LineLoads>(problem.method),
+      "friction.creep_ratio", *problem.creep_ratio,
+      "can be given only to line loads with full friction: otherwise the contact itself settles it");
+}
+
+void check_system(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
+  check_nip_problem(problem, Friction::none, origin);
+}
+
+void check_system(const PartialSlipProblem& problem, const SceneOrigin& origin) {
+  origin.check_domain("friction.coefficient", problem.nip.friction_coefficient);
+  if (const auto* const creep = std::get_if<GivenCreep>(&problem.nip.drive))
+    origin.check_domain("traction.creep_ratio", creep->creep_ratio);
+  else
+    origin.check_domain("traction.force_per_length",
+                        std::get<GivenTraction>(problem.nip.drive).force_per_length);
+  if (const auto* const loads = std::get_if<LineLoads>(&problem.method))
+    check_line_loads_with_slip(*loads, problem.given, origin);
+  check_nip_problem(problem, Friction::full, origin);
+}
+
+void check_system(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
+  check_half_space_problem(problem, origin);
+}
 
 }  // namespace
 
@@ -167,8 +139,8 @@ SceneKind Scene::kind() const {
 
 void Scene::check() const {
   const bool profile_wanted = check_wanted(*this);
-  check_domain(accuracy, origin, "accuracy");
-  std::visit(SystemCheck{origin}, system);
+  origin.check_domain("accuracy", accuracy);
+  std::visit([&](const auto& problem) { check_system(problem, origin); }, system);
   const bool has_positions =
       std::visit([](const auto& problem) { return problem.profile.has_value(); }, system);
   if (profile_wanted && !has_positions) {

@@ -1,5 +1,4 @@
-#include <nipref/data/scene/internal/require.hpp>
-#include <nipref/data/scene/internal/sweep.hpp>
+#include <nipref/data/scene/internal/read.hpp>
 
 namespace nipref::data {
 namespace {
@@ -22,7 +21,7 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
 SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
   SceneSweep sweep;
   if (file.has("sweep")) read_keys(file.table("sweep"), "", sweep);
-  if (sweep.points) check_domain(*sweep.points, origin, "sweep.points");
+  if (sweep.points) origin.check_domain("sweep.points", *sweep.points);
   return sweep;
 }
 

@@ -1,13 +1,17 @@
 #include <algorithm>
 
-#include <nipref/data/scene/internal/half_space.hpp>
-#include <nipref/data/scene/internal/profile.hpp>
+#include <nipref/data/scene/internal/check.hpp>
+#include <nipref/data/scene/internal/read.hpp>
 
 namespace nipref::data {
 namespace {
 
 using Body = decltype(HalfSpaceProblem::body);
 using HalfSpace = decltype(HalfSpaceProblem::half_space);
+
+bool rolls(const HalfSpaceProblem& problem) {
+  return std::holds_alternative<RigidRollingSphere>(problem.body);
+}
 
 IsotropicSolid read_isotropic(const TomlTable& table) {
   return {table.number("shear"), table.number("poisson"), table.number("density")};
@@ -59,7 +63,7 @@ Body read_body(const TomlTable& file, const SceneOrigin& origin) {
 }
 
 void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
-  if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
+  if (rolls(problem)) {
     problem.speed = file.table("rolling", SceneKind::half_space).number("speed");
     return;
   }
@@ -87,6 +91,54 @@ ContourRule read_rule(const TomlTable& method) {
   return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
 }
 
+/// The solids' own checks name their members, which are the keys of their table.
+void check_solid(const auto& solid, const SceneOrigin& origin, std::string_view table) {
+  try {
+    solid.check();
+  } catch (const BadInput& error) {
+    origin.refuse_as(std::string(table) + "." + error.argument(), error);
+  }
+}
+
+/// Gives the smallest radius of curvature.
+double check_body(const Body& body, const SceneOrigin& origin) {
+  if (const auto* const die = std::get_if<RigidDie>(&body)) {
+    origin.check_domain("die.radius_along", die->radius_along);
+    origin.check_domain("die.radius_across", die->radius_across);
+    return std::min(die->radius_along, die->radius_across);
+  }
+  if (const auto* const rolling = std::get_if<RigidRollingSphere>(&body)) {
+    origin.check_domain("rolling_sphere.radius", rolling->radius);
+    return rolling->radius;
+  }
+  const auto& sphere = std::get<ElasticSphere>(body);
+  origin.check_domain("sphere.radius", sphere.radius);
+  check_solid(sphere.solid, origin, "sphere");
+  return sphere.radius;
+}
+
+void check_given(const HalfSpaceProblem& problem, double smallest_radius, const SceneOrigin& origin) {
+  if (const auto* const load = std::get_if<GivenNormalForce>(&problem.given))
+    return origin.check_domain("load.normal_force", load->force);
+  const double along = std::get<GivenSpan>(problem.given).along;
+  origin.check_domain("contact.span_along", along);
+  origin.require(
+      along <= smallest_radius, "contact.span_along", along,
+      "must be at most the body's smallest radius: beyond it a paraboloid no longer stands for the body");
+}
+
+void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
+  if (!std::holds_alternative<IsotropicSolid>(problem.half_space))
+    origin.refuse(
+        "half_space.model",
+        std::holds_alternative<Stiffness>(problem.half_space) ? "anisotropic" : "transversely-isotropic",
+        "must be isotropic under a rolling sphere");
+  if (problem.rule != ContourRule::stationary_force)
+    origin.refuse(
+        "method.kind", problem.rule == ContourRule::exact ? "exact" : "similar-contour",
+        "must be stationary-force for a rolling sphere: no exact solution is known, and (30) is a die's");
+}
+
 }  // namespace
 
 HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
@@ -104,6 +156,23 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
     if (profile.has("depth")) problem.depth = profile.number("depth");
   }
   return problem;
+}
+
+void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
+  const double smallest_radius = check_body(problem.body, origin);
+  std::visit([&](const auto& solid) { check_solid(solid, origin, "half_space"); }, problem.half_space);
+  origin.check_domain(rolls(problem) ? "rolling.speed" : "sliding.speed", problem.speed);
+  origin.check_domain("sliding.direction", problem.direction);
+  origin.check_domain("sliding.friction", problem.friction);
+  check_given(problem, smallest_radius, origin);
+  if (rolls(problem)) check_rolling(problem, origin);
+  origin.require(
+      problem.rule != ContourRule::exact || problem.friction == 0, "sliding.friction", problem.friction,
+      "must be 0 with the exact method: friction raises the surface on one side and lowers it on the other, so that no "
+      "semi-ellipsoidal pressure fits the body");
+  if (problem.profile) check_profile(*problem.profile, origin);
+  if (problem.line) origin.check_domain("profile.direction", *problem.line);
+  origin.check_domain("profile.depth", problem.depth);
 }
 
 }  // namespace nipref::data

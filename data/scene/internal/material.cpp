@@ -1,10 +1,7 @@
 #include <functional>
-#include <string>
-#include <string_view>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/data/scene/internal/material.hpp>
+#include <nipref/data/scene/internal/read.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/data/scene/sweep.hpp>
+
+// The parts of a scene's file. BadInput that names the key; `origin` is that of the file's tables.
+
+namespace nipref::data {
+
+/// material.model; BadInput unless it is one that there is.
+[[nodiscard]] std::string material_model(const TomlTable& material);
+/// The material of a rolling nip: any model, "elastic" included.
+[[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material,
+                                                              const SceneOrigin& origin);
+/// Of a whole file about a half-space.
+[[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
+
+[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin, SceneKind kind);
+[[nodiscard]] FieldPlaces read_field(const TomlTable& field);
+/// The table [sweep] of a whole file, if it has one.
+[[nodiscard]] SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin);
+/// The results with these names. BadInput, with the nearest names, for an unknown one.
+[[nodiscard]] std::vector<ResultId> read_wanted(const std::vector<std::string>& names, SceneKind kind,
+                                                const SceneOrigin& origin);
+
+}  // namespace nipref::data
