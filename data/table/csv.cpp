@@ -87,8 +87,7 @@ void add_record(CsvFile& file, std::string_view line, std::size_t number) {
 }  // namespace
 
 void refuse(const std::filesystem::path& path, TextPosition position, std::string_view requirement) {
-  throw BadInput("file", fmt::format("{}:{}:{}", path.string(), position.line, position.column),
-                 requirement);
+  throw BadInput("file", fmt::format("{}:{}:{}", path.string(), position.line, position.column), requirement);
 }
 
 namespace {

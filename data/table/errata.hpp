@@ -23,8 +23,6 @@ enum class ErratumKind {
 inline constexpr std::array<std::string_view, 5> erratum_kind_names{"identity", "trend", "replay", "glyph",
                                                                     "unreadable"};
 
-[[nodiscard]] std::string_view name(ErratumKind kind);
-
 /// One line of errata.csv.
 struct Erratum {
   std::string table;    ///< id, e.g. "thesis-VII"
@@ -41,5 +39,18 @@ struct Erratum {
 /// malformed file, an unknown kind, a row that is no whole number from 1, an empty reason, an empty read_as
 /// though the kind is not unreadable, or two lines for one cell.
 [[nodiscard]] std::vector<Erratum> load_errata(const std::filesystem::path& file);
+
+/// One line of known_misses.csv: a cell that no replay meets though nothing in its table speaks against it,
+/// looked into and left.
+struct KnownMiss {
+  std::string table;   ///< id, e.g. "thesis-VII"
+  std::size_t row;     ///< from 1, in the order of the table
+  std::string column;  ///< name in the table's own column line
+  std::string note;    ///< what was found; may be empty
+};
+
+/// Reads table,row,column,note. Throws BadInput with file, line and column for a malformed file, a row that is no
+/// whole number from 1, or two lines for one cell.
+[[nodiscard]] std::vector<KnownMiss> load_known_misses(const std::filesystem::path& file);
 
 }  // namespace nipref::data

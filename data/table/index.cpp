@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
+#include <ranges>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
@@ -15,27 +15,14 @@ namespace {
 /// Files beside the tables that are none.
 constexpr std::array<std::string_view, 2> about_cells{"errata", "known_misses"};
 
-int roman_digit(char digit) {
-  switch (digit) {
-    case 'I':
-      return 1;
-    case 'V':
-      return 5;
-    case 'X':
-      return 10;
-    default:
-      return 0;
-  }
-}
-
 /// Value of a Roman numeral made of I, V and X; 0 if other letters are in it.
 int roman_number(std::string_view numeral) {
-  int total = 0;
-  for (std::size_t i = 0; i < numeral.size(); ++i) {
-    const int digit = roman_digit(numeral[i]);
+  int total = 0, behind = 0;
+  for (const char letter : numeral | std::views::reverse) {
+    const int digit = letter == 'I' ? 1 : letter == 'V' ? 5 : letter == 'X' ? 10 : 0;
     if (digit == 0) return 0;
-    const int next = i + 1 < numeral.size() ? roman_digit(numeral[i + 1]) : 0;
-    total += digit < next ? -digit : digit;
+    total += digit < behind ? -digit : digit;
+    behind = digit;
   }
   return total;
 }
@@ -57,23 +44,6 @@ bool may_mean(const std::string& name, const std::string& id) {
   const std::string wanted = in_capitals(name), last = in_capitals(id.substr(id.rfind('-') + 1));
   const int number = roman_number(last);
   return wanted == in_capitals(id) || wanted == last || (number > 0 && wanted == std::to_string(number));
-}
-
-void count_key(const Table& table, std::size_t column, TableSummary& summary) {
-  for (const auto& row : table.rows) {
-    if (row[column].erratum) ++summary.key_errata;
-  }
-}
-
-void count_values(const Table& table, std::size_t column, TableSummary& summary) {
-  ++summary.columns;
-  for (const auto& row : table.rows) {
-    const TableCell& cell = row[column];
-    if (!cell.is_printed()) ++summary.empty;
-    if (!cell.is_readable()) ++summary.without_value;
-    if (cell.is_doubtful()) ++summary.doubtful;
-    if (cell.erratum) ++summary.errata[static_cast<std::size_t>(cell.erratum->kind)];
-  }
 }
 
 }  // namespace
@@ -108,12 +78,20 @@ std::string find_table_id(const std::string& name, const std::filesystem::path& 
 }
 
 TableSummary summarize(const Table& table) {
-  TableSummary summary{table.id, table.title, table.rows.size(), 0, 0, 0, 0, 0, {}, 0};
+  TableSummary summary{.id = table.id, .title = table.title, .rows = table.rows.size()};
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    if (table.columns[c].is_key) {
-      count_key(table, c, summary);
-    } else {
-      count_values(table, c, summary);
+    const bool is_key = table.columns[c].is_key;
+    if (!is_key) ++summary.columns;
+    for (const auto& row : table.rows) {
+      const TableCell& cell = row[c];
+      if (is_key) {
+        if (cell.erratum) ++summary.key_errata;
+        continue;
+      }
+      if (!cell.is_printed()) ++summary.empty;
+      if (!cell.is_readable()) ++summary.without_value;
+      if (cell.is_doubtful()) ++summary.doubtful;
+      if (cell.erratum) ++summary.errata[static_cast<std::size_t>(cell.erratum->kind)];
     }
   }
   summary.cells = summary.rows * summary.columns;

@@ -27,14 +27,14 @@ namespace nipref::data {
 struct TableSummary {
   std::string id;
   std::string title;
-  std::size_t rows;
-  std::size_t columns;
-  std::size_t cells;                                          ///< rows * columns
-  std::size_t empty;                                          ///< cells where the seed shows nothing legible
-  std::size_t without_value;                                  ///< cells that cannot be read, empty or not
-  std::size_t doubtful;                                       ///< cells that stay as printed though in doubt
-  std::array<std::size_t, erratum_kind_names.size()> errata;  ///< errata of cells, by ErratumKind
-  std::size_t key_errata;                                     ///< errata of row labels
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::size_t cells = 0;          ///< rows * columns
+  std::size_t empty = 0;          ///< cells where the seed shows nothing legible
+  std::size_t without_value = 0;  ///< cells that cannot be read, empty or not
+  std::size_t doubtful = 0;       ///< cells that stay as printed though in doubt
+  std::array<std::size_t, erratum_kind_names.size()> errata = {};  ///< errata of cells, by ErratumKind
+  std::size_t key_errata = 0;                                      ///< errata of row labels
 };
 
 [[nodiscard]] TableSummary summarize(const Table& table);

@@ -3,7 +3,6 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/sweep.hpp>
 #include <nipref/data/table/index.hpp>
-#include <nipref/data/table/known_misses.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>

@@ -10,8 +10,6 @@
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/table/index.hpp>
-#include <nipref/data/table/known_misses.hpp>
-#include <nipref/data/table/printed_number.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/nip/converged.hpp>

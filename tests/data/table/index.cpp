@@ -1,5 +1,4 @@
 #include <nipref/data/table/index.hpp>
-#include <nipref/data/table/known_misses.hpp>
 
 #include "support/test.hpp"
 

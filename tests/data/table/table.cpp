@@ -1,5 +1,4 @@
 #include <nipref/data/table/csv.hpp>
-#include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
 
 #include "support/scratch.hpp"

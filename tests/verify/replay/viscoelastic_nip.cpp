@@ -1,6 +1,5 @@
 // The replay of the viscoelastic tables: what is met, what the seed's mistakes explain, what they cost.
 #include <nipref/data/table/index.hpp>
-#include <nipref/data/table/known_misses.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
