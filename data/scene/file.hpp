@@ -34,7 +34,7 @@ struct SceneText {
 ///                shear_viscosity, bulk_viscosity; "prony", theta1_instantaneous, theta1_amplitudes = [...],
 ///                theta1_rates = [...], theta2_... likewise; "operators", P, Q, P_dilatation, Q_dilatation =
 ///                [...], the coefficient of p^0 first; "thesis-misprint", bulk, relaxation_time, shear
-///                (optional, 3/8 bulk), the thesis's wrong solid. See viscoelastic_models.hpp
+///                (optional, 3/8 bulk), the thesis's wrong solid. See viscoelastic.hpp
 ///     [rolling]  speed            friction.model is then "none"
 ///     [load]     per_length       or [contact] length
 ///     [friction] model = "none" or "full"; creep_ratio, optional: line loads with full friction only

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/material/constants.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/material/moduli.hpp>
 
 namespace nipref::fast {

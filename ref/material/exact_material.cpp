@@ -4,7 +4,7 @@
 #include <variant>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 

@@ -1,6 +1,6 @@
 #include <functional>
 
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/scene/internal/read.hpp>
 
 namespace nipref::data {
@@ -35,7 +35,7 @@ Build read_thesis_misprint(const TomlTable& material) {
   const double bulk = material.number("bulk");
   const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
   const double relaxation_time = material.number("relaxation_time");
-  return [=] { return misprinted_thesis_solid(bulk, shear, relaxation_time); };
+  return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time, misprinted_rate_factor); };
 }
 
 PronyList read_prony_list(const TomlTable& material, const std::string& name) {

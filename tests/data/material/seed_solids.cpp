@@ -1,5 +1,5 @@
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/table/index.hpp>
 

@@ -1,4 +1,4 @@
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 
 #include "support/test.hpp"
 
@@ -9,7 +9,7 @@ TEST_CASE("one relaxation time doubles the compliance, the thesis's wrong rate m
   const double shear = 3.0 / 8;  // Poisson's ratio 1/3 with bulk 1
   const auto right = data::single_relaxation_time_solid(1, shear, 0.1).functions()->normal_compliance();
   CHECK(right.long_time() / right.instantaneous == doctest::Approx(2).epsilon(1e-14));
-  const auto wrong = data::misprinted_thesis_solid(1, shear, 0.1);
+  const auto wrong = data::single_relaxation_time_solid(1, shear, 0.1, data::misprinted_rate_factor);
   const auto normal = wrong.functions()->normal_compliance();
   CHECK(normal.long_time() / normal.instantaneous == doctest::Approx(1.875).epsilon(1e-14));
   CHECK(wrong.functions()->theta1.instantaneous == doctest::Approx(4.0 / 3).epsilon(1e-15));
@@ -63,7 +63,8 @@ TEST_CASE("what is no material is refused by the name of what is wrong") {
   CHECK_REFUSED(data::single_relaxation_time_solid(1, 1, 0), "relaxation_time = 0: ");
   CHECK_REFUSED(data::single_relaxation_time_solid(1, 1, -2), "relaxation_time = -2: ");
   CHECK_REFUSED(data::single_relaxation_time_solid(0, 1, 1), "bulk = 0: ");
-  CHECK_REFUSED(data::misprinted_thesis_solid(1, 1, 0), "relaxation_time = 0: ");
+  CHECK_REFUSED(data::single_relaxation_time_solid(1, 1, 0, data::misprinted_rate_factor),
+                "relaxation_time = 0: ");
   CHECK_REFUSED(data::standard_linear_solid({1, 1, 1, 1, 0, 1}), "shear_viscosity = 0: ");
   CHECK_REFUSED(data::operator_solid({{1}, {0, 0}, {1}, {7}}), "Q = 0: ");
   CHECK_REFUSED(with_theta1({1, {}, {}}), "theta1_amplitudes = []");

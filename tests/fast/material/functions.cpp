@@ -1,5 +1,5 @@
 // Compliances of materials whose rates are roots of polynomials.
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/material/functions.hpp>
 
 #include "support/test.hpp"

@@ -1,4 +1,4 @@
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
@@ -72,8 +72,8 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
   CHECK(solid.normal().terms.size() == 1);
   CHECK(thesis.normal().terms.size() == 2);
   // The same from doubles.
-  const ExactMaterial rounded = exact_material(
-      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25));
+  const ExactMaterial rounded = exact_material(nipref::data::single_relaxation_time_solid(
+      3, 3 * nipref::data::thesis_shear_over_bulk, 0.25, nipref::data::misprinted_rate_factor));
   CHECK(rounded.theta2.terms[0].rate == thesis.theta2.terms[0].rate);
   CHECK(rounded.theta1.instantaneous.get_d() ==
         doctest::Approx(thesis.theta1.instantaneous.get_d()).epsilon(1e-15));

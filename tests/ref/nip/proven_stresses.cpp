@@ -1,5 +1,5 @@
 // The proof of the stresses inside contacts without friction.
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>

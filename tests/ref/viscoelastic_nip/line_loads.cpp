@@ -1,4 +1,4 @@
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_loads.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
@@ -38,8 +38,7 @@ TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digi
     const auto material =
         i % 3 == 0
             ? data::standard_linear_solid({1e5, between(2e4, 2e5, random), 2e5, 1e5, 1e5 * tau, 2e5 * tau})
-        : i % 3 == 1 ? data::single_relaxation_time_solid(1e5, 3.75e4, tau)
-                     : data::misprinted_thesis_solid(1e5, 3.75e4, tau);
+            : data::single_relaxation_time_solid(1e5, 3.75e4, tau, i % 3);
     const data::ViscoelasticNip nip{6, between(0.05, 2, random), material, 1};
     const int terms = i % 4 == 3 ? count(1, 60) : 0, leading = count(1, 3), trailing = count(1, leading);
     const double approach = between(0.1, 20, random);
@@ -100,7 +99,7 @@ TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is 
 }
 
 TEST_CASE("ref rolling line loads seek the thesis's number of trailing elements") {
-  const auto nip = nip_of(data::misprinted_thesis_solid(1e5, 3.75e4, 0.3));
+  const auto nip = nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3, data::misprinted_rate_factor));
   const auto mine = ref::line_loads_for_load(nip, {4, {}, 4.0, 40}, 50, 16);
   const auto theirs = fast::line_loads_for_load(nip, {4, {}, 4.0, 40}, 50);
   CHECK(mine.face_loads().size() == theirs.loads.size());

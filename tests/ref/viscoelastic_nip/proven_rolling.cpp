@@ -1,5 +1,5 @@
 // The proof of the rolling contact: that its bounds hold, that it notices what is wrong, and what it rests on.
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>

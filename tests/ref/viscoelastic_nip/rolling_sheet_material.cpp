@@ -1,5 +1,5 @@
 // The sheet's compliances as the rolling contact has them, whatever they are described by.
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
 #include "support/test.hpp"

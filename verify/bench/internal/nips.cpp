@@ -1,4 +1,4 @@
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>

@@ -1,7 +1,7 @@
 // The response functions of a viscoelastic material.
 #include <complex>
 
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/material/moduli.hpp>
 #include <nipref/fast/material/rational_solid.hpp>

@@ -1,7 +1,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <complex>
 
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
@@ -47,8 +47,8 @@ data::ViscoelasticMaterial material_of(const NamedPoint& x) {
   if (model == solid_of_two_moduli)
     return data::single_relaxation_time_solid(x["bulk"], x["shear"], x["relaxation_time"]);
   const data::Compliances at_once{4 / (3 * x["bulk"]), 4 / (9 * x["bulk"])};
-  return model == standard_linear_solid ? data::single_relaxation_time_solid(at_once, x["relaxation_time"])
-                                        : data::misprinted_thesis_solid(at_once, x["relaxation_time"]);
+  return data::single_relaxation_time_solid(
+      at_once, x["relaxation_time"], model == standard_linear_solid ? 1 : data::misprinted_rate_factor);
 }
 
 ref::ExactFunction exact_function_of(const ref::ExactSeries& series) {

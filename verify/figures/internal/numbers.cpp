@@ -1,5 +1,5 @@
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
@@ -29,8 +29,9 @@ double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
   if (name == "Un" || name == "Vn") {
     constexpr double half_thickness = 0.0025, speed = 1;
     const fast::PlainMovingLoad load(
-        data::misprinted_thesis_solid(stated_bulk, stated_shear, number("memory")), speed, half_thickness,
-        residues);
+        data::single_relaxation_time_solid(stated_bulk, stated_shear, number("memory"),
+                                           data::misprinted_rate_factor),
+        speed, half_thickness, residues);
     return name == "Un" ? load.normal_displacement(number("t"), number("T"))
                         : load.tangential_displacement(number("t"), number("T"), number("t0"));
   }
@@ -42,9 +43,8 @@ double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
 
 double creep_response(const NumberWords& words, FigureFormulas& formulas) {
   const std::string& name = words.name(1);
-  const bool misprinted = formulas.value(words.value("rate")) == data::misprinted_rate_factor;
-  const auto solid = misprinted ? data::misprinted_thesis_solid(stated_bulk, stated_shear, 1)
-                                : data::single_relaxation_time_solid(stated_bulk, stated_shear, 1);
+  const data::ViscoelasticMaterial solid = data::single_relaxation_time_solid(
+      stated_bulk, stated_shear, 1, static_cast<int>(formulas.value(words.value("rate"))));
   const data::MaterialFunctions both = *solid.functions();
   const data::MaterialFunction theta = name == "theta1"   ? both.theta1
                                        : name == "theta2" ? both.theta2

@@ -1,7 +1,7 @@
 #include <map>
 #include <tuple>
 
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
@@ -168,8 +168,7 @@ data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, s
   const double time = relaxation_length(table, row);  // at unit speed
   const data::Compliances at_once{elastic.material.theta1(), elastic.material.theta2()};
   return {elastic.roller_radius, elastic.sheet_thickness,
-          as_defined ? data::single_relaxation_time_solid(at_once, time)
-                     : data::misprinted_thesis_solid(at_once, time),
+          data::single_relaxation_time_solid(at_once, time, as_defined ? 1 : data::misprinted_rate_factor),
           1};
 }
 

@@ -1,5 +1,5 @@
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -101,7 +101,8 @@ ViscoelasticMaterial solid_of(const Request& request) {
          return data::single_relaxation_time_solid({thesis_sheet.theta1(), thesis_sheet.theta2()}, memory);
        }},
       {"one_time", [=] { return data::single_relaxation_time_solid(1, 0.375, memory); }},
-      {"one_time_misprinted", [=] { return data::misprinted_thesis_solid(1, 0.375, memory); }},
+      {"one_time_misprinted",
+       [=] { return data::single_relaxation_time_solid(1, 0.375, memory, data::misprinted_rate_factor); }},
       // The moduli in shear and dilatation relax by different parts.
       {"two_times", [=] {
          return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
