@@ -4,7 +4,7 @@
 
 #include <nipref/data/material/solids.hpp>
 #include <nipref/data/material/stiffness.hpp>
-#include <nipref/data/problem/profile.hpp>
+#include <nipref/data/problem/places.hpp>
 
 namespace nipref::data {
 

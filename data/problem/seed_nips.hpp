@@ -2,7 +2,7 @@
 #include <array>
 
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 
 /// The nips of the thesis's tables: inches and psi.
 namespace nipref::data::seed {

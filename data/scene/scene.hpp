@@ -4,14 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/field_places.hpp>
-#include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/half_space.hpp>
-#include <nipref/data/problem/line_loads.hpp>
-#include <nipref/data/problem/partial_slip.hpp>
-#include <nipref/data/problem/profile.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
+#include <nipref/data/problem/places.hpp>
 #include <nipref/data/scene/origin.hpp>
 #include <nipref/data/scene/results.hpp>
 

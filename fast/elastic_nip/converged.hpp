@@ -1,6 +1,5 @@
 #pragma once
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/converged.hpp>
 
 namespace nipref::fast {

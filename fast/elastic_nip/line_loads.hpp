@@ -2,8 +2,7 @@
 #include <optional>
 #include <span>
 
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 

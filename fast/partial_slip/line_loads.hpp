@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
 
 namespace nipref::fast {

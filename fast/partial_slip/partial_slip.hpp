@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 

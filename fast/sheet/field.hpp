@@ -1,5 +1,4 @@
 #pragma once
-#include <nipref/data/problem/derivative.hpp>
 #include <nipref/data/problem/sheet_load.hpp>
 
 // Inside an elastic sheet of half-thickness b = 1 under a line load of unit intensity on each face: plane strain. x

@@ -1,6 +1,5 @@
 #pragma once
-#include <nipref/data/problem/line_loads.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/line_loads.hpp>
 
 namespace nipref::fast {

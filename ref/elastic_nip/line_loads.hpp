@@ -2,8 +2,7 @@
 #include <span>
 #include <vector>
 
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/nip/line_loads.hpp>
 
 // The elastic nip by 2m line loads, one symmetric half of which is solved. (thesis 5.1-5.13)

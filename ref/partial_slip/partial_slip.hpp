@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {

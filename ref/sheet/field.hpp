@@ -1,5 +1,4 @@
 #pragma once
-#include <nipref/data/problem/derivative.hpp>
 #include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>

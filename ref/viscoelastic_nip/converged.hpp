@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/nip/converged.hpp>
 
 namespace nipref::ref {

@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/data/material/viscoelastic.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
 
 /// The thesis's nip with a sheet that softens by one half, rolled at speed 1, so that a relaxation time is a length.
 namespace nipref::test {

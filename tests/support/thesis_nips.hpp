@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 
 /// The thesis's nips by their sheets, and its grip.

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>

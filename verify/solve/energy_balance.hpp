@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/verify/solve/solve.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/internal/nip_equations.hpp>
 
 namespace nipref::fast {

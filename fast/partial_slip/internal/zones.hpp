@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/data/problem/partial_slip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/work.hpp>
 

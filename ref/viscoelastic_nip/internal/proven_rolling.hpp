@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/exact.hpp>

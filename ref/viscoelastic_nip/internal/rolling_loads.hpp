@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>

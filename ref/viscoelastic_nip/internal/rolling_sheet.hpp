@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/nip/internal/nip_solution.hpp>
 

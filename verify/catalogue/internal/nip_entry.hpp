@@ -1,9 +1,7 @@
 #pragma once
 #include <gmpxx.h>
 
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/friction.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>

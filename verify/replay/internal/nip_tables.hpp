@@ -1,7 +1,5 @@
 #pragma once
-#include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/friction.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>

@@ -1,6 +1,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/magnitude.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/problem/nip.hpp>
 
 namespace nipref::data {
 
@@ -20,6 +20,12 @@ void check_gives_way_at_once(const ViscoelasticMaterial& material) {
 }
 
 }  // namespace
+
+void ElasticNip::check() const {
+  check_magnitude("roller_radius", roller_radius);
+  check_magnitude("sheet_thickness", sheet_thickness);
+  material.check();
+}
 
 void ViscoelasticNip::check() const {
   check_magnitude("roller_radius", roller_radius);

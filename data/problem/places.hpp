@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -22,5 +23,13 @@ inline int count_of(const Profile& profile) {
   if (const auto* spacing = std::get_if<EvenlySpaced>(&profile)) return spacing->points;
   return static_cast<int>(std::get<Positions>(profile).y.size());
 }
+
+/// Where stresses inside the sheet of a nip are wanted: at each depth at all positions.
+struct FieldPlaces {
+  std::vector<double> positions;  ///< Y as in Profile, unit of length, finite; field.positions
+  std::vector<double> depths;     ///< over half the thickness, -1 to 1, 0 is the middle plane; field.depths
+
+  [[nodiscard]] std::size_t size() const { return positions.size() * depths.size(); }
+};
 
 }  // namespace nipref::data
