@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ struct SceneText {
 ///     [profile]  points or positions = [...]: where the profiles are wanted, if any are
 ///     [field]    positions = [...] along the sheet and depths = [...], -1 to 1 over half the thickness: where stresses
 ///                inside the sheet are wanted, if any are
-///     [sweep]    keys with several values, see sweep.hpp: then `overrides` must have one for each
+///     [sweep]    keys with several values, see SceneSweep: then `overrides` must have one for each
 ///
 /// Throws BadInput as read_scene does, "FILE:LINE: KEY = VALUE: ALLOWED" for a file that is no TOML, for an
 /// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
@@ -64,5 +65,19 @@ struct SceneText {
 /// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().
 /// BadInput if there is none of that name, with the one whose name is nearest.
 [[nodiscard]] std::filesystem::path example_scene(const std::string& name);
+
+/// The table [sweep] of a scene's file: the values that keys take. There is a contact for each combination of them.
+///
+///     [sweep]  load.per_length = [50, 100, 200] or "1..1000:log", any other key of the scene likewise
+///              points: values of each range, 1 to 1e7, optional
+struct SceneSweep {
+  /// {"load.per_length", "50, 100, 200" or "1..1000:log"}, in the order of the alphabet.
+  std::vector<std::pair<std::string, std::string>> keys;
+  std::optional<int> points;
+};
+
+/// It has no keys if the file has no such table. BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for what is no
+/// TOML, and for values that are neither a text nor a list of numbers or texts.
+[[nodiscard]] SceneSweep scene_sweep(const SceneText& scene);
 
 }  // namespace nipref::data

@@ -48,9 +48,9 @@ bool may_mean(const std::string& name, const std::string& id) {
 
 }  // namespace
 
-std::vector<std::string> table_ids(const std::filesystem::path& directory) {
+std::vector<std::string> table_ids() {
   std::vector<std::string> ids;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+  for (const auto& entry : std::filesystem::directory_iterator(tables_directory())) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() == ".csv" && !std::ranges::count(about_cells, name)) ids.push_back(name);
   }
@@ -58,16 +58,16 @@ std::vector<std::string> table_ids(const std::filesystem::path& directory) {
   return ids;
 }
 
-Table load_table_by_id(const std::string& id, const std::filesystem::path& directory) {
+Table load_table_by_id(const std::string& id) {
   // Looked up in the list, so that an id can never name a path outside the folder.
-  const auto ids = table_ids(directory);
+  const auto ids = table_ids();
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
     throw BadInput("table", id, "must be an id that 'tables --list' shows");
-  return load_table(directory / (id + ".csv"));
+  return load_table(tables_directory() / (id + ".csv"));
 }
 
-std::string find_table_id(const std::string& name, const std::filesystem::path& directory) {
-  const auto ids = table_ids(directory);
+std::string find_table_id(const std::string& name) {
+  const auto ids = table_ids();
   std::vector<std::string> meant;
   std::ranges::copy_if(ids, std::back_inserter(meant), [&](const auto& id) { return may_mean(name, id); });
   if (meant.size() == 1) return meant.front();
@@ -98,9 +98,9 @@ TableSummary summarize(const Table& table) {
   return summary;
 }
 
-std::vector<TableSummary> summarize_tables(const std::filesystem::path& directory) {
+std::vector<TableSummary> summarize_tables() {
   std::vector<TableSummary> summaries;
-  for (const auto& id : table_ids(directory)) summaries.push_back(summarize(load_table_by_id(id, directory)));
+  for (const auto& id : table_ids()) summaries.push_back(summarize(load_table_by_id(id)));
   return summaries;
 }
 

@@ -10,18 +10,16 @@
 
 namespace nipref::data {
 
-/// Ids of all tables there, in the order of the seeds: thesis-III .. thesis-XXVI, then the others by name.
-[[nodiscard]] std::vector<std::string> table_ids(const std::filesystem::path& directory = tables_directory());
+/// Ids of all tables, in the order of the seeds: thesis-III .. thesis-XXVI, then the others by name.
+[[nodiscard]] std::vector<std::string> table_ids();
 
 /// The table called `id`. BadInput if there is none.
-[[nodiscard]] Table load_table_by_id(const std::string& id,
-                                     const std::filesystem::path& directory = tables_directory());
+[[nodiscard]] Table load_table_by_id(const std::string& id);
 
 /// The id of the table that is meant by `name`: an id, or what stands behind its hyphen, in letters of either
 /// case; a number of the thesis's tables may be Arabic: "VII", "vii", "7". BadInput if that is none, or if it
 /// is several, like "3", with those.
-[[nodiscard]] std::string find_table_id(const std::string& name,
-                                        const std::filesystem::path& directory = tables_directory());
+[[nodiscard]] std::string find_table_id(const std::string& name);
 
 /// What a table holds, counted. Key columns count among neither columns nor cells.
 struct TableSummary {
@@ -40,7 +38,6 @@ struct TableSummary {
 [[nodiscard]] TableSummary summarize(const Table& table);
 
 /// Summaries of all tables, in the order of table_ids.
-[[nodiscard]] std::vector<TableSummary> summarize_tables(
-    const std::filesystem::path& directory = tables_directory());
+[[nodiscard]] std::vector<TableSummary> summarize_tables();
 
 }  // namespace nipref::data

@@ -1,7 +1,7 @@
 #pragma once
 #include <complex>
 
-#include <nipref/data/material/spring_model.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 
 namespace nipref::fast {
 

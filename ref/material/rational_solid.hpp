@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/material/spring_model.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 

@@ -1,7 +1,6 @@
 #include <fstream>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/data/scene/sweep.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/axes.hpp>

@@ -1,7 +1,6 @@
 #include <cstdio>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/data/scene/sweep.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>

@@ -1,5 +1,5 @@
 #include <nipref/data/directory.hpp>
-#include <nipref/data/scene/sweep.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/contacts.hpp>
 #include <nipref/verify/solve/solve.hpp>

@@ -118,37 +118,6 @@ double key_of_row(const data::Table& table, std::size_t row);
 /// The verdict of the matching rule, which compares `range` with the rounding interval of the cell's number.
 Verdict assess(const data::TableCell& cell, const data::Interval& range);
 
-/// The part of the cells that have nothing to do with a replay which meet its `range` by chance, if one digit of theirs is
-/// changed in a place of this unit: (width of the rounding + width of the range)/unit.
-double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit);
-
-/// Judges a cell by the chance that its reading meets `range`: below 1 % it is a misprint, up to 20 % a likely one.
-/// The reading is that of an erratum of the kind replay, whose cell its table proves wrong: a
-/// last digit is then one of ten; a seed_error stays one. Or it is any other digit in one place, if the cell is unexplained; its last digit
-/// can always be met.
-void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range);
-
-/// The lengths that some columns of a row ask for, each of them the range for one of the row's printed numbers.
-struct LengthWitness {
-  std::string column;
-  data::Interval length;
-};
-
-/// The chance that columns which have nothing to do with each other agree on a length: the product of (w1 + wi)/unit, with
-/// w1 the width of the narrowest, wi of each other, and the unit of the digit that is in doubt. 1 if they do not agree.
-double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit);
-
-/// What d0, d1 or d2 (the narrowest), p_max, creep and muR of a row ask of its length `read_as`. `at` gives the row for a
-/// length.
-std::vector<LengthWitness> witnesses_of_length(const data::Table& table, std::size_t row,
-                                               const data::Interval& read_as,
-                                               const std::function<RowValues(double)>& at);
-
-/// The note on a length whose erratum rests on the replay: what the row's columns ask of it, and the chance that they
-/// agree. Empty for any other.
-std::string agreement_on_length(const data::Table& table, std::size_t row, const std::string& column,
-                                const std::function<RowValues(double)>& at);
-
 /// Ids of the tables that can be replayed.
 std::vector<std::string> replayable_tables();
 

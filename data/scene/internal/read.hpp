@@ -2,9 +2,8 @@
 #include <string>
 #include <vector>
 
+#include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
-#include <nipref/data/scene/scene.hpp>
-#include <nipref/data/scene/sweep.hpp>
 
 // The parts of a scene's file. BadInput that names the key; `origin` is that of the file's tables.
 

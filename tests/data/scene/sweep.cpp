@@ -1,6 +1,5 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/data/scene/sweep.hpp>
 
 #include "support/scratch.hpp"
 

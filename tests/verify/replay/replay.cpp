@@ -5,6 +5,7 @@
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/replay/internal/readings.hpp>
 
 #include "support/replayed.hpp"
 

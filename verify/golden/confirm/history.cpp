@@ -1,7 +1,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/interpolant.hpp>
+#include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {
 namespace {

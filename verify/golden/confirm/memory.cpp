@@ -1,6 +1,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <nipref/verify/golden/confirm/history.hpp>
+#include <nipref/verify/golden/confirm/kernels.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>
 
 namespace nipref::verify::confirm {

@@ -1,6 +1,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/confirm/contacts.hpp>
-#include <nipref/verify/golden/confirm/history.hpp>
+#include <nipref/verify/golden/confirm/kernels.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify::confirm {

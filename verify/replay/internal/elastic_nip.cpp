@@ -1,7 +1,7 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/replay/internal/readings.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -100,7 +100,7 @@ class RowReplay {
     if (column == "L")
       return (length_is_printed() ? "" : "not legible, taken from L/B; ") +
              load_note(replayed_.at_centre.at("W"), table_.cell(row_, "W").number->value) +
-             agreement_on_length(table_, row_, "L", [&](double length) {
+             agreement_on_length(table_, row_, [&](double length) {
                return replay_row(nip_, method_, {data::Interval::only(length), input_.creep}).at_centre;
              });
     if (verdict == Verdict::input) return "";

@@ -1,7 +1,7 @@
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/readings.hpp>
 
 namespace nipref::verify {
 namespace {

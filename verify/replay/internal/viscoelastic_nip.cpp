@@ -2,8 +2,8 @@
 #include <tuple>
 
 #include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
+#include <nipref/verify/replay/internal/readings.hpp>
 
 namespace nipref::verify {
 namespace {

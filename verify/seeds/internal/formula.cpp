@@ -1,7 +1,55 @@
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
+
 #include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
 namespace {
+
+/// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
+/// infinite if `certain` holds at none.
+Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
+  for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2)
+    if (certain(reach)) return {x, reach};
+  return {x, std::numeric_limits<double>::infinity()};
+}
+
+/// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size.
+Propagated integral_by(const auto& integrate, const Function& f) {
+  // A rule divides its intervals to the end where it is asked for more than there is to know: of the values, whose errors
+  // it would resolve, and of the errors, which jump. Those are doubled below, so that a tenth of them does.
+  constexpr double roughly = 0.1, finest = 1e-15;
+  double truncation = 0, size = 0, unused = 0;
+  const auto values = [&](double x) { return f(x).value(); };
+  integrate(values, roughly, &unused, &size);
+  const double of_errors = integrate([&](double x) { return f(x).error(); }, roughly, &unused, &unused);
+  const double value = integrate(values, std::max(finest, of_errors / size), &truncation, &size);
+  return {value, truncation + 2 * of_errors + 0x1p-50 * size};
+}
+
+struct Maximum {
+  Propagated place, value;
+};
+Maximum maximum_of(const Function& f, double lower, double upper) {
+  constexpr int binary_digits = 20;
+  const double place = boost::math::tools::brent_find_minima([&](double x) { return -f(x).value(); }, lower,
+                                                             upper, binary_digits)
+                           .first;
+  const Propagated value = f(place);
+  double fall = 0;
+  // A maximum is flat: the relative error of its place is about the square root of that of its value.
+  const Propagated reached = with_reach(place, 0x1p-24, [&](double reach) {
+    const Propagated below = value - f(place - reach), above = value - f(place + reach);
+    fall = std::max(below.value() + below.error(), above.value() + above.error());
+    return below.is_positive() && above.is_positive();
+  });
+  // Where f is concave, it rises on one side of the place by no more than it falls on the other.
+  return {reached, {value.value(), value.error() + fall}};
+}
 
 using StatedWords = FormulaWords<Propagated>;
 using Numbers = std::vector<Propagated>;
@@ -16,6 +64,82 @@ Propagated of_range(const Function& f, const Numbers& at) {
 }
 
 }  // namespace
+
+Propagated integral(const Function& f, double from, double to) {
+  boost::math::quadrature::tanh_sinh<double> rule;
+  return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, from, to, how...); }, f);
+}
+
+Propagated smooth_integral(const Function& f, double from, double to) {
+  constexpr unsigned halvings = 12;
+  return integral_by(
+      [&](const auto& g, auto... how) {
+        return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(g, from, to, halvings, how...);
+      },
+      f);
+}
+
+Propagated half_line_integral(const Function& f) {
+  boost::math::quadrature::exp_sinh<double> rule;
+  return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, how...); }, f);
+}
+
+Propagated hilbert(const Function& f, double x, double from, double to) {
+  const auto distance = [](double a, double b) { return Propagated::exact(a) - Propagated::exact(b); };
+  const Propagated at_x = f(x);
+  const Function rest = [&](double t) {
+    return t == x ? Propagated::exact(0) : (f(t) - at_x) / distance(t, x);
+  };
+  return (integral(rest, from, x) + integral(rest, x, to) + at_x * log(distance(to, x) / distance(x, from))) /
+         Propagated::pi();
+}
+
+Propagated derivative(const Function& f, double x, double step) {
+  constexpr int halvings = 7;
+  Propagated best(0, std::numeric_limits<double>::infinity());
+  std::vector<Propagated> last;
+  for (int k = 0; k < halvings; ++k) {
+    const double h = std::ldexp(step, -k), above = x + h, below = x - h;
+    std::vector<Propagated> row{(f(above) - f(below)) /
+                                (Propagated::exact(above) - Propagated::exact(below))};
+    for (std::size_t j = 0; j < last.size(); ++j) {
+      const Propagated change = (row[j] - last[j]) / (std::pow(4.0, j + 1) - 1);
+      row.push_back(row[j] + change);
+      const double changed = std::max(std::fabs(row[j + 1].value() - row[j].value()),
+                                      std::fabs(row[j + 1].value() - last[j].value()));
+      if (row[j + 1].error() + changed < best.error())
+        best = {row[j + 1].value(), row[j + 1].error() + changed};
+    }
+    last = row;
+  }
+  return best;
+}
+
+Propagated sign_change(const Function& f, double lower, double upper) {
+  constexpr int binary_digits = 44;
+  std::uintmax_t steps = 100;
+  const auto ends =
+      boost::math::tools::toms748_solve([&](double x) { return f(x).value(); }, lower, upper,
+                                        boost::math::tools::eps_tolerance<double>(binary_digits), steps);
+  const double root = std::midpoint(ends.first, ends.second);
+  return with_reach(root, 0x1p-46, [&](double reach) {
+    const Propagated below = f(root - reach), above = f(root + reach);
+    return (below.is_positive() && above.is_negative()) || (below.is_negative() && above.is_positive());
+  });
+}
+
+Propagated monotonic(const Function& f, const Propagated& place) {
+  const Propagated below = f(place.value() - place.error()), above = f(place.value() + place.error());
+  return below.value() < above.value() ? Propagated::between(below, above)
+                                       : Propagated::between(above, below);
+}
+
+Propagated largest(const Function& f, double lower, double upper) {
+  return maximum_of(f, lower, upper).value;
+}
+Propagated place_of_largest(const Function& f, double lower, double upper) {
+  return maximum_of(f, lower, upper).place;
+}
 
 const std::map<std::string, OfOne*> StatedWords::of_one{
     {"fabs", fabs},   {"sqrt", sqrt},       {"exp", exp},       {"expm1", expm1},

@@ -1,8 +1,8 @@
-// How often a reading meets the replay by chance.
+// What a cell or a length may have been, and how often that meets the replay by chance.
 
 #include <cctype>
 
-#include <nipref/verify/replay/internal/attempts.hpp>
+#include <nipref/verify/replay/internal/readings.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -26,6 +26,12 @@ std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
     std::erase_if(*text, [](unsigned char c) { return std::isdigit(c) == 0; });
   const auto [differs, other] = std::ranges::mismatch(printed, read_as);
   return std::ssize(read_as) - 1 - (other - read_as.begin());
+}
+
+/// The part of the cells that have nothing to do with a replay which meet its `range` by chance, if one digit of theirs is
+/// changed in a place of this unit: (width of the rounding + width of the range)/unit.
+double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit) {
+  return (rounding.width() + range.width()) / place_unit;
 }
 
 double place_unit(const data::TableCell& cell, std::ptrdiff_t digits_behind) {
@@ -54,8 +60,53 @@ void explain_by_one_digit(const data::Table& table, ReplayedCell& cell, const da
 
 }  // namespace
 
-double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit) {
-  return (rounding.width() + range.width()) / place_unit;
+std::vector<Reading> one_digit_readings(const data::Table& table, std::size_t row, const std::string& name) {
+  const int exponent = table.columns[table.column_index(name)].scale_exponent;
+  const std::string& text = table.cell(row, name).read_as;
+  std::vector<Reading> readings;
+  std::ptrdiff_t digits_behind = 0;
+  for (std::size_t place = text.size(); place-- > 0;) {
+    if (std::isdigit(static_cast<unsigned char>(text[place])) == 0) continue;
+    for (char digit = '0'; digit <= '9'; ++digit) {
+      std::string reading = text;
+      reading[place] = digit;
+      if (const auto number = data::read_printed_number(reading, exponent))
+        readings.push_back({reading, digits_behind, number->rounding});
+    }
+    ++digits_behind;
+  }
+  return readings;
+}
+
+std::string one_digit(const data::Table& table, std::size_t row, const std::string& column,
+                      const data::Interval& range) {
+  const auto readings = one_digit_readings(table, row, column);
+  const auto met =
+      std::ranges::find_if(readings, [&](const Reading& one) { return one.rounding.meets(range); });
+  return met == readings.end() ? "" : "one digit from " + met->text;
+}
+
+std::string note_on(const data::TableCell& cell, Verdict verdict, const std::function<std::string()>& tried) {
+  if (verdict == Verdict::match) return "";
+  if (verdict == Verdict::misprint || !cell.is_readable())
+    return cell.erratum ? cell.erratum->reason : "nothing legible";
+  return cell.erratum ? cell.erratum->reason + "; " + tried() : tried();
+}
+
+std::string load_note(double replayed, double stated) {
+  return fmt::format("replay's load at this length {:.4g} for {:g} ({:+.2f} %)", replayed, stated,
+                     100 * (replayed / stated - 1));
+}
+
+std::string all_outcomes(std::initializer_list<std::string> outcomes) {
+  std::string text;
+  for (const std::string& outcome : outcomes)
+    if (!outcome.empty()) text += (text.empty() ? "" : "; ") + outcome;
+  return text;
+}
+
+double input_for(double goal, const data::Interval& input, double at_lower, double at_upper) {
+  return input.lower + (goal - at_lower) / (at_upper - at_lower) * input.width();
 }
 
 void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range) {
@@ -80,9 +131,9 @@ double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit) {
   return chance;
 }
 
-std::string agreement_on_length(const data::Table& table, std::size_t row, const std::string& column,
+std::string agreement_on_length(const data::Table& table, std::size_t row,
                                 const std::function<RowValues(double)>& at) {
-  const data::TableCell& cell = table.cell(row, column);
+  const data::TableCell& cell = table.cell(row, "L");
   if (!cell.rests_on_replay()) return "";
   const auto witnesses = witnesses_of_length(table, row, cell.number->rounding, at);
   std::string names;
