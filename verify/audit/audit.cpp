@@ -41,7 +41,7 @@ AuditResult audit_of(QuantityWork work, const OnProgress& on_progress) {
 }  // namespace
 
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
-  return audit_of({quantity, options, evaluator, false, true}, options.progress);
+  return audit_of({quantity, options, true, evaluator}, options.progress);
 }
 
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
@@ -50,14 +50,12 @@ AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
 
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options) {
-  const Evaluator none;
-  const Comparator comparator(quantity, none, options);
+  const Comparator comparator(
+      quantity, [](auto, auto) {}, options);
   const auto findings = parallel_mapped(
       points.size(), [&](std::size_t i) { return comparator(points[i], values[i]); }, options.progress);
   const Compared compared = compared_of({points.begin(), points.end()}, findings);
-  AuditResult result = result_of(quantity, options, tally_of(compared), points.front());
-  result.spread = error_spread(quantity, compared.points, compared.findings);
-  return result;
+  return result_of(quantity, options, tally_of(compared), compared, points.front());
 }
 
 std::string point_text(const Quantity& quantity, const Point& point) {

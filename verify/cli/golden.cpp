@@ -67,11 +67,11 @@ class Destination {
     const fs::path file = file_of(name), folder = file.parent_path();
     const std::string text = golden_text(golden);
     check(name, golden.rows.size());
-    Checksums sums = Checksums::of(folder);
+    Checksums sums = checksums_of(folder);
     replace(name, text);
-    if (is_file_ && !sums.by_name().contains(file.filename().string())) return;
-    sums.set(file.filename().string(), text);
-    replace_output_file((folder / checksums_name).string(), sums.text());
+    if (is_file_ && !sums.contains(file.filename().string())) return;
+    sums[file.filename().string()] = sha256(text);
+    replace_output_file((folder / checksums_name).string(), checksums_text(sums));
   }
 
  private:

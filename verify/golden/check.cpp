@@ -93,7 +93,7 @@ CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const
 }
 
 CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
-  const auto sums = Checksums::of(path.parent_path()).by_name();
+  const auto sums = checksums_of(path.parent_path());
   const auto expected = sums.find(path.filename().string());
   std::optional<GoldenFailure> changed;
   if (expected != sums.end() && sha256(data::text_of_input_file(path, "file")) != expected->second)
@@ -115,7 +115,7 @@ CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
 }
 
 std::vector<GoldenFailure> check_folder(const fs::path& folder) {
-  const auto sums = Checksums::of(folder).by_name();
+  const auto sums = checksums_of(folder);
   std::vector<GoldenFailure> failures;
   const auto fail = [&](const std::string& what) {
     failures.push_back({GoldenFault::text_changed, {}, what});
@@ -147,7 +147,7 @@ Json checked_file_json(const CheckedGolden& file) {
           {"_name", file.path.filename().string()}};
 }
 
-Checksums Checksums::of(const std::filesystem::path& folder) {
+Checksums checksums_of(const std::filesystem::path& folder) {
   Checksums sums;
   const std::filesystem::path path = folder / checksums_name;
   if (!std::filesystem::exists(path)) return sums;
@@ -158,14 +158,14 @@ Checksums Checksums::of(const std::filesystem::path& folder) {
     const bool is_one = line.size() > digits + 2 && line[digits] == ' ' &&
                         line.find_first_not_of("0123456789abcdef") == digits;
     if (!is_one) throw data::BadInput("checksums", path.string(), "must have lines as sha256sum writes them");
-    sums.by_name_[line.substr(digits + 2)] = line.substr(0, digits);
+    sums[line.substr(digits + 2)] = line.substr(0, digits);
   }
   return sums;
 }
 
-std::string Checksums::text() const {
+std::string checksums_text(const Checksums& sums) {
   std::string text;
-  for (const auto& [name, digest] : by_name_) text += fmt::format("{}  {}\n", digest, name);
+  for (const auto& [name, digest] : sums) text += fmt::format("{}  {}\n", digest, name);
   return text;
 }
 

@@ -14,19 +14,12 @@
 
 namespace nipref::verify {
 
-/// The SHA256SUMS of a folder, in the format of sha256sum.
-class Checksums {
- public:
-  /// Reads the file; empty if the folder has none. BadInput if it has another format.
-  static Checksums of(const std::filesystem::path& folder);
+/// Digests by the names of files: the SHA256SUMS of a folder, in the format of sha256sum.
+using Checksums = std::map<std::string, std::string>;
 
-  [[nodiscard]] const std::map<std::string, std::string>& by_name() const { return by_name_; }
-  void set(const std::string& name, std::string_view bytes) { by_name_[name] = sha256(bytes); }
-  [[nodiscard]] std::string text() const;
-
- private:
-  std::map<std::string, std::string> by_name_;
-};
+/// Reads the file; empty if the folder has none. BadInput if it has another format.
+Checksums checksums_of(const std::filesystem::path& folder);
+std::string checksums_text(const Checksums& sums);
 
 inline constexpr auto checksums_name = "SHA256SUMS";
 

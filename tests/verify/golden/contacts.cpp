@@ -57,7 +57,7 @@ TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twic
 TEST_CASE("golden contacts are what they were: every 40th by fast, one of each kind by the reference") {
   for (const std::string& kind : verify::contact_kinds()) {
     CAPTURE(kind);
-    CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(kind + ".csv") ==
+    CHECK(verify::checksums_of(data::golden_directory()).at(kind + ".csv") ==
           verify::sha256(data::text_of_input_file(verify::golden_path(kind), "file")));
     GoldenFile file = contacts(kind.c_str());
     for (const auto& found : verify::check_contacts(file, {false, is_thorough() ? 20U : 40U}).failures)

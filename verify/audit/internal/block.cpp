@@ -46,12 +46,12 @@ struct Climb {
 };
 
 /// Hill climbing: a step is taken when it finds a worse point.
-Climb climb(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator, Climb best,
-            std::size_t steps, const std::string& seed) {
+Climb climb(const AuditPlan& plan, const Comparator& comparator, Climb best, std::size_t steps,
+            const std::string& seed) {
   Random random(seed);
   for (std::size_t step = 0; step < steps; ++step) {
     stop_if_interrupted();
-    Point next = perturbed(quantity, ranges, best.point, random);
+    Point next = perturbed(plan.quantity(), plan.ranges(), best.point, random);
     const auto finding = comparator(next);
     if (finding && worse(*finding, best.finding)) best = {std::move(next), *finding};
   }
@@ -89,9 +89,9 @@ AuditTally tally_of(const Compared& compared) {
   return tally;
 }
 
-QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
-                             const AuditPlan& plan, std::size_t block, const OnProgress& on_progress) {
-  Compared compared = compare(plan.points(block), comparator, on_progress);
+AuditTally audit_block(const AuditPlan& plan, const Comparator& comparator, std::size_t block,
+                       const OnProgress& on_progress, Compared* kept) {
+  const Compared compared = compare(plan.points(block), comparator, on_progress);
   const std::size_t searched = plan.searched(block);
   std::vector<Climb> climbs;
   for (const std::size_t start :
@@ -99,25 +99,25 @@ QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, con
     climbs.push_back({compared.points[start], compared.findings[start]});
   const std::size_t steps = climbs.empty() ? 0 : searched / climbs.size();
   parallel_for(climbs.size(), [&](std::size_t i) {
-    climbs[i] = climb(quantity, ranges, comparator, std::move(climbs[i]), steps,
+    climbs[i] = climb(plan, comparator, std::move(climbs[i]), steps,
                       fmt::format("{}/search/{}", plan.seed(block), i));
   });
   AuditTally tally = tally_of(compared);
   tally.points += steps * climbs.size();
   for (const Climb& found : climbs) include(tally, found.finding, found.point);
-  return {std::move(tally), std::move(compared)};
-}
-
-void QuantityFindings::add(const QuantityFindings& found, std::uint64_t block) {
-  tally.add(found.tally, block);
-  std::ranges::copy(found.compared.points, std::back_inserter(compared.points));
-  std::ranges::copy(found.compared.findings, std::back_inserter(compared.findings));
+  if (kept != nullptr) {
+    std::ranges::copy(compared.points, std::back_inserter(kept->points));
+    std::ranges::copy(compared.findings, std::back_inserter(kept->findings));
+  }
+  return tally;
 }
 
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
-                      const Point& first) {
+                      const Compared& kept, const Point& first) {
   if (tally.errors.count() == 0) static_cast<void>(ref_value(quantity, first, digits_beyond_double));
-  return {tally, &quantity, options.promise_of(quantity)};
+  AuditResult result{tally, &quantity, options.promise_of(quantity)};
+  if (!kept.points.empty()) result.spread = error_spread(quantity, kept.points, kept.findings);
+  return result;
 }
 
 void AuditTally::add(const AuditTally& found, std::uint64_t block) {

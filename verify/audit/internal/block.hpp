@@ -43,6 +43,9 @@ class AuditPlan {
   /// SHA-256 of everything that the blocks have in common.
   [[nodiscard]] std::string fingerprint() const;
 
+  [[nodiscard]] const Quantity& quantity() const { return quantity_; }
+  [[nodiscard]] const Ranges& ranges() const { return options_.ranges; }
+
  private:
   const Quantity& quantity_;
   const AuditOptions& options_;
@@ -54,10 +57,9 @@ class AuditPlan {
 /// Compares an evaluator's values with the reference.
 class Comparator {
  public:
-  /// Quantity and evaluator must outlive the comparator. If `is_fast`, the error that fast states for a value, where it
-  /// states one, must cover the error found.
-  Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-             bool is_fast = false);
+  /// The quantity must outlive the comparator. Without an evaluator it compares fast; the error that fast states for a
+  /// value, where it states one, must then cover the error found.
+  Comparator(const Quantity& quantity, Evaluator evaluator, const AuditOptions& options);
 
   /// Finds the errors at a batch of points; a point that either refuses has none.
   void operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const;
@@ -73,7 +75,7 @@ class Comparator {
   [[nodiscard]] double tolerated_ulps(double scale) const;
 
   const Quantity& quantity_;
-  const Evaluator& evaluator_;
+  Evaluator evaluator_;
   fast::Accuracy accuracy_;
   double promise_, absolute_;
   bool checks_own_error_;
@@ -86,27 +88,18 @@ struct Compared {
   std::size_t left_out = 0;
 };
 
-/// The findings about a quantity.
-struct QuantityFindings {
-  AuditTally tally = {};
-  Compared compared = {};  ///< the points before the local search; empty if they are not stored
-
-  /// Adds the findings of a block.
-  void add(const QuantityFindings& found, std::uint64_t block);
-};
-
-/// Compares the points of one block, and searches around its worst few. The result does not depend on the number of
-/// threads.
-QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
-                             const AuditPlan& plan, std::size_t block, const OnProgress& on_progress);
-
-/// The points that have a finding, and their tally.
+/// Those of the points that have a finding, and their tally.
 Compared compared_of(std::vector<Point> points, const std::vector<std::optional<Finding>>& findings);
 AuditTally tally_of(const Compared& compared);
 
-/// The result of an audit without the distribution over the arguments. If the reference knows none of the points, its
-/// BadInput for the first of them.
+/// Compares the points of one block, and searches around its worst few. The result does not depend on the number of
+/// threads. The points before the search are added to `kept`, if it is there.
+AuditTally audit_block(const AuditPlan& plan, const Comparator& comparator, std::size_t block,
+                       const OnProgress& on_progress, Compared* kept);
+
+/// The result of an audit, with the distribution over the arguments if points were kept. If the reference knows none of
+/// the points, its BadInput for the first of them.
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
-                      const Point& first);
+                      const Compared& kept, const Point& first);
 
 }  // namespace nipref::verify

@@ -3,14 +3,14 @@
 
 namespace nipref::verify {
 
-Comparator::Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-                       bool is_fast)
+Comparator::Comparator(const Quantity& quantity, Evaluator evaluator, const AuditOptions& options)
     : quantity_(quantity),
-      evaluator_(evaluator),
       accuracy_(options.accuracy),
       promise_(options.promise_of(quantity)),
       absolute_(options.absolute),
-      checks_own_error_(is_fast && quantity.fast_error) {}
+      checks_own_error_(!evaluator && quantity.fast_error) {
+  evaluator_ = evaluator ? std::move(evaluator) : fast_evaluator(quantity, accuracy_);
+}
 
 void Comparator::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
   std::vector<std::optional<ref::Estimate>> truths;

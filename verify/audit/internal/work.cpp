@@ -3,15 +3,12 @@
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
-QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points)
-    : QuantityWork(quantity, options, fast_evaluator(quantity, options.accuracy), true, keeps_points) {}
 
-QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, Evaluator evaluator, bool is_fast,
-                           bool keeps_points)
+QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points,
+                           Evaluator evaluator)
     : quantity_(quantity),
       options_(std::move(options)),
-      evaluator_(std::move(evaluator)),
-      comparator_(quantity, evaluator_, options_, is_fast),
+      comparator_(quantity, std::move(evaluator), options_),
       keeps_points_(keeps_points) {}
 
 const AuditPlan& QuantityWork::plan() const {
@@ -20,22 +17,20 @@ const AuditPlan& QuantityWork::plan() const {
 }
 
 Json QuantityWork::do_block(std::size_t block, const OnProgress& on_progress) {
-  QuantityFindings found = audit_block(quantity_, options_.ranges, comparator_, plan(), block, on_progress);
-  if (!keeps_points_) found.compared = {};
+  const AuditTally found =
+      audit_block(plan(), comparator_, block, on_progress, keeps_points_ ? &kept_ : nullptr);
   sum_.add(found, block);
-  return stored(found.tally);
+  return stored(found);
 }
 
 void QuantityWork::add(std::size_t block, const Json& found) {
   const auto tally = restored<AuditTally>(found);
   if (tally.worst.size() != quantity_.arguments.size() && tally.errors.count() > 0) throw JsonMisfit("worst");
-  sum_.add({tally, {}}, block);
+  sum_.add(tally, block);
 }
 
 AuditResult QuantityWork::result() const {
-  AuditResult result = result_of(quantity_, options_, sum_.tally, plan().points(0).front());
-  if (keeps_points_) result.spread = error_spread(quantity_, sum_.compared.points, sum_.compared.findings);
-  return result;
+  return result_of(quantity_, options_, sum_, kept_, plan().points(0).front());
 }
 
 Json HardCasesWork::do_block(std::size_t block, const OnProgress& /*on_progress*/) {

@@ -77,12 +77,10 @@ class BlockWork {
 /// The audit of values of one quantity.
 class QuantityWork : public BlockWork {
  public:
-  /// The audit of fast's values. The quantity must outlive it. With `keeps_points` the result has the distribution of
-  /// the errors over the arguments, which takes memory for all points.
-  QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points = false);
-  /// The audit of other values.
-  QuantityWork(const Quantity& quantity, AuditOptions options, Evaluator evaluator, bool is_fast,
-               bool keeps_points);
+  /// The audit of fast's values, or of those of an evaluator. The quantity must outlive it. With `keeps_points` the
+  /// result has the distribution of the errors over the arguments, which takes memory for all points.
+  QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points = false,
+               Evaluator evaluator = {});
 
   [[nodiscard]] std::string name() const override { return quantity_.name; }
   [[nodiscard]] std::size_t blocks() const override { return plan().blocks(); }
@@ -98,11 +96,11 @@ class QuantityWork : public BlockWork {
 
   const Quantity& quantity_;
   const AuditOptions options_;
-  Evaluator evaluator_;
   Comparator comparator_;
   bool keeps_points_;
   mutable std::unique_ptr<AuditPlan> plan_;  ///< made when it is first needed, as this takes time
-  QuantityFindings sum_;
+  AuditTally sum_;
+  Compared kept_;  ///< the points, if they are kept
 };
 
 /// The audit of hard cases of whole contacts.
