@@ -55,17 +55,8 @@ Stiffness Stiffness::of(const IsotropicSolid& solid) {
 
 Stiffness Stiffness::of(const TransverselyIsotropicSolid& solid, SymmetryAxis axis) {
   solid.check();
-  const double c12 = solid.c11 - 2 * solid.c66;
-  const std::size_t along = axis == SymmetryAxis::normal ? 2 : 1;
   Stiffness result{{}, solid.density};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool with_axis = i == along || k == along;
-      result.voigt[i][k] = i == k ? (with_axis ? solid.c33 : solid.c11) : (with_axis ? solid.c13 : c12);
-    }
-    // Shear in the plane across direction i.
-    result.voigt[i + 3][i + 3] = i == along ? solid.c66 : solid.c44;
-  }
+  set_transversely_isotropic(result.voigt, axis, solid.c11, solid.c33, solid.c13, solid.c44, solid.c66);
   return result;
 }
 

@@ -21,6 +21,22 @@ void set_symmetric(auto& voigt, auto constants) {
   for (const auto& [i, k] : upper_triangle) voigt[i][k] = voigt[k][i] = *constants++;
 }
 
+/// Sets the constants of a solid with an axis of symmetry, along x3 or x2, in a matrix of zeros.
+template <class Number>
+void set_transversely_isotropic(auto& voigt, SymmetryAxis axis, const Number& c11, const Number& c33,
+                                const Number& c13, const Number& c44, const Number& c66) {
+  const std::size_t along = axis == SymmetryAxis::normal ? 2 : 1;
+  const Number c12 = c11 - 2 * c66;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      voigt[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : c12);
+    }
+    // Shear in the plane across direction i.
+    voigt[i + 3][i + 3] = i == along ? c66 : c44;
+  }
+}
+
 /// A general anisotropic solid in the axes of the half-space x3 > 0: C_ijkl as Voigt's symmetric 6x6 matrix
 /// in the order 11, 22, 33, 23, 13, 12 (sigma = C epsilon with shear strains 2 epsilon_ij), unit of stress.
 struct Stiffness {

@@ -52,17 +52,9 @@ ExactStiffness exact_stiffness(const data::Stiffness& solid) {
 }
 
 ExactStiffness exact_stiffness(const ExactTransverse& solid, data::SymmetryAxis axis) {
-  const std::size_t along = axis == data::SymmetryAxis::normal ? 2 : 1;
   ExactStiffness result;
   result.density = solid.density;
-  const mpq_class c12 = solid.c11 - 2 * solid.c66;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool with_axis = i == along || k == along;
-      result.voigt[i][k] = i == k ? (with_axis ? solid.c33 : solid.c11) : (with_axis ? solid.c13 : c12);
-    }
-    result.voigt[i + 3][i + 3] = i == along ? solid.c66 : solid.c44;
-  }
+  data::set_transversely_isotropic(result.voigt, axis, solid.c11, solid.c33, solid.c13, solid.c44, solid.c66);
   return result;
 }
 

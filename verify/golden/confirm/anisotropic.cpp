@@ -133,20 +133,13 @@ Confirmation lowest_surface_wave(const StrohSolid& solid, double near_psi, doubl
 
 /// The solid in the units of the seed's steel, whose constants are decimal numbers.
 StrohSolid transverse_solid(Arguments x) {
-  const bool is_normal = x["axis"] < 0.5;
+  const auto axis = x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
   const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
                              c44 = x["c44"] / shear;
   // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
-  const Float c66 = is_normal ? c11 : Float(x["c66"] / shear);
+  const Float c66 = axis == data::SymmetryAxis::normal ? c11 : Float(x["c66"] / shear);
   StrohSolid solid{{}, Float(x["density"]) / 7860};
-  const std::size_t along = is_normal ? 2 : 1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool with_axis = i == along || k == along;
-      solid.voigt[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : Float(c11 - 2 * c66));
-    }
-    solid.voigt[i + 3][i + 3] = i == along ? c66 : c44;
-  }
+  data::set_transversely_isotropic(solid.voigt, axis, c11, c33, c13, c44, c66);
   return solid;
 }
 
@@ -210,12 +203,10 @@ Confirmation critical(Arguments x) {
 }
 
 Confirmation critical_of_any(Arguments x) {
-  const auto exact = any_solid(x);
   data::Stiffness solid{{}, x["density"]};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 6; ++k) solid.voigt[i][k] = static_cast<double>(exact.voigt[i][k]);
+  data::set_symmetric(solid.voigt, x.from("c11").begin());
   const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x["theta_deg"]));
-  return lowest_surface_wave(exact, near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
+  return lowest_surface_wave(any_solid(x), near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
 }
 
 /// Eigenvalues of Christoffel's matrix.
