@@ -85,19 +85,6 @@ Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
       [of_fast](const auto&... line) { return fast::isotropic_shear_response(line...).*of_fast; });
 }
 
-Quantity entry_separation() {
-  return entry_of(
-      "halfspace.separation", {"poisson", "speed"},
-      [](const Exact& poisson, const Exact& speed, int digits) {
-        if (speed.value() > 1)
-          throw data::BadInput("speed", speed.text(), "must be at most 1, that of shear waves");
-        return ref::separation_degrees(exact_isotropic(poisson), speed, digits);
-      },
-      [](double poisson, double speed) {
-        return fast::separation_angle(poisson, speed) * (180 / std::numbers::pi);
-      });
-}
-
 }  // namespace
 
 std::vector<Quantity> half_space_entries() {
@@ -130,7 +117,16 @@ std::vector<Quantity> half_space_entries() {
             return ref::surface_wave_speed(exact_isotropic(poisson), line, line, digits).value();
           },
           fast::isotropic_rayleigh_speed),
-      entry_separation()};
+      entry_of(
+          "halfspace.separation", {"poisson", "speed"},
+          [](const Exact& poisson, const Exact& speed, int digits) {
+            if (speed.value() > 1)
+              throw data::BadInput("speed", speed.text(), "must be at most 1, that of shear waves");
+            return ref::separation_degrees(exact_isotropic(poisson), speed, digits);
+          },
+          [](double poisson, double speed) {
+            return fast::separation_angle(poisson, speed) * (180 / std::numbers::pi);
+          })};
 }
 
 }  // namespace nipref::verify

@@ -35,62 +35,52 @@ constexpr fast::BranchWave branch_waves[] = {
     fast::BranchWave::transverse, fast::BranchWave::quasi_longitudinal, fast::BranchWave::quasi_transverse};
 constexpr ref::BulkWave bulk_waves[] = {ref::BulkWave::upright, ref::BulkWave::faster, ref::BulkWave::slower};
 
-/// The axis lies in the surface.
-Quantity entry_branch() {
-  return entry_of(
-      "ti.branch",
-      [](NamedExact x, int digits) {
-        return ref::bulk_wave_speed(exact_transverse_of(x, SymmetryAxis::in_plane),
-                                    direction_of(x, "theta_deg"), bulk_waves[x.choice("which")], digits);
-      },
-      [](NamedPoint x) {
-        return speed_in_steel(fast::branch_speed(branch_waves[x.choice("which")], transverse_of(x),
-                                                 direction_of(x, "theta_deg")));
-      });
-}
-
-Quantity entry_transverse_critical() {
-  return entry_of(
-      "ti.critical",
-      [](NamedExact x, int digits) {
-        return ref::critical_speed(exact_transverse_of(x, symmetry_axis(x)), direction_of(x, "theta_deg"),
-                                   digits)
-            .speed;
-      },
-      critical_speed_of);
-}
-
-Quantity entry_transverse_rayleigh() {
-  return entry_of(
-      "ti.rayleigh",
-      [](NamedExact x, int digits) {
-        const auto found =
-            ref::surface_wave_speed(exact_transverse_of(x, symmetry_axis(x)), direction_of(x, "theta_deg"),
-                                    direction_of(x, "psi_deg"), digits);
-        if (!found)
-          throw data::BadInput("psi_deg", "(as given)", "must be a direction that has a surface wave");
-        return *found;
-      },
-      [](NamedPoint x) {
-        return speed_in_steel(fast::rayleigh_speed(transverse_of(x), symmetry_axis(x),
-                                                   direction_of(x, "theta_deg"), direction_of(x, "psi_deg")));
-      });
-}
-
 }  // namespace
 
 std::vector<Quantity> transverse_half_space_entries() {
-  return {transverse_line("ti.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
-          transverse_line("ti.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
-          transverse_line("ti.coupling_across", &LineResponse::coupling_across,
-                          &ref::LineResponse::coupling_across),
-          entry_of(
-              "ti.condition",
-              [](NamedExact x, int digits) { return exact_condition(subcritical_transverse(x), digits); },
-              [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); }),
-          entry_transverse_rayleigh(),
-          entry_branch(),
-          entry_transverse_critical()};
+  return {
+      transverse_line("ti.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
+      transverse_line("ti.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
+      transverse_line("ti.coupling_across", &LineResponse::coupling_across,
+                      &ref::LineResponse::coupling_across),
+      entry_of(
+          "ti.condition",
+          [](NamedExact x, int digits) { return exact_condition(subcritical_transverse(x), digits); },
+          [](NamedPoint x) { return transverse_surface_of(x).condition(direction_of(x, "psi_deg")); }),
+      entry_of(
+          "ti.rayleigh",
+          [](NamedExact x, int digits) {
+            const auto found =
+                ref::surface_wave_speed(exact_transverse_of(x, symmetry_axis(x)),
+                                        direction_of(x, "theta_deg"), direction_of(x, "psi_deg"), digits);
+            if (!found)
+              throw data::BadInput("psi_deg", "(as given)", "must be a direction that has a surface wave");
+            return *found;
+          },
+          [](NamedPoint x) {
+            return speed_in_steel(fast::rayleigh_speed(transverse_of(x), symmetry_axis(x),
+                                                       direction_of(x, "theta_deg"),
+                                                       direction_of(x, "psi_deg")));
+          }),
+      // The axis lies in the surface.
+      entry_of(
+          "ti.branch",
+          [](NamedExact x, int digits) {
+            return ref::bulk_wave_speed(exact_transverse_of(x, SymmetryAxis::in_plane),
+                                        direction_of(x, "theta_deg"), bulk_waves[x.choice("which")], digits);
+          },
+          [](NamedPoint x) {
+            return speed_in_steel(fast::branch_speed(branch_waves[x.choice("which")], transverse_of(x),
+                                                     direction_of(x, "theta_deg")));
+          }),
+      entry_of(
+          "ti.critical",
+          [](NamedExact x, int digits) {
+            return ref::critical_speed(exact_transverse_of(x, symmetry_axis(x)), direction_of(x, "theta_deg"),
+                                       digits)
+                .speed;
+          },
+          critical_speed_of)};
 }
 
 }  // namespace nipref::verify

@@ -97,8 +97,16 @@ double fastest_rate(const NamedPoint& x) {
   return fastest;
 }
 
-/// An entry by functions of fast for springs and dashpots, and for a rational solid, which are accurate to a unit in the
-/// last place, and by ref's for an exact solid. variable: t or omega.
+/// Values of rational solids, which `found` gives with their size, are accurate to a unit in the last place.
+void set_fast_error(Quantity& entry, auto found) {
+  entry.fast_error = of_point(entry, [found, promise = entry.promise](const NamedPoint& x) {
+    const auto [value, size] = found(x);
+    return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), size));
+  });
+}
+
+/// An entry by functions of fast for springs and dashpots and for a rational solid, and by ref's for an exact solid.
+/// variable: t or omega.
 template <class Springs, class Rational, class OfExact>
 Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational,
                         OfExact of_exact) {
@@ -110,10 +118,7 @@ Quantity material_entry(const char* name, const char* variable, Springs springs,
       name, [=](const NamedExact& x, int digits) { return of_exact(exact_solid_of(x), x[variable], digits); },
       [found](const NamedPoint& x) { return found(x).value; },
       [found](const NamedPoint& x) { return found(x).size; });
-  entry.fast_error = of_point(entry, [found, promise = entry.promise](const NamedPoint& x) {
-    const auto [value, size] = found(x);
-    return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), size));
-  });
+  set_fast_error(entry, found);
   const auto draw = [variable](Random& random, const NamedNumbers& x) { draw_material(random, x, variable); };
   if (variable != std::string_view("t")) return sampled(entry, draw);
   // At later times the value is below the least number of the reference.
@@ -178,10 +183,7 @@ Quantity growth_entry(const char* name, bool is_shear) {
                                digits);
       },
       [part](const NamedPoint& x) { return part(x, x["part"] != 0).value; }, size);
-  entry.fast_error = of_point(entry, [part, promise = entry.promise](const NamedPoint& x) {
-    const auto [value, scale] = part(x, x["part"] != 0);
-    return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), scale));
-  });
+  set_fast_error(entry, [part](const NamedPoint& x) { return part(x, x["part"] != 0); });
   return sampled(entry, [](Random& random, const NamedNumbers& x) {
     draw_material(random, x, "p");
     x["omega"] = random.chance(0.3) ? 0 : std::max(x["p"], 1e-8) * random.log_uniform(1e-6, 1e6);
