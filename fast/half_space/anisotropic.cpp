@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <nipref/fast/half_space/anisotropic.hpp>
-#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
 

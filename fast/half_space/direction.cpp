@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/direction.hpp>
 #include <nipref/fast/half_space/internal/direction_words.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
@@ -26,6 +29,14 @@ Direction of_small_angle(Two angle) {
 }
 
 }  // namespace
+
+void internal::check_direction(const char* name, Direction direction) {
+  const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
+  if (!(std::fabs(squared_length - 1) < 1e-12)) {
+    throw data::BadInput(name, fmt::format("({}, {})", direction.cosine, direction.sine),
+                         "must be a unit vector");
+  }
+}
 
 Direction Direction::of_degrees(double degrees) {
   internal::check_finite("degrees", degrees);

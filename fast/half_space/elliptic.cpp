@@ -7,8 +7,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
-#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/compliance_table.hpp>
+#include <nipref/fast/half_space/internal/direction_words.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 #include <nipref/fast/number/internal/checks.hpp>

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/direction_words.hpp>
 #include <nipref/fast/half_space/internal/isotropic_line.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/internal/check_direction.hpp>
+#include <nipref/fast/half_space/internal/direction_words.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/sliding.hpp>

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>

@@ -14,4 +14,7 @@ inline Two cosine_between(Direction x, Direction y) {
   return cosine_of(x) * cosine_of(y) + sine_of(x) * sine_of(y);
 }
 
+/// Throws BadInput unless the direction has unit length to rounding.
+void check_direction(const char* name, Direction direction);
+
 }  // namespace nipref::fast::internal

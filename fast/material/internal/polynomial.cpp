@@ -76,7 +76,7 @@ Polynomial sum(const Polynomial& a, const Polynomial& b) {
     const Octuple x = i < a.size() ? a[i] : Octuple(0), y = i < b.size() ? b[i] : Octuple(0);
     c[i] = abs(x + y) <= nothing * (abs(x) + abs(y)) ? Octuple(0) : x + y;
   }
-  return std::move(c);
+  return c;
 }
 
 Polynomial product(const std::vector<Polynomial>& factors) {

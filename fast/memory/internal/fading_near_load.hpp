@@ -3,12 +3,15 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
+
+/// Up to this distance from the load the logarithm of I1 is treated apart, as in the table of the smooth rest.
+constexpr double inner_end = near_end;
 
 /// The ends of the pieces near the load, the first of which starts at -1.
 inline constexpr std::array core_stops{-inner_end, 0.0, inner_end, 1.0};

@@ -25,7 +25,7 @@ internal::Polynomial numerator(const std::vector<Memory>& terms) {
   }
   std::vector<internal::Octuple> real;
   for (const OctupleComplex& c : whole.data()) real.push_back(c.real());
-  return std::move(real);
+  return real;
 }
 
 }  // namespace

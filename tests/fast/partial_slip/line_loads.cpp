@@ -96,9 +96,7 @@ TEST_CASE(
   std::vector<fast::FaceLoad> loads;
   for (int k = -20; k <= 20; ++k) loads.push_back({k * width, 0, k % 2 == 0 ? 1.0 : -1.0});
   fast::Work work;
-  const auto at = [&](double y) {
-    return nip.sheet(fast::FaceDirection::tangential, loads, y, work);
-  };
+  const auto at = [&](double y) { return nip.sheet(fast::FaceDirection::tangential, loads, y, work); };
   const double midway = at(1.5 * width) - at(0.5 * width);
   const double means = mean_over_element(width, width, at) - mean_over_element(0, width, at);
   CHECK(std::fabs(midway) < 1e-2 * std::fabs(means));
