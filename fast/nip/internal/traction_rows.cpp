@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 
@@ -125,204 +126,288 @@ Eigen::ArrayXd array(const std::vector<double>& values) {
 
 }  // namespace
 
-void Tractions::Nodes::clear() {
-  for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->clear();
-  on_this_half = 0;
-}
+/// What the rows of one kernel consist of: sums over the nodes of rules on each panel.
+class Tractions::Sums {
+ public:
+  Sums(const Tractions& tractions, const Kernel& kernel, double tolerance)
+      : of_(tractions), kernel_(kernel), tolerance_(tolerance), reach_(-std::log(tolerance) / 2.1) {}
 
-void Tractions::Nodes::grow(std::size_t count) {
-  for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->resize(values->size() + count);
-}
+  /// `done`: the number of the panel that has been added, or of none.
+  void add_place(const Place& place, std::size_t done, Rows rows) const {
+    Nodes nodes;
+    bool layers_left = !of_.layers_.empty();
+    for (std::size_t p = 0; p < of_.panels_.size(); ++p) {
+      const Panel& panel = of_.panels_[p];
+      nodes.clear();
+      bool with_layers = false;
+      for (const bool mirrored : {false, true}) {
+        if (mirrored) nodes.on_this_half = nodes.e.size();
+        if (mirrored ? panel.about_middle : done == p) continue;
+        if (!acts_on(panel, singular_at(place, mirrored)) || add_by_product_rule(place, p, mirrored, rows) ||
+            add_beside_logarithm(place, p, mirrored, rows))
+          continue;
+        const bool has_layers = p == 0 && mirrored == place.trailing && !of_.layers_.empty();
+        with_layers |= has_layers;
+        append_panel(panel, place, mirrored, has_layers ? of_.layer_rates() : std::vector<Complex>(), nodes);
+      }
+      if (!nodes.e.empty()) add_rows(p, nodes, place.trailing, with_layers, rows);
+      if (with_layers) layers_left = false;
+    }
+    if (layers_left) rows.rightCols(of_.layer_columns()) += layer_rows(place);
+  }
 
-/// `singular` is outside the piece or at one of its ends, or, `off_axis` away, beside that place. By Gauss's rule where it and
-/// the ends of the contact are farther than the piece is wide.
-void Tractions::append_piece(double from, double to, double singular, const Integrand& integrand,
-                             bool mirrored, double tolerance, Nodes& nodes) const {
-  const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
-  // Nearer than any node that counts, the kernels' logarithms would overflow.
-  constexpr double nearest = 1e-299;
-  std::size_t i = nodes.e.size();
-  const auto append = [&](double from_left, double from_right, double weight) {
-    const double distance =
-        singular <= from ? (from - singular) + width * from_left : -((singular - to) + width * from_right);
-    nodes.e[i] = from + width * from_left;
-    nodes.other[i] = beyond + width * from_right;
-    nodes.weight[i] = width * weight;
-    nodes.alpha[i] = std::copysign(std::max(std::fabs(distance), nearest), sign * distance);
-    ++i;
+  /// The columns of the layers, which are on the leading half.
+  [[nodiscard]] Eigen::MatrixXd layer_rows(const Place& place) const {
+    const Panel& panel = of_.panels_.front();
+    if (!acts_on(panel, singular_at(place, place.trailing)))
+      return Eigen::MatrixXd::Zero(kernel_.functionals, of_.layer_columns());
+    Nodes nodes;
+    append_panel(panel, place, place.trailing, of_.layer_rates(), nodes);
+    const Eigen::ArrayXd alpha = (place.trailing ? -1 : 1) * array(nodes.alpha);
+    Eigen::MatrixXd on_p, on_q;
+    kernel_.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
+    return sums_of_layers(on_p + on_q, array(nodes.weight).matrix().transpose(), array(nodes.e));
+  }
+
+  /// Adds a panel to the rows of its matching points, of which `first` is the first; false where that needs a rule for
+  /// singular kernels. The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
+  bool add_own_panel(std::size_t p, const SplitKernel& split, Eigen::Index first, MatchingRows& result) const;
+
+ private:
+  /// Nodes on one panel, those on the half of the place first.
+  struct Nodes {
+    std::vector<double> e, other;  ///< distances from the end of this half and of the other
+    std::vector<double> weight, alpha;
+    std::size_t on_this_half = 0;
+
+    void clear() {
+      for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->clear();
+      on_this_half = 0;
+    }
+    void grow(std::size_t count) {
+      for (std::vector<double>* values : {&e, &other, &weight, &alpha})
+        values->resize(values->size() + count);
+    }
   };
-  const double distance_along = std::max(from - singular, singular - to);
-  const bool is_apart = distance_along >= width ||
-                        std::hypot(std::max(distance_along, 0.0), integrand.off_axis) >= apart * width;
-  const double degree = degree_on_part(integrand.degree, width / integrand.width) +
-                        degree_of_exponential(integrand.rate * width);
-  if (is_apart && std::min(from, beyond) >= width && width <= 8) {
-    constexpr double of_poles = 2;  // these may be a little inside the ellipse
-    const auto gauss = cached_gauss(degree + of_poles, tolerance);
-    nodes.grow(gauss->at.size());
-    for (std::size_t k = 0; k < gauss->at.size(); ++k)
-      append(gauss->at[k], 1 - gauss->at[k], gauss->weight[k]);
-    return;
+  /// What is integrated over the pieces of a panel.
+  struct Integrand {
+    int degree;       ///< of the polynomials
+    double width;     ///< of the panel on which they are polynomials
+    double rate;      ///< the largest |rate| of the exponentials beside them
+    double off_axis;  ///< distance of the kernel's poles from the real axis
+  };
+
+  /// Where the kernel is singular on the half of the place, or, mirrored, on the other.
+  [[nodiscard]] double singular_at(const Place& place, bool mirrored) const {
+    return mirrored ? 2 * of_.half_length_ - place.e : place.e;
   }
-  const auto rule = cached_rule(tolerance, degree);
-  nodes.grow(rule->size());
-  for (const UnitNode& node : *rule) append(node.from_left, node.from_right, node.weight);
-}
-
-/// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed.
-void Tractions::append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                             const std::vector<Complex>& rates, double tolerance, Nodes& nodes) const {
-  const double reach = Tractions::reach(tolerance), outside = place.outside();
-  const double singular = singular_at(place, mirrored);
-  const double gap = std::max(panel.left - singular, singular - panel.right);
-  std::vector<double> ends = cuts(rates, 0, panel.right);
-  ends.insert(ends.end(), {panel.left, panel.right});
-  for (const double cut : {singular, singular - 5, singular + 5, singular - reach, singular + reach}) {
-    if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8)) ends.push_back(cut);
+  /// Of a place from the contact.
+  static double outside(const Place& place) { return std::max(-place.e, 0.0); }
+  /// Whether a panel is within the reach of the kernel that is singular at a place.
+  [[nodiscard]] bool acts_on(const Panel& panel, double singular) const {
+    return kernel_.beyond_reach != Kernel::FarAway::negligible ||
+           std::max(panel.left - singular, singular - panel.right) <= reach_;
   }
-  std::vector<double> distances = cuts(kernel.rates, outside, std::max(gap, 0.0) + panel.width());
-  const double off_axis = kernel.is_regular ? *kernel.poles : 0;
-  if (kernel.poles) {
-    const double farthest = panel.width() + std::max(gap, 0.0);
-    for (const double cut : cuts_of_poles(std::max(*kernel.poles, outside), off_axis, farthest))
-      distances.push_back(cut);
+
+  /// `singular` is outside the piece or at one of its ends, or, `off_axis` away, beside that place. By Gauss's rule where it and
+  /// the ends of the contact are farther than the piece is wide.
+  void append_piece(double from, double to, double singular, const Integrand& integrand, bool mirrored,
+                    Nodes& nodes) const {
+    const double width = to - from, beyond = 2 * of_.half_length_ - to, sign = mirrored ? -1 : 1;
+    // Nearer than any node that counts, the kernels' logarithms would overflow.
+    constexpr double nearest = 1e-299;
+    std::size_t i = nodes.e.size();
+    const auto append = [&](double from_left, double from_right, double weight) {
+      const double distance =
+          singular <= from ? (from - singular) + width * from_left : -((singular - to) + width * from_right);
+      nodes.e[i] = from + width * from_left;
+      nodes.other[i] = beyond + width * from_right;
+      nodes.weight[i] = width * weight;
+      nodes.alpha[i] = std::copysign(std::max(std::fabs(distance), nearest), sign * distance);
+      ++i;
+    };
+    const double distance_along = std::max(from - singular, singular - to);
+    const bool is_apart = distance_along >= width ||
+                          std::hypot(std::max(distance_along, 0.0), integrand.off_axis) >= apart * width;
+    const double degree = degree_on_part(integrand.degree, width / integrand.width) +
+                          degree_of_exponential(integrand.rate * width);
+    if (is_apart && std::min(from, beyond) >= width && width <= 8) {
+      constexpr double of_poles = 2;  // these may be a little inside the ellipse
+      const auto gauss = cached_gauss(degree + of_poles, tolerance_);
+      nodes.grow(gauss->at.size());
+      for (std::size_t k = 0; k < gauss->at.size(); ++k)
+        append(gauss->at[k], 1 - gauss->at[k], gauss->weight[k]);
+      return;
+    }
+    const auto rule = cached_rule(tolerance_, degree);
+    nodes.grow(rule->size());
+    for (const UnitNode& node : *rule) append(node.from_left, node.from_right, node.weight);
   }
-  for (const double cut : distances) {
-    for (const double end : {singular - cut, singular + cut})
-      if (panel.left < end && end < panel.right) ends.push_back(end);
+
+  /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed. `rates` of
+  /// exponentials in the tractions, which start at the end.
+  void append_panel(const Panel& panel, const Place& place, bool mirrored, const std::vector<Complex>& rates,
+                    Nodes& nodes) const {
+    const double outside = Sums::outside(place), singular = singular_at(place, mirrored);
+    const double gap = std::max(panel.left - singular, singular - panel.right);
+    std::vector<double> ends = cuts(rates, 0, panel.right);
+    ends.insert(ends.end(), {panel.left, panel.right});
+    for (const double cut : {singular, singular - 5, singular + 5, singular - reach_, singular + reach_}) {
+      if (panel.left < cut && cut < panel.right && (cut == singular || panel.width() > 8))
+        ends.push_back(cut);
+    }
+    std::vector<double> distances = cuts(kernel_.rates, outside, std::max(gap, 0.0) + panel.width());
+    const double off_axis = kernel_.is_regular ? *kernel_.poles : 0;
+    if (kernel_.poles) {
+      const double farthest = panel.width() + std::max(gap, 0.0);
+      for (const double cut : cuts_of_poles(std::max(*kernel_.poles, outside), off_axis, farthest))
+        distances.push_back(cut);
+    }
+    for (const double cut : distances) {
+      for (const double end : {singular - cut, singular + cut})
+        if (panel.left < end && end < panel.right) ends.push_back(end);
+    }
+    std::ranges::sort(ends);
+    ends.erase(std::ranges::unique(ends).begin(), ends.end());
+    const Integrand integrand{degrees(panel), panel.width(),
+                              std::max({slowest_rate, largest(kernel_.rates), largest(rates)}), off_axis};
+    const bool is_negligible = kernel_.beyond_reach == Kernel::FarAway::negligible;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (is_negligible && (ends[i] <= singular - reach_ || ends[i - 1] >= singular + reach_)) continue;
+      append_piece(ends[i - 1], ends[i], singular, integrand, mirrored, nodes);
+    }
   }
-  std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());
-  const Integrand integrand{degrees(panel), panel.width(),
-                            std::max({slowest_rate, largest(kernel.rates), largest(rates)}), off_axis};
-  const bool is_negligible = kernel.beyond_reach == Kernel::FarAway::negligible;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (is_negligible && (ends[i] <= singular - reach || ends[i - 1] >= singular + reach)) continue;
-    append_piece(ends[i - 1], ends[i], singular, integrand, mirrored, tolerance, nodes);
+
+  [[nodiscard]] PanelBasis::Rows basis_at(const Panel& panel, const Nodes& nodes) const {
+    const Eigen::ArrayXd from_left = array(nodes.e) - panel.left,
+                         from_right = panel.about_middle ? (array(nodes.other) - panel.left).eval()
+                                                         : (panel.right - array(nodes.e)).eval();
+    return of_.basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
   }
-}
 
-PanelBasis::Rows Tractions::basis_at(const Panel& panel, const Nodes& nodes) const {
-  const Eigen::ArrayXd from_left = array(nodes.e) - panel.left,
-                       from_right = panel.about_middle ? (array(nodes.other) - panel.left).eval()
-                                                       : (panel.right - array(nodes.e)).eval();
-  return basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
-}
-
-void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel, bool trailing,
-                         bool with_layers, Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const PanelBasis::Rows basis = basis_at(panels_[p], nodes);
-  const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose();
-  Eigen::RowVectorXd signed_weight = weight;
-  const auto on_this_half = static_cast<Eigen::Index>(nodes.on_this_half);
-  (trailing ? signed_weight.head(on_this_half) : signed_weight.tail(weight.size() - on_this_half)) *= -1;
-  const Eigen::ArrayXd alpha = (trailing ? -1 : 1) * array(nodes.alpha);
-  Eigen::MatrixXd on_p, on_q;
-  kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
-  for (int i = 0; i < kernel.functionals; ++i)
-    add_sums(p, basis, weight.cwiseProduct(on_p.row(i)), signed_weight.cwiseProduct(on_q.row(i)),
-             rows.row(i));
-  if (!with_layers) return;
-  const auto leading = trailing ? Eigen::seqN(on_this_half, weight.size() - on_this_half)
-                                : Eigen::seqN(Eigen::Index(0), on_this_half);
-  rows.rightCols(layer_columns()) += sums_of_layers(on_p(Eigen::all, leading) + on_q(Eigen::all, leading),
-                                                    weight(leading), array(nodes.e)(leading));
-}
-
-/// Half of a layer is in Re g and half in Im g.
-Eigen::MatrixXd Tractions::sums_of_layers(const Eigen::MatrixXd& kernels, const Eigen::RowVectorXd& weight,
-                                          const Eigen::ArrayXd& e) const {
-  return 0.5 * kernels * weight.asDiagonal() * layers_at(e);
-}
-
-bool Tractions::add_by_product_rule(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
-                                    double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const Panel& panel = panels_[p];
-  const double singular = singular_at(place, mirrored), width = panel.width();
-  const double gap = std::max(panel.left - singular, singular - panel.right);
-  const Complex off_axis{0, kernel.is_regular ? *kernel.poles : 0};
-  if (gap <= 0 && off_axis == 0.0) return false;
-  if (!kernel.rates.empty() &&
-      (gap < width || width > 8 || oscillates(kernel.rates, place.outside(), gap, width)))
-    return false;
-  // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
-  // e^(2.1 gap) as large as on the panel, or not if it has become constant.
-  const double fall = internal::log_of_ellipse(2.0 * (singular - panel.left + off_axis) / width - 1.0);
-  const double wanted = -std::log(tolerance), far = std::max(gap, 0.0);
-  const bool is_constant = kernel.beyond_reach == Kernel::FarAway::constant;
-  const double nats = !is_constant ? wanted + 2.1 * far : far < reach(tolerance) ? wanted : 0;
-  const int points = points_of_rule(fall, nats);
-  if (points > (gap <= 0 ? most_points_within : most_points)) return false;
-
-  const auto rule = product_rule(basis(panel), points, degrees(panel));
-  const double sign = (mirrored != place.trailing) ? -1 : 1;
-  const Eigen::ArrayXd alpha = sign * ((panel.left - singular) + width * rule->at);
-  Eigen::MatrixXd on_p, on_q;
-  kernel.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
-  for (int i = 0; i < kernel.functionals; ++i)
-    add_sums(p, rule->weight, width * on_p.row(i), sign * width * on_q.row(i), rows.row(i));
-  return true;
-}
-
-/// Both the factor of ln alpha and what is left are analytic for |Im alpha| < 2. On the ellipse through 2 i, which reaches as
-/// far as that, they grow with the kernel's exponentials. Where these do not change by more than e^2 over the panel, the two
-/// parts hardly cancel.
-bool Tractions::add_beside_logarithm(const Place& place, std::size_t p, bool mirrored, const Kernel& kernel,
-                                     double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const {
-  const Panel& panel = panels_[p];
-  const double width = panel.width();
-  const double rate = largest(kernel.rates);
-  if (!kernel.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
-  const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
-  const int points = points_of_rule(fall, -std::log(tolerance) + rate * reach);
-  if (points > most_points) return false;
-  const auto rule = product_rule(basis(panel), points, degrees(panel)),
-             times_logarithm = product_rule(basis(panel), points, degrees(panel), RuleFor::times_logarithm);
-  const Eigen::ArrayXd alpha = width * rule->at;
-  const Eigen::RowVectorXd logarithm = rule->at.log().matrix().transpose();
-  const std::span<const double> at{alpha.data(), static_cast<std::size_t>(points)};
-  Eigen::MatrixXd whole, same;
-  kernel.at(at, whole, same);
-  const Eigen::MatrixXd factor = width * kernel.of_logarithm(at);
-  for (int i = 0; i < kernel.functionals; ++i) {
-    const Eigen::RowVectorXd of_logarithm = factor.row(i),
-                             rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
-    add_sums(p, rule->weight, rest, rest, rows.row(i));
-    add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
+  /// `with_layers`: the nodes on the leading half resolve the layers, too.
+  void add_rows(std::size_t p, const Nodes& nodes, bool trailing, bool with_layers, Rows rows) const {
+    const PanelBasis::Rows basis = basis_at(of_.panels_[p], nodes);
+    const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose();
+    Eigen::RowVectorXd signed_weight = weight;
+    const auto on_this_half = static_cast<Eigen::Index>(nodes.on_this_half);
+    (trailing ? signed_weight.head(on_this_half) : signed_weight.tail(weight.size() - on_this_half)) *= -1;
+    const Eigen::ArrayXd alpha = (trailing ? -1 : 1) * array(nodes.alpha);
+    Eigen::MatrixXd on_p, on_q;
+    kernel_.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
+    for (int i = 0; i < kernel_.functionals; ++i)
+      of_.add_sums(p, basis, weight.cwiseProduct(on_p.row(i)), signed_weight.cwiseProduct(on_q.row(i)),
+                   rows.row(i));
+    if (!with_layers) return;
+    const auto leading = trailing ? Eigen::seqN(on_this_half, weight.size() - on_this_half)
+                                  : Eigen::seqN(Eigen::Index(0), on_this_half);
+    rows.rightCols(of_.layer_columns()) += sums_of_layers(
+        on_p(Eigen::all, leading) + on_q(Eigen::all, leading), weight(leading), array(nodes.e)(leading));
   }
-  return true;
-}
 
-/// The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
-bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double tolerance, Eigen::Index first,
-                              MatchingRows& result) const {
+  /// Half of a layer is in Re g and half in Im g.
+  [[nodiscard]] Eigen::MatrixXd sums_of_layers(const Eigen::MatrixXd& kernels,
+                                               const Eigen::RowVectorXd& weight,
+                                               const Eigen::ArrayXd& e) const {
+    return 0.5 * kernels * weight.asDiagonal() * of_.layers_at(e);
+  }
+
+  /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
+  bool add_by_product_rule(const Place& place, std::size_t p, bool mirrored, Rows rows) const {
+    const Panel& panel = of_.panels_[p];
+    const double singular = singular_at(place, mirrored), width = panel.width();
+    const double gap = std::max(panel.left - singular, singular - panel.right);
+    const Complex off_axis{0, kernel_.is_regular ? *kernel_.poles : 0};
+    if (gap <= 0 && off_axis == 0.0) return false;
+    if (!kernel_.rates.empty() &&
+        (gap < width || width > 8 || oscillates(kernel_.rates, outside(place), gap, width)))
+      return false;
+    // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
+    // e^(2.1 gap) as large as on the panel, or not if it has become constant.
+    const double fall = internal::log_of_ellipse(2.0 * (singular - panel.left + off_axis) / width - 1.0);
+    const double wanted = -std::log(tolerance_), far = std::max(gap, 0.0);
+    const bool is_constant = kernel_.beyond_reach == Kernel::FarAway::constant;
+    const double nats = !is_constant ? wanted + 2.1 * far : far < reach_ ? wanted : 0;
+    const int points = points_of_rule(fall, nats);
+    if (points > (gap <= 0 ? most_points_within : most_points)) return false;
+
+    const auto rule = product_rule(of_.basis(panel), points, degrees(panel));
+    const double sign = (mirrored != place.trailing) ? -1 : 1;
+    const Eigen::ArrayXd alpha = sign * ((panel.left - singular) + width * rule->at);
+    Eigen::MatrixXd on_p, on_q;
+    kernel_.at({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+    for (int i = 0; i < kernel_.functionals; ++i)
+      of_.add_sums(p, rule->weight, width * on_p.row(i), sign * width * on_q.row(i), rows.row(i));
+    return true;
+  }
+
+  /// Adds the panel that begins at the place, where the kernel is singular on this side alone, by product rules; false where
+  /// it is not, or where its exponentials vary too much over the panel.
+  ///
+  /// Both the factor of ln alpha and what is left are analytic for |Im alpha| < 2. On the ellipse through 2 i, which reaches as
+  /// far as that, they grow with the kernel's exponentials. Where these do not change by more than e^2 over the panel, the two
+  /// parts hardly cancel.
+  bool add_beside_logarithm(const Place& place, std::size_t p, bool mirrored, Rows rows) const {
+    const Panel& panel = of_.panels_[p];
+    const double width = panel.width();
+    const double rate = largest(kernel_.rates);
+    if (!kernel_.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
+    const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
+    const int points = points_of_rule(fall, -std::log(tolerance_) + rate * reach);
+    if (points > most_points) return false;
+    const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
+               times_logarithm =
+                   product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
+    const Eigen::ArrayXd alpha = width * rule->at;
+    const Eigen::RowVectorXd logarithm = rule->at.log().matrix().transpose();
+    const std::span<const double> at{alpha.data(), static_cast<std::size_t>(points)};
+    Eigen::MatrixXd whole, same;
+    kernel_.at(at, whole, same);
+    const Eigen::MatrixXd factor = width * kernel_.of_logarithm(at);
+    for (int i = 0; i < kernel_.functionals; ++i) {
+      const Eigen::RowVectorXd of_logarithm = factor.row(i),
+                               rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
+      of_.add_sums(p, rule->weight, rest, rest, rows.row(i));
+      of_.add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
+    }
+    return true;
+  }
+
+  const Tractions& of_;
+  const Kernel& kernel_;
+  double tolerance_;
+  double reach_;  ///< where a kernel that decays is below the tolerance
+};
+
+bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eigen::Index first,
+                                    MatchingRows& result) const {
   // In much wider panels the logarithm is so much larger than the kernel that it cancels.
   constexpr double widest = 24;
-  const Panel& panel = panels_[p];
+  const Panel& panel = of_.panels_[p];
   const double width = panel.width();
   if (width > widest) return false;
-  const PanelBasis basis = this->basis(panel);
+  const PanelBasis basis = of_.basis(panel);
   const MatchingPoints points = points_of(panel);
   const auto rule = product_rule(
-      basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), -std::log(tolerance)), degrees(panel));
+      basis, points_of_rule(internal::log_of_ellipse({0, 4 / width}), -std::log(tolerance_)), degrees(panel));
   const auto singular = singular_integrals(basis, points, degrees(panel));
   const Eigen::Index nodes = rule->at.size();
   Eigen::ArrayXXd alpha(nodes, points.points);
   const auto places = points.at();
   for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - (*places)(j));
   Eigen::MatrixXd on_p, on_q;
-  kernel.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
+  split.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
   const int count = panel.terms + left_out;
   const double log_width = std::log(width);
   const auto add = [&](const Eigen::MatrixXd& values, Eigen::Index functional, Eigen::Index of, double sign,
                        int component, const Eigen::MatrixXd PanelBasis::Rows::*part) {
     if ((rule->weight.*part).size() == 0) return;
-    const Degrees degrees = degrees_of(p, component);
+    const Degrees degrees = of_.degrees_of(p, component);
     const auto integrals = [&](const PanelBasis::Rows& all) { return degrees.columns(all.*part, count); };
-    const double of_logarithm = -kernel.logarithm(functional, of) / std::numbers::pi,
-                 of_jump = kernel.jump(functional, of);
-    const auto rows = Eigen::seqN(first + functional, points.points, kernel.whole.functionals);
-    const auto columns = Eigen::seqN(column(p, component), count);
+    const double of_logarithm = -split.logarithm(functional, of) / std::numbers::pi,
+                 of_jump = split.jump(functional, of);
+    const auto rows = Eigen::seqN(first + functional, points.points, kernel_.functionals);
+    const auto columns = Eigen::seqN(of_.column(p, component), count);
     const auto add_part = [&](double factor, const Eigen::MatrixXd& integral) {
       result.rows(rows, columns) += factor * integral;
       result.sizes(rows, columns) += std::fabs(factor) * integral.cwiseAbs();
@@ -345,9 +430,9 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
     }
     if (of_jump != 0) add_part(scale * of_jump, integrals(singular->sign));
   };
-  for (Eigen::Index i = 0; i < kernel.whole.functionals; ++i) {
+  for (Eigen::Index i = 0; i < kernel_.functionals; ++i) {
     add(on_p, i, 0, 1, 0, &PanelBasis::Rows::real);
-    if (!is_complex_) continue;
+    if (!of_.is_complex_) continue;
     add(on_q, i, 1, 1, 0, &PanelBasis::Rows::imaginary);
     add(on_q, i, 1, 1, 1, &PanelBasis::Rows::real);
     add(on_p, i, 0, -1, 1, &PanelBasis::Rows::imaginary);
@@ -355,56 +440,13 @@ bool Tractions::add_own_panel(std::size_t p, const SplitKernel& kernel, double t
   return true;
 }
 
-bool Tractions::acts_on(const Panel& panel, double singular, const Kernel& kernel, double tolerance) {
-  return kernel.beyond_reach != Kernel::FarAway::negligible ||
-         std::max(panel.left - singular, singular - panel.right) <= reach(tolerance);
-}
-
-void Tractions::add_place(const Place& place, const Kernel& kernel, double tolerance,
-                          Eigen::Ref<Eigen::MatrixXd> rows) const {
-  Nodes nodes;
-  bool layers_left = !layers_.empty();
-  for (std::size_t p = 0; p < panels_.size(); ++p) {
-    const Panel& panel = panels_[p];
-    nodes.clear();
-    bool with_layers = false;
-    for (const bool mirrored : {false, true}) {
-      if (mirrored) nodes.on_this_half = nodes.e.size();
-      if (mirrored ? panel.about_middle : place.done == p) continue;
-      if (!acts_on(panel, singular_at(place, mirrored), kernel, tolerance) ||
-          add_by_product_rule(place, p, mirrored, kernel, tolerance, rows) ||
-          add_beside_logarithm(place, p, mirrored, kernel, tolerance, rows))
-        continue;
-      const bool has_layers = p == 0 && mirrored == place.trailing && !layers_.empty();
-      with_layers |= has_layers;
-      append_panel(panel, place, mirrored, kernel, has_layers ? layer_rates() : std::vector<Complex>(),
-                   tolerance, nodes);
-    }
-    if (!nodes.e.empty()) add_rows(p, nodes, kernel, place.trailing, with_layers, rows);
-    if (with_layers) layers_left = false;
-  }
-  if (layers_left) rows.rightCols(layer_columns()) += layer_rows(place, kernel, tolerance);
-}
-
-Eigen::MatrixXd Tractions::layer_rows(const Place& place, const Kernel& kernel, double tolerance) const {
-  const Panel& panel = panels_.front();
-  if (!acts_on(panel, singular_at(place, place.trailing), kernel, tolerance))
-    return Eigen::MatrixXd::Zero(kernel.functionals, layer_columns());
-  Nodes nodes;
-  append_panel(panel, place, place.trailing, kernel, layer_rates(), tolerance, nodes);
-  const Eigen::ArrayXd alpha = (place.trailing ? -1 : 1) * array(nodes.alpha);
-  Eigen::MatrixXd on_p, on_q;
-  kernel.at({alpha.data(), nodes.alpha.size()}, on_p, on_q);
-  return sums_of_layers(on_p + on_q, array(nodes.weight).matrix().transpose(), array(nodes.e));
-}
-
 Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
                                 double tolerance) const {
+  const Sums sums(*this, kernel, tolerance);
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
-  Eigen::Index row = 0;
-  for (const double e : places) {
-    add_place({e, trailing, panels_.size()}, kernel, tolerance, result.middleRows(row, kernel.functionals));
+  for (Eigen::Index row = 0; const double e : places) {
+    sums.add_place({e, trailing}, panels_.size(), result.middleRows(row, kernel.functionals));
     row += kernel.functionals;
   }
   return result;
@@ -412,44 +454,40 @@ Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, c
 
 Eigen::MatrixXd Tractions::rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                  double tolerance) const {
+  const Sums sums(*this, kernel, tolerance);
   Eigen::MatrixXd result(static_cast<Eigen::Index>(places.size()) * kernel.functionals, layer_columns());
   for (Eigen::Index row = 0; const double e : places) {
-    result.middleRows(row, kernel.functionals) = layer_rows({e, true, panels_.size()}, kernel, tolerance);
+    result.middleRows(row, kernel.functionals) = sums.layer_rows({e, true});
     row += kernel.functionals;
   }
   return result;
 }
 
 Tractions::MatchingRows Tractions::matching_rows(const SplitKernel& kernel, double tolerance) const {
+  const Sums sums(*this, kernel.whole, tolerance);
   const int functionals = kernel.whole.functionals;
   MatchingRows result{matching_points(), {}, {}};
   result.rows.setZero(static_cast<Eigen::Index>(result.points.size()) * functionals, columns_);
   result.sizes = result.rows;
   Eigen::Index row = 0;
   for (std::size_t p = 0, at = 0; p < panels_.size(); ++p) {
-    const bool is_done = add_own_panel(p, kernel, tolerance, row, result);
+    const bool is_done = sums.add_own_panel(p, kernel, row, result);
     for (int i = 0; i < points_of(panels_[p]).points; ++i, row += functionals)
-      add_place({result.points[at++], false, is_done ? p : panels_.size()}, kernel.whole, tolerance,
-                result.rows.middleRows(row, functionals));
+      sums.add_place({result.points[at++], false}, is_done ? p : panels_.size(),
+                     result.rows.middleRows(row, functionals));
   }
   return result;
 }
 
-void Tractions::add_integrals_of_layers(Eigen::MatrixXd& result) const {
-  constexpr double tolerance = 1e-16;
-  const Panel& panel = panels_.front();
-  std::vector<double> ends = cuts(layer_rates(), 0, panel.right);
-  ends.insert(ends.end(), {panel.left, panel.right});
-  std::ranges::sort(ends);
-  Nodes nodes;
-  for (std::size_t i = 1; i < ends.size(); ++i)
-    append_piece(ends[i - 1], ends[i], half_length_, {0, panel.width(), largest(layer_rates()), 0}, true,
-                 tolerance, nodes);
-  const Eigen::MatrixXd values = layers_at(array(nodes.e));
-  const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose(),
-                           y = array(nodes.alpha).matrix().transpose();
-  result.rightCols(values.cols()).row(0) += weight * values;
-  result.rightCols(values.cols()).row(1) += weight.cwiseProduct(y) * values;
+Eigen::MatrixXd Tractions::integrals_of_layers() const {
+  const auto at = [](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
+    on_p.row(0).setOnes();
+    std::ranges::transform(alpha, on_p.row(1).begin(), std::negate());  // y, seen from the middle
+    on_q = on_p;
+  };
+  const Kernel kernel{2, Kernel::FarAway::varying, {}, at};
+  return Sums(*this, kernel, 1e-16).layer_rows({half_length_, false});
 }
 
 }  // namespace nipref::fast

@@ -141,7 +141,7 @@ Eigen::MatrixXd Tractions::integrals() const {
     add_sums(p, rule->weight, ones, none, result.row(0));
     add_sums(p, rule->weight, none, y, result.row(1));
   }
-  if (!layers_.empty()) add_integrals_of_layers(result);
+  if (!layers_.empty()) result.rightCols(layer_columns()) = integrals_of_layers();
   return result;
 }
 

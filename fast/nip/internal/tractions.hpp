@@ -98,43 +98,12 @@ class Tractions {
   [[nodiscard]] Eigen::MatrixXd integrals() const;
 
  private:
+  class Sums;
   struct Place {
     double e;
     bool trailing;
-    std::size_t done;  ///< number of the panel that has been integrated, or of none
-
-    [[nodiscard]] double outside() const { return std::max(-e, 0.0); }  ///< its distance from the contact
   };
-  /// Where a kernel is singular on the half of the place, or, mirrored, on the other.
-  [[nodiscard]] double singular_at(const Place& place, bool mirrored) const {
-    return mirrored ? 2 * half_length_ - place.e : place.e;
-  }
-  /// Where a kernel that decays is below the tolerance.
-  [[nodiscard]] static double reach(double tolerance) { return -std::log(tolerance) / 2.1; }
-  /// Whether a panel is within the reach of a kernel that is singular at a place.
-  [[nodiscard]] static bool acts_on(const Panel& panel, double singular, const Kernel& kernel,
-                                    double tolerance);
-  /// Nodes on one panel, those on the half of the place first.
-  struct Nodes {
-    std::vector<double> e, other;  ///< distances from the end of this half and of the other
-    std::vector<double> weight, alpha;
-    std::size_t on_this_half = 0;
-
-    void clear();
-    void grow(std::size_t count);
-  };
-  /// `rates` of exponentials in the tractions, which start at the end.
-  void append_panel(const Panel& panel, const Place& place, bool mirrored, const Kernel& kernel,
-                    const std::vector<std::complex<double>>& rates, double tolerance, Nodes& nodes) const;
-  /// What is integrated over the pieces of a panel.
-  struct Integrand {
-    int degree;       ///< of the polynomials
-    double width;     ///< of the panel on which they are polynomials
-    double rate;      ///< the largest |rate| of the exponentials beside them
-    double off_axis;  ///< distance of the kernel's poles from the real axis
-  };
-  void append_piece(double from, double to, double singular, const Integrand& integrand, bool mirrored,
-                    double tolerance, Nodes& nodes) const;
+  using Rows = Eigen::Ref<Eigen::MatrixXd>;
   [[nodiscard]] std::vector<double> matching_points() const;
   [[nodiscard]] PanelBasis basis(const Panel& panel) const;
   [[nodiscard]] Eigen::Index layer_columns() const { return static_cast<Eigen::Index>(2 * layers_.size()); }
@@ -156,33 +125,12 @@ class Tractions {
   [[nodiscard]] static MatchingPoints points_of(const Panel& panel) {
     return {panel.about_middle, panel.terms + (panel.at_end ? 1 : 0)};
   }
-  [[nodiscard]] PanelBasis::Rows basis_at(const Panel& panel, const Nodes& nodes) const;
-  /// `with_layers`: the nodes on the leading half resolve the layers, too.
-  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing, bool with_layers,
-                Eigen::Ref<Eigen::MatrixXd> rows) const;
-  [[nodiscard]] Eigen::MatrixXd sums_of_layers(const Eigen::MatrixXd& kernels,
-                                               const Eigen::RowVectorXd& weight,
-                                               const Eigen::ArrayXd& e) const;
   /// Adds sums over the rows of `integrals` with weights p and q.
   void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
                 const Eigen::RowVectorXd& q,
                 Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
-  /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
-  bool add_by_product_rule(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
-                           double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
-  /// Adds the panel that begins at the place, where the kernel is singular on this side alone, by product rules; false where
-  /// it is not, or where its exponentials vary too much over the panel.
-  bool add_beside_logarithm(const Place& place, std::size_t panel, bool mirrored, const Kernel& kernel,
-                            double tolerance, Eigen::Ref<Eigen::MatrixXd> rows) const;
-  /// Adds a panel to the rows of its matching points, of which `first` is the first; false where that needs a rule for
-  /// singular kernels.
-  bool add_own_panel(std::size_t panel, const SplitKernel& kernel, double tolerance, Eigen::Index first,
-                     MatchingRows& result) const;
-  /// The columns of the layers, which are on the leading half.
-  [[nodiscard]] Eigen::MatrixXd layer_rows(const Place& place, const Kernel& kernel, double tolerance) const;
-  void add_integrals_of_layers(Eigen::MatrixXd& result) const;
-  void add_place(const Place& place, const Kernel& kernel, double tolerance,
-                 Eigen::Ref<Eigen::MatrixXd> rows) const;
+  /// Their columns of integrals().
+  [[nodiscard]] Eigen::MatrixXd integrals_of_layers() const;
 
   double half_length_;
   std::vector<Panel> panels_;
