@@ -178,8 +178,7 @@ std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMet
   const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, grips, *work);
   const Eigen::MatrixXd unknowns =
       Elimination(matrix).solve_columns(right_hand_sides(nip, m, contact_length, grips));
-  ++work->systems;
-  work->unknowns = std::max(work->unknowns, static_cast<int>(unknowns.rows()));
+  work->count_system(static_cast<int>(unknowns.rows()));
   Eigen::VectorXd at_creep = unknowns.col(0);
   std::optional<double> creep;
   std::vector<CreepRange> ranges;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -13,6 +14,10 @@ struct Work {
   int unknowns = 0;                  ///< of the largest system
   std::uint64_t line_responses = 0;  ///< compliances and couplings of lines on half-spaces
 
+  void count_system(int size) {
+    ++systems;
+    unknowns = std::max(unknowns, size);
+  }
   Work& operator+=(const Work& other);
 };
 

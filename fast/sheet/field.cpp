@@ -6,7 +6,6 @@
 #include <nipref/fast/sheet/displacements.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
-#include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
 #include <nipref/fast/sheet/kernels.hpp>

@@ -4,6 +4,14 @@
 
 namespace nipref::fast {
 
+const internal::SheetCode* const internal::sheet_codes[instruction_set_count] = {
+#ifdef NIPREF_X86_LEVELS
+    &baseline::code, &v3::code, &v4::code
+#else
+    &baseline::code
+#endif
+};
+
 std::string_view instruction_set() { return internal::sheet_code().instruction_set; }
 
 void use_instruction_set(std::string_view name) {

@@ -1,7 +1,6 @@
 #include <numbers>
 
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
-#include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {

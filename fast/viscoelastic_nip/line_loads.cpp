@@ -127,8 +127,7 @@ LineLoadNip solve(const std::shared_ptr<const RollingLoads>& of, double leading_
     gap(i) = y * y * half_thickness / (2 * problem.nip.roller_radius);
   }
   const Eigen::VectorXd solved = Elimination(matrix).solve(gap);
-  ++problem.work->systems;
-  problem.work->unknowns = std::max(problem.work->unknowns, cells.loads + 1);
+  problem.work->count_system(cells.loads + 1);
   const double width = leading_length / problem.leading;
   std::vector<FaceLoad> loads;
   for (int j = 0; j < cells.loads; ++j)

@@ -29,11 +29,6 @@ Work& Work::operator+=(const Work& other) {
   return *this;
 }
 
-void CountedKernels::count_system(int unknowns) {
-  ++work_.systems;
-  work_.unknowns = std::max(work_.unknowns, unknowns);
-}
-
 RowVectorXd CountedKernels::I1(Alphas alpha) {
   return counted(1, alpha, [&](auto values) { fast::I1(alpha, values, accuracy_); });
 }

@@ -22,8 +22,6 @@ class CountedKernels {
   [[nodiscard]] Eigen::RowVectorXd regular_I1(Alphas alpha);
   [[nodiscard]] Eigen::RowVectorXd regular_I6(Alphas alpha);
 
-  void count_system(int unknowns);
-
  private:
   [[nodiscard]] Eigen::RowVectorXd counted(std::size_t kernel, Alphas alpha, const auto& evaluate);
 

@@ -42,7 +42,7 @@ std::unique_ptr<const Solution> SolvedNip::solve(double half_length, const Resol
   CountedKernels kernels = this->kernels();
   auto solved = std::make_unique<const Solution>(
       equations_->solve(half_length, panels(near_, resolution, longest_whole_), tolerance, kernels));
-  kernels.count_system(solved->size());
+  work_->count_system(solved->size());
   return solved;
 }
 
@@ -180,8 +180,7 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
   // either side, to within this part, and by more on the side of the end. Next to the end both sides are looked at.
   constexpr double apart = 1e-3;
   double steepest = 1 / std::fabs(place.e);
-  for (const auto& rate : equations_->resolution(nats_).rates)
-    steepest = std::max(steepest, std::abs(rate));
+  for (const auto& rate : equations_->resolution(nats_).rates) steepest = std::max(steepest, std::abs(rate));
   const double towards_end = -std::copysign(reach, place.e);
   take_shifts(place.e + towards_end);
   if (!(reach * steepest <= apart)) take_shifts(place.e - towards_end);

@@ -5,6 +5,14 @@
 #include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
+
+const internal::DenseCode& internal::dense_code() {
+#ifdef NIPREF_X86_LEVELS
+  if (chosen_instruction_set > 0) return v3::dense_code;
+#endif
+  return baseline::dense_code;
+}
+
 namespace {
 
 Eigen::MatrixXd product_of(const Eigen::MatrixXd& left, const auto& right) {

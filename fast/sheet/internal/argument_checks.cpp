@@ -2,7 +2,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
-#include <nipref/fast/sheet/internal/dispatch.hpp>
 
 namespace nipref::fast::internal {
 

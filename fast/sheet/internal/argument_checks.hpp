@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include <nipref/fast/sheet/internal/domain.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
 
 namespace nipref::fast::internal {
 

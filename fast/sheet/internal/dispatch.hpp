@@ -7,10 +7,12 @@
 #include <stddef.h>
 
 #include <nipref/fast/number/internal/instruction_level.hpp>
-#include <nipref/fast/sheet/internal/domain.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
+
+/// Where a kernel is defined.
+enum class Domain { finite, finite_nonzero };
 
 inline constexpr int batch_components = 5;   ///< I1, I3, I4, I5, I7
 inline constexpr int scalar_components = 6;  ///< and eta_part_of_I6
