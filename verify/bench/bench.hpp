@@ -64,7 +64,6 @@ struct BenchPart {
 /// A user's kernel of a quantity, timed beside fast in a process of its own.
 struct OtherKernel {
   std::string name;
-  std::string quantity;
   PluginKernel* kernel;  ///< belongs to the caller
 };
 

@@ -8,11 +8,16 @@
 namespace nipref::verify {
 namespace {
 
-constexpr std::size_t points_in_a_set = 4096;
-constexpr std::size_t least_points = 32;
-constexpr std::size_t points_compared = 1000;  ///< the fewest of which 99.9 % are not all
-constexpr std::size_t costly_points = 12;
-constexpr double seconds_of_costly_truth = 5, unlimited = std::numeric_limits<double>::infinity();
+/// How many points are drawn, and are timed at least; of how many the truth is found, in how many seconds; and the rounds.
+struct Extent {
+  std::size_t points, least, compared;
+  double seconds_of_truth;
+  int rounds;
+};
+/// Of a thousand points 99.9 % are not all.
+constexpr Extent usual_extent{4096, 32, 1000, std::numeric_limits<double>::infinity(), usual_rounds},
+    costly_extent{12, 12, 12, 5, 3};
+
 constexpr std::array coarse_tolerances{1e-3, 1e-6, 1e-9, 1e-12};
 
 struct TimedRange {
@@ -22,8 +27,9 @@ struct TimedRange {
   bool logarithmic;
 };
 
-/// Only the first range if there is no other library to compare with.
+/// Only the first range if there is no other library to compare with. A costly quantity has one without a name.
 std::vector<TimedRange> ranges(const Quantity& quantity) {
+  if (quantity.is_costly) return std::vector<TimedRange>(1);
   std::vector<TimedRange> all{{"[1e-6,20] log-uniform", 1e-6, 20, true},
                               {"(0,20] uniform", 0, 20, false},
                               {"[1e-6,1e-3]", 1e-6, 1e-3, true},
@@ -45,16 +51,25 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
   return 0;  // quantities with other arguments draw their points themselves
 }
 
-std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range) {
+/// Of a costly quantity none that fast refuses.
+std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range, std::size_t count) {
   Random random("bench " + quantity.name + range.name);
-  std::vector<Point> points(points_in_a_set, Point(quantity.arguments.size()));
-  if (quantity.draw) std::ranges::generate(points, [&] { return quantity.draw(random); });
-  for (std::size_t j = 0; !quantity.draw && j < quantity.arguments.size(); ++j)
+  std::vector<Point> points(count, Point(quantity.arguments.size()));
+  if (quantity.draw) {
+    std::ranges::generate(points, [&] {
+      Point drawn = quantity.draw(random);
+      while (quantity.is_costly && std::isnan(fast_value(quantity, drawn, {}))) drawn = quantity.draw(random);
+      return drawn;
+    });
+    return points;
+  }
+  for (std::size_t j = 0; j < quantity.arguments.size(); ++j)
     for (Point& point : points) point[j] = representative(quantity.arguments[j].kind, range, random);
   return points;
 }
 
 std::string range_text(const Quantity& quantity, const TimedRange& range) {
+  if (quantity.is_costly) return fmt::format("as in the audit, {} points", costly_extent.points);
   const ArgumentKind kind = quantity.arguments.front().kind;
   if (kind == ArgumentKind::index) return "n in [1,1000] log-uniform";
   if (quantity.draw) return "as in the audit";
@@ -116,7 +131,7 @@ std::vector<TimedWay> ways_to(const Quantity& quantity, const std::vector<Point>
   };
   add_fast(fast::Accuracy::best_rtol);
   for (const OtherKernel& other : others)
-    if (other.quantity == quantity.name) add(other.name, method_of(*other.kernel, points));
+    if (other.kernel->info().quantity == quantity.name) add(other.name, method_of(*other.kernel, points));
   if (quantity.peers.empty()) return all;
   for (const double rtol : coarse_tolerances) add_fast(rtol);
   const auto first_arguments = mapped(points, [](const Point& point) { return point.front(); });
@@ -128,38 +143,19 @@ std::vector<TimedWay> ways_to(const Quantity& quantity, const std::vector<Point>
   return all;
 }
 
-/// Points drawn as the audit draws them, without those that fast refuses.
-std::vector<Point> draw_costly_points(const Quantity& quantity) {
-  Random random("bench " + quantity.name);
-  std::vector<Point> points;
-  while (points.size() < costly_points) {
-    points.push_back(quantity.draw(random));
-    if (std::isnan(fast_value(quantity, points.back(), {}))) points.pop_back();
-  }
-  return points;
-}
-
 }  // namespace
 
 std::vector<BenchPart> double_bench(const Quantity& quantity, const std::vector<OtherKernel>& others) {
-  const auto rows_at = [&quantity, others](const std::string& arguments, const std::vector<Point>& points,
-                                           const std::vector<Truth>& truths, std::size_t least, int rounds) {
-    return timed_rows(quantity.name, arguments, ways_to(quantity, points, truths, others, least),
-                      {.count = rounds, .seconds = 1e-3});
-  };
-  if (quantity.is_costly)
-    return {{quantity.name, [=, &quantity] {
-               const std::vector<Point> points = draw_costly_points(quantity);
-               return rows_at(fmt::format("as in the audit, {} points", costly_points), points,
-                              first_truths(quantity, points, costly_points, seconds_of_costly_truth),
-                              costly_points, 3);
-             }}};
+  const Extent& extent = quantity.is_costly ? costly_extent : usual_extent;
   return mapped(ranges(quantity), [&](const TimedRange& range) {
-    return BenchPart{quantity.name + " " + range.name, [=, &quantity] {
-                       const std::vector<Point> points = draw_points(quantity, range);
-                       return rows_at(range_text(quantity, range), points,
-                                      first_truths(quantity, points, points_compared, unlimited),
-                                      least_points, usual_rounds);
+    const std::string arguments = range_text(quantity, range);
+    return BenchPart{quantity.name + " " + arguments, [=, &quantity] {
+                       const std::vector<Point> points = draw_points(quantity, range, extent.points);
+                       const std::vector<Truth> truths =
+                           first_truths(quantity, points, extent.compared, extent.seconds_of_truth);
+                       return timed_rows(quantity.name, arguments,
+                                         ways_to(quantity, points, truths, others, extent.least),
+                                         {.count = extent.rounds, .seconds = 1e-3});
                      }};
   });
 }

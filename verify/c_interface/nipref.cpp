@@ -36,35 +36,15 @@ const verify::Quantity& given(const nipref_quantity* quantity) {
 fast::Accuracy accuracy_of(double rtol) { return rtol == 0 ? fast::Accuracy() : fast::Accuracy(rtol); }
 
 /// Checks, like the command line, the domains of arguments that the catalogue's evaluators do not check.
-void check_choices(const verify::Quantity& quantity, std::span<const double> point) {
-  for (std::size_t i = 0; i < point.size(); ++i) {
+void check_choices(const verify::Quantity& quantity, verify::Quantity::Columns columns) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     const verify::Argument& argument = quantity.arguments[i];
     if (argument.kind != verify::ArgumentKind::choice) continue;
     const double last = static_cast<double>(argument.choices.size()) - 1;
-    if (!(point[i] >= 0 && point[i] <= last && point[i] == std::floor(point[i])))
-      verify::refuse(argument.name, point[i], "must be the number of a choice, 0 to {}", last);
+    for (const double value : columns[i])
+      if (!(value >= 0 && value <= last && value == std::floor(value)))
+        verify::refuse(argument.name, value, "must be the number of a choice, 0 to {}", last);
   }
-}
-
-double value_at(const verify::Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {
-  check_choices(quantity, point);
-  return quantity.by_fast(point, accuracy);
-}
-
-std::vector<double> values_at(const verify::Quantity& quantity,
-                              std::span<const std::span<const double>> columns, std::size_t points,
-                              fast::Accuracy accuracy) {
-  std::vector<double> values(points);
-  if (quantity.by_fast_batch) {
-    quantity.by_fast_batch(columns, values, accuracy);
-    return values;
-  }
-  std::vector<double> point(columns.size());
-  for (std::size_t i = 0; i < points; ++i) {
-    for (std::size_t j = 0; j < columns.size(); ++j) point[j] = columns[j][i];
-    values[i] = value_at(quantity, point, accuracy);
-  }
-  return values;
 }
 
 void check_room(const char* name, const std::string& text, std::size_t size) {
@@ -170,7 +150,9 @@ int nipref_fast(const nipref_quantity* quantity, const double* arguments, double
     const verify::Quantity& wanted = given(quantity);
     refuse_null("arguments", arguments);
     refuse_null("value", value);
-    *value = value_at(wanted, {arguments, wanted.arguments.size()}, accuracy_of(rtol));
+    const std::span<const double> point(arguments, wanted.arguments.size());
+    check_choices(wanted, verify::mapped(point, [](const double& x) { return std::span(&x, 1); }));
+    *value = wanted.by_fast(point, accuracy_of(rtol));
   });
 }
 
@@ -185,7 +167,9 @@ int nipref_fast_batch(const nipref_quantity* quantity, std::size_t points, const
       refuse_null("columns", columns[i]);
       spans.emplace_back(columns[i], points);
     }
-    const std::vector<double> found = values_at(wanted, spans, points, accuracy_of(rtol));
+    check_choices(wanted, spans);
+    std::vector<double> found(points);
+    (wanted.by_fast_batch ? wanted.by_fast_batch : wanted.by_fast_loop)(spans, found, accuracy_of(rtol));
     if (points > 0) std::memcpy(values, found.data(), points * sizeof(double));
   });
 }

@@ -93,7 +93,7 @@ VerbAnswer bench_verb(const CommandLine& line) {
   std::vector<OtherKernel> others;
   if (const auto file = line.option("with")) {
     for (const KernelInfo& info : kernels_of({*file}))
-      others.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(), info.quantity,
+      others.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(),
                         kernels.emplace_back(open_kernel({*file}, info.name)).get()});
   }
   Progress progress(line.has("quiet"));

@@ -10,15 +10,9 @@
 namespace nipref::verify {
 namespace {
 
-const char* words_of(Comparison comparison) {
-  constexpr const char* words[] = {"not worse", "WORSE", "not comparable"};
-  return words[static_cast<std::size_t>(comparison)];
-}
-
 Json baseline_json(const Graded& graded) {
   if (!graded.against_baseline) return {};
-  return {{"comparison", words_of(graded.against_baseline->comparison)},
-          {"words", graded.against_baseline->words}};
+  return {{"comparison", graded.against_baseline->verdict}, {"words", graded.against_baseline->words}};
 }
 
 Json speed_json(const std::optional<Speed>& speed, const std::string& other) {
@@ -66,8 +60,7 @@ std::string why_not_kept(const Graded& graded) {
     return fmt::format("largest error found {:.4g} ulp, promised {}", grade.found.max_error_ulp,
                        promised_by(graded));
   if (graded.to_older && !graded.to_older->kept()) return "slower than " + graded.to_older->older;
-  return fmt::format("baseline: {}: {}", words_of(graded.against_baseline->comparison),
-                     graded.against_baseline->words);
+  return fmt::format("baseline: {}: {}", graded.against_baseline->verdict, graded.against_baseline->words);
 }
 
 /// A value beside the truth, with a bar behind the digits that agree.
@@ -119,7 +112,7 @@ Json case_json(const Graded& graded) {
 
 bool Graded::kept() const {
   return grade.found.kept() && faults.empty() && (!to_older || to_older->kept()) &&
-         (!against_baseline || against_baseline->comparison == Comparison::not_worse);
+         (!against_baseline || against_baseline->kept());
 }
 
 std::string take_promise(const CommandLine& line, AuditOptions& options) {

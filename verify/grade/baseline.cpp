@@ -69,13 +69,13 @@ BaselineComparison compare_with(const Baseline& baseline, const BaselineKey& key
   if (found != baseline.entries.end()) {
     const double limit = tolerated_factor * found->max_error_ulp + tolerated_ulps;
     return {
-        max_error_ulp <= limit ? Comparison::not_worse : Comparison::worse,
+        max_error_ulp <= limit ? "not worse" : "WORSE",
         fmt::format("was {:.4g} ulp, may be {:.4g}, is {:.4g}", found->max_error_ulp, limit, max_error_ulp)};
   }
   const auto other = std::ranges::find_if(baseline.entries, [&](const Baseline::Entry& entry) {
     return entry.key.what == key.what && entry.key.quantity == key.quantity && entry.key.where == key.where;
   });
-  return {Comparison::not_comparable,
+  return {"not comparable",
           other == baseline.entries.end()
               ? fmt::format("{} as {}, {}, is not in the baseline", key.what, key.quantity, key.where)
               : difference(other->key, key)};
@@ -89,7 +89,7 @@ bool update(Baseline& baseline, const BaselineKey& key, double max_error_ulp,
     return true;
   }
   if (max_error_ulp > found->max_error_ulp && !reason)
-    return compare_with(baseline, key, max_error_ulp).comparison == Comparison::not_worse;
+    return compare_with(baseline, key, max_error_ulp).kept();
   if (max_error_ulp > found->max_error_ulp) found->reason = *reason;
   found->max_error_ulp = max_error_ulp;
   return true;

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nipref::verify {
@@ -34,15 +35,13 @@ struct Baseline {
   [[nodiscard]] std::string text() const;
 };
 
-enum class Comparison {
-  not_worse,
-  worse,          ///< the error exceeds 1.5 times the earlier one plus 0.25 ulp
-  not_comparable  ///< no entry has this key
-};
-
 struct BaselineComparison {
-  Comparison comparison;
+  /// "not worse"; "WORSE" if the error exceeds 1.5 times the earlier one plus 0.25 ulp; "not comparable" if no entry has the
+  /// key.
+  std::string_view verdict;
   std::string words;  ///< one line: the earlier error, or the part of the key that differs
+
+  [[nodiscard]] bool kept() const { return verdict == "not worse"; }
 };
 
 /// Compares the largest error with the earlier one of the same key.

@@ -191,11 +191,7 @@ struct BodyOnHalfSpace {
     if (!problem.line) return {-90, 90};
     return {value_of(trailing_end(*problem.line)), value_of(leading_end(*problem.line))};
   }
-  [[nodiscard]] fast::Work work() const {
-    fast::Work work;
-    work.line_responses = surface.evaluations();
-    return work;
-  }
+  [[nodiscard]] fast::Work work() const { return {.line_responses = surface.evaluations()}; }
 };
 
 template <class Path, class Contact, class Surface>

@@ -99,10 +99,7 @@ fast::Work work_of(const ref::ConvergedNip& contact) {
 }
 fast::Work work_of(const ref::PartialSlipNip& contact) { return {.unknowns = contact.unknowns()}; }
 fast::Work work_of(const ref::LineLoadNip& loads) {
-  fast::Work work;
-  work.systems = static_cast<std::uint64_t>(loads.systems());
-  work.unknowns = loads.unknowns();
-  return work;
+  return {.systems = static_cast<std::uint64_t>(loads.systems()), .unknowns = loads.unknowns()};
 }
 
 /// The creep ratio that the thesis chooses is the last one.

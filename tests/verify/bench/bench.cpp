@@ -128,7 +128,7 @@ TEST_CASE("a quantity that costs a solution is timed at a few points, and only w
 
 TEST_CASE("somebody's kernel is timed beside fast, with its errors, and only for its own quantity") {
   const auto kernel = verify::open_kernel({plugin_file("kernels")}, "all_sound");
-  const std::vector<verify::OtherKernel> others{{"mine", "I3", kernel.get()}};
+  const std::vector<verify::OtherKernel> others{{"mine", kernel.get()}};
   const auto rows = rows_of(verify::double_bench(verify::find_quantity("I3"), others));
   const auto mine = std::ranges::find(rows, "mine", &verify::BenchRow::method);
   REQUIRE(mine != rows.end());
