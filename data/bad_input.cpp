@@ -1,8 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/internal/common.hpp>
 
 namespace nipref::data {
 namespace {

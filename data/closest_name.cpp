@@ -1,11 +1,5 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cctype>
-#include <numeric>
-#include <utility>
-
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/internal/common.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,11 +1,8 @@
 #include <dlfcn.h>
 #include <link.h>
 
-#include <cstdlib>
-#include <vector>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
+#include <nipref/data/internal/common.hpp>
 
 namespace nipref::data {
 namespace {

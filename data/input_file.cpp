@@ -1,12 +1,9 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <sstream>
-#include <system_error>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/data/internal/common.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,6 +1,4 @@
-#include <cmath>
-
-#include <nipref/data/bad_input.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/magnitude.hpp>
 
 namespace nipref::data {

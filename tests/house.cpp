@@ -26,7 +26,7 @@ struct Place {
   explicit Place(const std::string& path) {
     const std::vector<std::string> parts = parts_of(path);
     room = parts.front();
-    subject = parts.size() > 2 ? parts[1] : "";
+    subject = parts.size() > 2 && parts[1] != "internal" ? parts[1] : "";
     internal = std::ranges::find(parts, "internal") != parts.end();
   }
 

@@ -1,14 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <string_view>
-#include <utility>
-
-#include <nipref/data/bad_input.hpp>
-#include <nipref/data/magnitude.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 
 namespace nipref::data {

@@ -1,5 +1,4 @@
-#include <nipref/data/bad_input.hpp>
-#include <nipref/data/magnitude.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/problem/nip.hpp>
 
 namespace nipref::data {

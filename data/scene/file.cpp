@@ -1,10 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/read.hpp>
 

@@ -1,11 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
-#include <nipref/data/magnitude.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/scene/internal/rows.hpp>
 #include <nipref/data/scene/keys.hpp>
 

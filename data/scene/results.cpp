@@ -1,7 +1,4 @@
-#include <algorithm>
-#include <array>
-#include <ranges>
-
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/scene/internal/rows.hpp>
 #include <nipref/data/scene/results.hpp>
 

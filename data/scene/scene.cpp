@@ -1,8 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
-
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/scene/internal/check.hpp>
 
 namespace nipref::data {

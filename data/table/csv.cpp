@@ -1,10 +1,7 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <istream>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/table/csv.hpp>
 
 namespace nipref::data {

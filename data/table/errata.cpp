@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <charconv>
-#include <set>
-#include <span>
-#include <tuple>
-
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/table/errata.hpp>
 
 namespace nipref::data {

@@ -1,12 +1,5 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <cctype>
-#include <ranges>
-
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/table/index.hpp>
 
 namespace nipref::data {

@@ -1,9 +1,4 @@
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <string>
-#include <system_error>
-
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/table/printed_number.hpp>
 
 namespace nipref::data {

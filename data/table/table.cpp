@@ -1,9 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-
-#include <nipref/data/bad_input.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/table/table.hpp>
 
 namespace nipref::data {

@@ -3,19 +3,10 @@
 // All of toml++ is compiled here, for verify too.
 #define TOML_HEADER_ONLY 0
 #define TOML_IMPLEMENTATION
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include <algorithm>
-#include <limits>
-#include <optional>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
-
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/toml_obstacle.hpp>
 
 namespace nipref::data {

@@ -1,10 +1,5 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <set>
-
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/internal/common.hpp>
 #include <nipref/data/scene/internal/check.hpp>
 #include <nipref/data/scene/internal/read.hpp>
 
