@@ -8,7 +8,7 @@
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
 #include <nipref/ref/number/internal/enclosed_system.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>

@@ -8,7 +8,7 @@
 #include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -5,7 +5,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -13,7 +13,6 @@
 #include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
@@ -23,13 +22,6 @@ namespace {
 using std::numbers::ln2;
 /// For cached results the nats are rounded up to multiples of this.
 constexpr double nats_grain = 16;
-
-/// The load's path relative to a point of the surface, in half thicknesses: the load is at the distance `alpha`
-/// before the point now, and was at the distance `start` when it started, if it ever did.
-struct LoadPath {
-  Exact alpha;
-  std::optional<Exact> start;
-};
 
 enum class Kernel { I1, I2, I3, I4, I5 };
 
@@ -246,9 +238,8 @@ struct Part {
 };
 
 /// About -ln of the size of a displacement near the load.
-double size_nats(const ExactMaterial& material) {
-  const mpq_class at_once = material.normal().instantaneous;
-  return at_once == 0 ? 0 : std::max(0.0, -ln_magnitude(at_once));
+double size_nats(const ExactFunction& normal) {
+  return normal.instantaneous == 0 ? 0 : std::max(0.0, -ln_magnitude(normal.instantaneous));
 }
 
 Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& travel_rate, double first_nats,
@@ -260,41 +251,27 @@ Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& travel_ra
   });
 }
 
-void check_positive(const mpq_class& value, const std::string& name) {
-  if (value <= 0) throw data::BadInput(name, Exact(value).approximate(), "must be > 0");
+void check_positive(const Exact& value, const char* name) {
+  if (value.sign() <= 0) throw data::BadInput(name, value.approximate(), "must be > 0");
 }
 
 void check_not_below_0(const mpq_class& value, const std::string& name) {
   if (value < 0) throw data::BadInput(name, Exact(value).approximate(), "must be >= 0");
 }
 
-void check_function(const ExactFunction& function, const std::string& name) {
-  check_not_below_0(function.instantaneous, name + " instantaneous");
-  for (const ExactFunction::Term& term : function.terms) check_not_below_0(term.rate, name + " rate");
-}
-
 /// Refuses too large rates: the cost of a value grows with the square of the rate's logarithm.
-void check_rates(const ExactFunction& function, const mpq_class& travel_rate) {
+void check_function(const ExactFunction& function, const std::string& name, const mpq_class& travel_rate) {
   constexpr double most = 1e100;
+  check_not_below_0(function.instantaneous, name + " instantaneous");
   double fastest = -HUGE_VAL;  // log2
-  for (const ExactFunction::Term& term : function.terms)
+  for (const ExactFunction::Term& term : function.terms) {
+    check_not_below_0(term.rate, name + " rate");
     fastest = std::max(fastest, Exact(term.rate).log2_magnitude());
+  }
   for (const ExactRatio& fraction : function.fractions)
     fastest = std::max(fastest, log2_root_bound(fraction.denominator));
   if (fastest - Exact(travel_rate).log2_magnitude() > std::log2(most))
     throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
-}
-
-mpq_class checked_travel_rate(const Exact& speed, const Exact& half_thickness,
-                              const ExactMaterial& material) {
-  check_positive(speed.value(), "speed");
-  check_positive(half_thickness.value(), "half_thickness");
-  check_function(material.theta1, "theta1");
-  check_function(material.theta2, "theta2");
-  const mpq_class travel_rate = speed.value() / half_thickness.value();
-  check_rates(material.theta1, travel_rate);
-  check_rates(material.theta2, travel_rate);
-  return travel_rate;
 }
 
 LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& travel_rate, const char* name) {
@@ -332,88 +309,80 @@ double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const 
   return slowest;
 }
 
-Enclosure Un_at(const LoadPath& path, const mpq_class& travel_rate, const ExactMaterial& material, int digits,
-                int residue_terms = 0) {
-  const ExactFunction normal = material.normal();
-  check_distance(normal, path);
-  const double distance = std::abs(path.alpha.approximate());
-  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, path, travel_rate);
-  return sum_over_pi({{normal, Kernel::I1, path, false, residue_terms}}, travel_rate, first_nats, digits);
-}
-
-std::vector<Part> tangential_parts(const LoadPath& alpha, const LoadPath& eta, const ExactMaterial& material,
-                                   int residue_terms) {
-  return {{material.normal(), Kernel::I3, alpha, false, residue_terms},
+std::vector<Part> tangential_parts(const LoadPath& alpha, const LoadPath& eta, const ExactFunction& normal,
+                                   const ExactMaterial& material, int residue_terms) {
+  return {{normal, Kernel::I3, alpha, false, residue_terms},
           {material.theta2, Kernel::I2, alpha, true, residue_terms},
           {material.theta2, Kernel::I4, eta, false, residue_terms},
           {material.theta1, Kernel::I5, eta, true, residue_terms}};
 }
 
-Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& travel_rate,
-                const ExactMaterial& material, int digits, int residue_terms = 0) {
-  for (const LoadPath& path : {alpha, eta}) check_distance(material.normal(), path);
-  const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
-  if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
-  return sum_over_pi(tangential_parts(alpha, eta, material, residue_terms), travel_rate, size_nats(material),
-                     digits);
-}
-
 }  // namespace
 
-Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
-                                          const Exact& half_thickness, const ExactMaterial& material,
-                                          int digits, int residue_terms) {
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  const LoadPath path = started_place(t, T, travel_rate, "T");
+MovingLoad::MovingLoad(ExactMaterial material, const Exact& speed, const Exact& half_thickness,
+                       int residue_terms)
+    : material_(std::move(material)), normal_(material_.normal()), residue_terms_(residue_terms) {
+  check_positive(speed, "speed");
+  check_positive(half_thickness, "half_thickness");
+  travel_rate_ = speed.value() / half_thickness.value();
+  check_function(material_.theta1, "theta1", travel_rate_);
+  check_function(material_.theta2, "theta2", travel_rate_);
+}
+
+Enclosure MovingLoad::normal_at(const LoadPath& path, int digits) const {
+  check_distance(normal_, path);
+  const double distance = std::abs(path.alpha.approximate());
+  const double first_nats = size_nats(normal_) + distance * decay_of_normal(normal_, path, travel_rate_);
+  return sum_over_pi({{normal_, Kernel::I1, path, false, residue_terms_}}, travel_rate_, first_nats, digits);
+}
+
+Enclosure MovingLoad::tangential_at(const LoadPath& alpha, const LoadPath& eta, int digits) const {
+  for (const LoadPath& path : {alpha, eta}) check_distance(normal_, path);
+  const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
+  if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
+  return sum_over_pi(tangential_parts(alpha, eta, normal_, material_, residue_terms_), travel_rate_,
+                     size_nats(normal_), digits);
+}
+
+Enclosure MovingLoad::normal_displacement(const Exact& t, const Exact& T, int digits) const {
+  const LoadPath path = started_place(t, T, travel_rate_, "T");
   if (path.alpha.sign() == 0)
     throw data::BadInput("T", T.approximate(), "must differ from t: the displacement is infinite there");
-  return Un_at(path, travel_rate, material, digits, residue_terms);
+  return normal_at(path, digits);
 }
 
-Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
-                                              const Exact& speed, const Exact& half_thickness,
-                                              const ExactMaterial& material, int digits, int residue_terms) {
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  return Vn_at(started_place(t, T, travel_rate, "T"), started_place(t, t0, travel_rate, "t0"), travel_rate,
-               material, digits, residue_terms);
+Enclosure MovingLoad::tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+                                              int digits) const {
+  return tangential_at(started_place(t, T, travel_rate_, "T"), started_place(t, t0, travel_rate_, "t0"),
+                       digits);
 }
 
-Interval moving_load_normal_change(const Exact& t, const Exact& T, const Exact& speed,
-                                   const Exact& half_thickness, const ExactMaterial& material,
-                                   const MovingLoadError& error, int residue_terms) {
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  const Part part{material.normal(), Kernel::I1, started_place(t, T, travel_rate, "T"), false, residue_terms};
-  return part.change(travel_rate, error.load, error.memory) / Interval::pi(64);
+Interval MovingLoad::normal_change(const Exact& t, const Exact& T, const MovingLoadError& error) const {
+  const Part part{normal_, Kernel::I1, started_place(t, T, travel_rate_, "T"), false, residue_terms_};
+  return part.change(travel_rate_, error.load, error.memory) / Interval::pi(64);
 }
 
-Interval moving_load_tangential_change(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed,
-                                       const Exact& half_thickness, const ExactMaterial& material,
-                                       const MovingLoadError& error, int residue_terms) {
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  const LoadPath alpha = started_place(t, T, travel_rate, "T"), eta = started_place(t, t0, travel_rate, "t0");
+Interval MovingLoad::tangential_change(const Exact& t, const Exact& T, const Exact& t0,
+                                       const MovingLoadError& error) const {
+  const LoadPath alpha = started_place(t, T, travel_rate_, "T"),
+                 eta = started_place(t, t0, travel_rate_, "t0");
   Interval sum(64);
-  for (const Part& part : tangential_parts(alpha, eta, material, residue_terms)) {
+  for (const Part& part : tangential_parts(alpha, eta, normal_, material_, residue_terms_)) {
     const bool of_load = part.kernel == Kernel::I2 || part.kernel == Kernel::I3;
-    sum = sum + part.change(travel_rate, of_load ? error.load : error.fixed_point, error.memory);
+    sum = sum + part.change(travel_rate_, of_load ? error.load : error.fixed_point, error.memory);
   }
   return sum / Interval::pi(64);
 }
 
-Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
-                                                 const Exact& half_thickness, const ExactMaterial& material,
-                                                 int digits) {
+Enclosure MovingLoad::steady_normal_displacement(const Exact& alpha, int digits) const {
   check_nonzero_argument(alpha, "alpha");
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  return Un_at({alpha, std::nullopt}, travel_rate, material, digits);
+  return normal_at({alpha, std::nullopt}, digits);
 }
 
-Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
-                                                     const Exact& half_thickness,
-                                                     const ExactMaterial& material, int digits) {
+Enclosure MovingLoad::steady_tangential_displacement(const Exact& alpha, const Exact& eta, int digits) const {
   check_argument(alpha, "alpha");
   check_argument(eta, "eta");
-  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
-  return Vn_at({alpha, std::nullopt}, {eta, std::nullopt}, travel_rate, material, digits);
+  return tangential_at({alpha, std::nullopt}, {eta, std::nullopt}, digits);
 }
 
 }  // namespace nipref::ref

@@ -1,9 +1,30 @@
 #pragma once
+#include <optional>
+
 #include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
+
+/// What is not known of the distances, in half thicknesses: of the load from the point (or of the fixed point from the
+/// load) now and at the start.
+struct PathError {
+  mpq_class alpha, start;
+};
+
+/// What is not known of a moving load: besides distances a share of every amplitude and rate of the memory, below 1/2.
+struct MovingLoadError {
+  PathError load, fixed_point;
+  mpq_class memory;
+};
+
+/// The load's path relative to a point of the surface, in half thicknesses: the load is at the distance `alpha`
+/// before the point now, and was at the distance `start` when it started, if it ever did.
+struct LoadPath {
+  Exact alpha;
+  std::optional<Exact> start;
+};
 
 /// Displacements of the surface of a viscoelastic sheet under a pair of opposite unit line loads that move at
 /// `speed` > 0 over the sheet, which was at rest before.
@@ -24,49 +45,40 @@ namespace nipref::ref {
 /// residue_terms: 0, or 1 to 500 for the sum of this many residues of each kernel, as in the thesis; the error is
 /// then that of the sum's value, without its truncation error.
 ///
-/// Every function promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for the instantaneous
+/// Every displacement promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for the instantaneous
 /// response, fading.hpp for the memory. Bad arguments throw data::BadInput.
+class MovingLoad {
+ public:
+  MovingLoad(ExactMaterial material, const Exact& speed, const Exact& half_thickness, int residue_terms = 0);
 
-/// Normal displacement; t != T.
-Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
-                                          const Exact& half_thickness, const ExactMaterial& material,
-                                          int digits, int residue_terms = 0);
+  /// Normal displacement; t != T.
+  [[nodiscard]] Enclosure normal_displacement(const Exact& t, const Exact& T, int digits) const;
+  /// Tangential displacement relative to the fixed point. At T = t, where it jumps, the value is the mean of both sides
+  /// (sign(0) = 0); at t0 = t it is continuous.
+  [[nodiscard]] Enclosure tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+                                                  int digits) const;
+  /// The same displacements for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha
+  /// > 0: the load has not passed it yet) and eta behind the fixed point; |alpha|, |eta| <= 1000.
+  [[nodiscard]] Enclosure steady_normal_displacement(const Exact& alpha, int digits) const;
+  [[nodiscard]] Enclosure steady_tangential_displacement(const Exact& alpha, const Exact& eta,
+                                                         int digits) const;
 
-/// Tangential displacement relative to the fixed point. At T = t, where it jumps, the value is the mean of both sides
-/// (sign(0) = 0); at t0 = t it is continuous.
-Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
-                                              const Exact& speed, const Exact& half_thickness,
-                                              const ExactMaterial& material, int digits,
-                                              int residue_terms = 0);
+  /// Bounds of what a displacement changes by within such errors, proven: ref/memory/README.md, Moving loads. The material
+  /// has no fractions. BadInput "y" where the load may be over the point.
+  [[nodiscard]] Interval normal_change(const Exact& t, const Exact& T, const MovingLoadError& error) const;
+  [[nodiscard]] Interval tangential_change(const Exact& t, const Exact& T, const Exact& t0,
+                                           const MovingLoadError& error) const;
+  /// N of the material.
+  [[nodiscard]] const ExactFunction& normal() const { return normal_; }
 
-/// What is not known of the distances, in half thicknesses: of the load from the point (or of the fixed point from the
-/// load) now and at the start.
-struct PathError {
-  mpq_class alpha, start;
+ private:
+  [[nodiscard]] Enclosure normal_at(const LoadPath& alpha, int digits) const;
+  [[nodiscard]] Enclosure tangential_at(const LoadPath& alpha, const LoadPath& eta, int digits) const;
+
+  ExactMaterial material_;
+  ExactFunction normal_;
+  mpq_class travel_rate_;  ///< speed over half_thickness
+  int residue_terms_;
 };
-
-/// What is not known of a moving load: besides distances a share of every amplitude and rate of the memory, below 1/2.
-struct MovingLoadError {
-  PathError load, fixed_point;
-  mpq_class memory;
-};
-
-/// Bounds of what a displacement changes by within such errors, proven: ref/memory/README.md, Moving loads. The material
-/// has no fractions. BadInput "y" where the load may be over the point.
-Interval moving_load_normal_change(const Exact& t, const Exact& T, const Exact& speed,
-                                   const Exact& half_thickness, const ExactMaterial& material,
-                                   const MovingLoadError& error, int residue_terms = 0);
-Interval moving_load_tangential_change(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed,
-                                       const Exact& half_thickness, const ExactMaterial& material,
-                                       const MovingLoadError& error, int residue_terms = 0);
-
-/// The same displacements for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha > 0:
-/// the load has not passed it yet) and eta behind the fixed point; |alpha|, |eta| <= 1000.
-Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
-                                                 const Exact& half_thickness, const ExactMaterial& material,
-                                                 int digits);
-Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
-                                                     const Exact& half_thickness,
-                                                     const ExactMaterial& material, int digits);
 
 }  // namespace nipref::ref

@@ -14,7 +14,6 @@
 #include <nipref/ref/nip/internal/proven_stresses.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

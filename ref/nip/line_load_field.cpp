@@ -4,7 +4,6 @@
 #include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/nip/line_load_field.hpp>
 #include <nipref/ref/number/enclosure.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/field.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 

@@ -48,8 +48,13 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const data::ViscoelasticL
     throw BadInput("residue_terms", std::to_string(method.residue_terms),
                    "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
   constexpr mpfr_prec_t bits = 512;  // of rates that are roots, so that what they miss is below all else
-  return {nip,      with_given_rates(material, bits),   method.leading_elements,
-          trailing, mpq_class(method.approach_lengths), method.residue_terms,
+  const NearMaterial near = with_given_rates(material, bits);
+  return {nip,
+          MovingLoad(near.material, Exact(nip.speed), Exact(nip.half_thickness()), method.residue_terms),
+          near.memory_error,
+          method.leading_elements,
+          trailing,
+          mpq_class(method.approach_lengths),
           digits};
 }
 

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 // The equations of the contact with full friction in double, Float or intervals. (ref/elastic_nip/README.md, Contacts with

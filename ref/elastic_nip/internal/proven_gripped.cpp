@@ -10,7 +10,6 @@
 #include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/refined_solution.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>

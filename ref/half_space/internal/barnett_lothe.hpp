@@ -2,9 +2,9 @@
 #include <Eigen/LU>
 #include <optional>
 
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 

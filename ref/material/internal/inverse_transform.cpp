@@ -3,7 +3,6 @@
 #include <utility>
 
 #include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 namespace {

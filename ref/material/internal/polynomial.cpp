@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <nipref/ref/material/internal/polynomial.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 

@@ -3,7 +3,6 @@
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {

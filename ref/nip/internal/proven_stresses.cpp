@@ -4,7 +4,6 @@
 #include <nipref/ref/nip/internal/proven_stresses.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/field.hpp>
 
 namespace nipref::ref {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 

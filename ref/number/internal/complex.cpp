@@ -1,5 +1,4 @@
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 

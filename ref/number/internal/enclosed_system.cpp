@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <nipref/ref/number/internal/enclosed_system.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 
 namespace nipref::ref {
 namespace {

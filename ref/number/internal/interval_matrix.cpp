@@ -1,4 +1,3 @@
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 
 namespace nipref::ref {

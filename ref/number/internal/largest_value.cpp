@@ -1,7 +1,6 @@
 #include <deque>
 #include <limits>
 
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/largest_value.hpp>
 
 namespace nipref::ref {

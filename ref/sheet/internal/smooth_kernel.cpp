@@ -6,7 +6,6 @@
 
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {

@@ -10,7 +10,6 @@
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>
 
@@ -310,8 +309,7 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   const int expansion = expansion_digits(memories, near, digits);
   const double nats = (expansion + 4) * std::numbers::ln10;
   const double decay = std::min(1.5, std::asinh(1.9 / near));
-  const double points =
-      std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / decay, growth + 4});
+  const double points = std::max({2.0 * size_for(near, expansion), (nats + 4 * growth) / decay, growth + 4});
   if (points > most_points) return std::nullopt;
   const std::optional<Memory> memory = memory_of(memories);
   if (!memory) return std::nullopt;

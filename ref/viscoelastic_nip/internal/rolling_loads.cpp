@@ -30,19 +30,15 @@ Interval displacement_by(int load, const RollingLoads& problem, const RollingGri
     throw BadInput("y", mpq_class(way(grid, distance, to_place) * problem.half_thickness()).get_d(),
                    "must not be ahead of where the leading end started");
   const Exact t = problem.time(gone), T = problem.time(way(grid, problem.approach, to_start)),
-              t0 = problem.time(way(grid, before, to_start - to_place)), speed(problem.nip.speed),
-              half_thickness(problem.half_thickness());
+              t0 = problem.time(way(grid, before, to_start - to_place));
   const MovingLoadError error{{off(to_place - to_load), off(to_start)},
                               {off(to_load), off(to_start - to_place)},
-                              problem.material.memory_error};
-  const auto& [nip, near, leading, trailing, approach, terms, digits] = problem;
-  const ExactMaterial& material = near.material;
-  if (is_normal)
-    return interval_of(moving_load_normal_displacement(t, T, speed, half_thickness, material, digits, terms))
-        .widened(moving_load_normal_change(t, T, speed, half_thickness, material, error, terms));
-  return interval_of(
-             moving_load_tangential_displacement(t, T, t0, speed, half_thickness, material, digits, terms))
-      .widened(moving_load_tangential_change(t, T, t0, speed, half_thickness, material, error, terms));
+                              problem.memory_error};
+  const MovingLoad& moving = problem.moving_load;
+  return is_normal ? interval_of(moving.normal_displacement(t, T, problem.digits))
+                         .widened(moving.normal_change(t, T, error))
+                   : interval_of(moving.tangential_displacement(t, T, t0, problem.digits))
+                         .widened(moving.tangential_change(t, T, t0, error));
 }
 
 }  // namespace

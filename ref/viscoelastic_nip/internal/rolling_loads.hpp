@@ -5,17 +5,18 @@
 #include <nipref/data/problem/nip.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 
 /// A nip, known exactly, its method with the number of trailing elements; `digits` of the influences.
 struct RollingLoads {
   data::ViscoelasticNip nip;
-  NearMaterial material;
+  MovingLoad moving_load;
+  mpq_class memory_error;  ///< of its memory, as a share
   int leading, trailing;
   mpq_class approach;
-  int residue_terms, digits;
+  int digits;
 
   [[nodiscard]] int loads() const { return leading + trailing; }
   [[nodiscard]] mpq_class half_thickness() const { return mpq_class(nip.sheet_thickness) / 2; }
@@ -23,7 +24,7 @@ struct RollingLoads {
   [[nodiscard]] mpq_class half_element(const mpq_class& contact_length) const {
     return contact_length / (2 * loads() * half_thickness());
   }
-  [[nodiscard]] Float instantaneous() const { return to_float(material.material.normal().instantaneous); }
+  [[nodiscard]] Float instantaneous() const { return to_float(moving_load.normal().instantaneous); }
   /// In which the sheet moves by a distance in half-thicknesses.
   [[nodiscard]] Exact time(const mpq_class& distance) const {
     return Exact(mpq_class(distance * half_thickness() / mpq_class(nip.speed)));

@@ -52,12 +52,11 @@ TEST_CASE("moving load: operators are the solids that their roots make") {
 }
 
 TEST_CASE("moving load: with operators what would take long is refused") {
-  const ExactMaterial solid = oscillating_solid();
-  CHECK_NOTHROW(moving_load_steady_normal_displacement(exact("-150"), unit, unit, solid, 16));
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("251"), unit, unit, solid, 16), BadInput);
-  CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-101"), unit, unit, solid, 16),
-                  BadInput);
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(unit, exact("1e-101"), unit, solid, 16), BadInput);
+  const MovingLoad load(oscillating_solid(), unit, unit);
+  CHECK_NOTHROW(load.steady_normal_displacement(exact("-150"), 16));
+  CHECK_THROWS_AS(load.steady_normal_displacement(exact("251"), 16), BadInput);
+  CHECK_THROWS_AS(load.normal_displacement(exact("150"), exact("-101"), 16), BadInput);
+  CHECK_THROWS_AS(MovingLoad(oscillating_solid(), exact("1e-101"), unit), BadInput);
 }
 
 TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
@@ -104,7 +103,7 @@ TEST_CASE("moving load: a standard linear solid is as its constants say, to more
 TEST_CASE("moving load: the bounds hold against more digits, whatever the rate and the place") {
   // More digits mean another step and other nodes: nothing of the quadrature's error is shared.
   for (const std::string tau : {"1e-6", "0.3", "1e6"}) {
-    const ExactMaterial solid = exact_solid(Solid::thesis, exact("1"), exact(tau));
+    const MovingLoad load(exact_solid(Solid::thesis, exact("1"), exact(tau)), unit, unit);
     for (const std::string alpha : {"-900", "-30", "-0.01", "1e-9", "2.5", "30", "900"}) {
       CAPTURE(tau, alpha);
       const Exact passing(mpq_class(exact(alpha).value() + 4));
@@ -113,26 +112,18 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
         // Far from the load a value may have far more digits than were asked for, and fewer when more were.
         CHECK(meet(few, many));
       };
-      check(
-          [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), unit, unit, solid, n); });
-      check([&](int n) {
-        return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), unit, unit, solid, n);
-      });
-      check(
-          [&](int n) { return moving_load_normal_displacement(exact("4"), passing, unit, unit, solid, n); });
-      check([&](int n) {
-        return moving_load_tangential_displacement(exact("4"), passing, exact("-3"), unit, unit, solid, n);
-      });
+      check([&](int n) { return load.steady_normal_displacement(exact(alpha), n); });
+      check([&](int n) { return load.steady_tangential_displacement(exact(alpha), exact("0.7"), n); });
+      check([&](int n) { return load.normal_displacement(exact("4"), passing, n); });
+      check([&](int n) { return load.tangential_displacement(exact("4"), passing, exact("-3"), n); });
     }
   }
 }
 
 // What lies before the start has faded by e^-1000: to work it out to as many digits takes a minute.
 TEST_CASE("moving load: a start that has faded is worked out to the digits that are left of it") {
-  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, unit, unit);
-  const auto value = [&](const char* T) {
-    return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), unit, solid, 40);
-  };
+  const MovingLoad load(exact_solid(Solid::standard_linear_solid, unit, unit), exact("0.5"), unit);
+  const auto value = [&](const char* T) { return load.normal_displacement(exact("1000"), exact(T), 40); };
   const Enclosure here = value("5e-324"), at_start = value("0");
   CHECK(meet(here, at_start));
   CHECK(static_cast<double>(abs((here.error + at_start.error) / here.value)) < 2e-40);
@@ -140,15 +131,15 @@ TEST_CASE("moving load: a start that has faded is worked out to the digits that 
 
 TEST_CASE("moving load: bad arguments are refused") {
   const ExactMaterial solid = exact_solid(Solid::thesis, unit, unit);
-  CHECK_REFUSED(moving_load_normal_displacement(unit, exact("2000"), unit, unit, solid, 20), "T = 2000");
-  CHECK_REFUSED(moving_load_normal_displacement(unit, exact("2"), unit, unit, solid, 10), "digits = 10");
-  CHECK_REFUSED(moving_load_steady_tangential_displacement(exact("2000"), unit, unit, unit, solid, 20),
-                "alpha = 2000");
+  const MovingLoad load(solid, unit, unit);
+  CHECK_REFUSED(load.normal_displacement(unit, exact("2000"), 20), "T = 2000");
+  CHECK_REFUSED(load.normal_displacement(unit, exact("2"), 10), "digits = 10");
+  CHECK_REFUSED(load.steady_tangential_displacement(exact("2000"), unit, 20), "alpha = 2000");
   CHECK_REFUSED(exact_solid(Solid::thesis, exact("0"), unit), "bulk = 0");
   CHECK_REFUSED(exact_solid(Solid::thesis, unit, exact("-1")), "tau = -1");
   ExactMaterial growing = solid;
   growing.theta1.terms[0].rate = -1;
-  CHECK_THROWS_AS(moving_load_steady_normal_displacement(unit, unit, unit, growing, 20), BadInput);
+  CHECK_THROWS_AS(MovingLoad(growing, unit, unit), BadInput);
 }
 
 TEST_CASE("moving load: what a displacement changes by is bounded, and not loosely") {
@@ -170,7 +161,8 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
     const mpq_class off = std::min(t, mpq_class(abs(alpha))) * small;
     const PathError moved{which == 0 ? off : mpq_class(0), which == 1 ? off : mpq_class(0)};
     const MovingLoadError error{moved, moved, which == 2 ? small : mpq_class(0)};
-    const ExactMaterial before = material_with(0), after = material_with(error.memory);
+    const MovingLoad before(material_with(0), unit, unit, terms),
+        after(material_with(error.memory), unit, unit, terms);
     // t, T and t0 from the distances now and at the start.
     const auto times = [&](const mpq_class& now, const mpq_class& start) {
       return std::pair(Exact(mpq_class(start - now)), Exact(start));
@@ -185,12 +177,11 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
       CHECK(size <= most);
       loose = std::max(loose, size / most);
     };
-    check(moving_load_normal_displacement(time, T, unit, unit, before, 20, terms),
-          moving_load_normal_displacement(new_time, new_T, unit, unit, after, 20, terms),
-          moving_load_normal_change(time, T, unit, unit, before, error, terms), loosest[0][which]);
-    check(moving_load_tangential_displacement(time, T, t0, unit, unit, before, 20, terms),
-          moving_load_tangential_displacement(new_time, new_T, new_t0, unit, unit, after, 20, terms),
-          moving_load_tangential_change(time, T, t0, unit, unit, before, error, terms), loosest[1][which]);
+    check(before.normal_displacement(time, T, 20), after.normal_displacement(new_time, new_T, 20),
+          before.normal_change(time, T, error), loosest[0][which]);
+    check(before.tangential_displacement(time, T, t0, 20),
+          after.tangential_displacement(new_time, new_T, new_t0, 20),
+          before.tangential_change(time, T, t0, error), loosest[1][which]);
   }
   for (const auto& of_kind : loosest)
     for (const double share : of_kind) CHECK(share > 1e-2);

@@ -28,7 +28,7 @@ std::vector<std::string> values() {
   const Exact one(1.0);
   const Enclosure kernel = I1(Exact(0.75), 60);
   const Enclosure memory =
-      moving_load_normal_displacement(one, Exact(2.0), one, one, exact_solid(Solid::thesis, one, one), 40);
+      MovingLoad(exact_solid(Solid::thesis, one, one), one, one).normal_displacement(one, Exact(2.0), 40);
   return {kernel.value_text(), kernel.error_text(), memory.value_text(), memory.error_text()};
 }
 

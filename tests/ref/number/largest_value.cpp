@@ -1,5 +1,5 @@
-#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/largest_value.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 #include "support/intervals.hpp"
 #include "support/test.hpp"

@@ -1,5 +1,5 @@
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 #include "support/intervals.hpp"
 #include "support/test.hpp"

@@ -67,8 +67,9 @@ TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digi
 TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is outside, or widens") {
   const auto problem_of = [](const mpq_class& memory, const mpq_class& unknown) {
     const ref::ExactMaterial material{{1, {{memory, memory}}, {}}, {mpq_class(1, 3), {}, {}}};
+    const data::ViscoelasticNip nip = nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3));
     return ref::RollingLoads{
-        nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3)), {material, unknown}, 3, 2, 4, 0, 40};
+        nip, {material, ref::Exact(nip.speed), ref::Exact(nip.half_thickness())}, unknown, 3, 2, 4, 40};
   };
   const ref::WorkingDigits scope(46);
   const mpq_class tiny("1/10000000000000000000000000"), memory(2, 3), width(1, 10);

@@ -2,7 +2,7 @@
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
-#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>

@@ -133,13 +133,12 @@ std::vector<Times> load_paths(std::size_t count) {
 /// The error over the scale of the catalogue's Un, at the first few of the points.
 double largest_error(const auto& by_method, const std::vector<Times>& points) {
   constexpr std::size_t compared = 30;
-  const auto material = ref::exact_material(unit_solid());
+  const ref::MovingLoad load(ref::exact_material(unit_solid()), ref::Exact(1.0), ref::Exact(1.0));
   const Quantity& Un = find_quantity("Un");
   double largest = 0;
   for (std::size_t i = 0; i < compared; ++i) {
     const auto [t, T] = points[i];
-    const auto truth = ref::moving_load_normal_displacement(ref::Exact(t), ref::Exact(T), ref::Exact(1.0),
-                                                            ref::Exact(1.0), material, 20);
+    const auto truth = load.normal_displacement(ref::Exact(t), ref::Exact(T), 20);
     const ParsedArguments at =
         parse_arguments(Un, {{"t", fmt::format("{:a}", t)}, {"T", fmt::format("{:a}", T)}});
     const double scale = Un.envelope(at.nearest(Un));  // the other arguments are those of unit_solid()

@@ -225,19 +225,20 @@ const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   return last->load;
 }
 
-/// An entry by functions of these numbers: `by_ref` of the reference, `by_fast` of the load, and of the point.
-Quantity load_entry(const char* quantity, auto by_ref, auto by_fast, auto size, auto... names) {
+/// An entry by functions of these numbers: the `displacement` of a load by either path, and its size.
+Quantity load_entry(const char* quantity, auto displacement, auto size, auto... names) {
   return entry_of(
       quantity,
       [=](NamedExact x, int digits) {
-        return by_ref(x[names]..., x["speed"], x["half_thickness"], exact_material_of(x), digits);
+        const ref::MovingLoad load(exact_material_of(x), x["speed"], x["half_thickness"]);
+        return displacement(load, x[names]..., digits);
       },
-      [=](NamedPoint x, Accuracy accuracy) { return by_fast(load_of(x, accuracy), x[names]...); }, size);
+      [=](NamedPoint x, Accuracy accuracy) { return displacement(load_of(x, accuracy), x[names]...); }, size);
 }
 
 /// `size`: a member of Sizes; `passing`: names of the times at which the load passes the points.
 template <class... Names>
-Quantity started_entry(const char* quantity, auto by_ref, auto by_fast, auto size, Names... passing) {
+Quantity started_entry(const char* quantity, auto displacement, auto size, Names... passing) {
   const std::vector<const char*> names{"t", passing...};
   const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
@@ -246,7 +247,7 @@ Quantity started_entry(const char* quantity, auto by_ref, auto by_fast, auto siz
       x[name] = unit * (name == names.front() ? t : draw_passing_time(t, random));
   };
   const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(started(x, passing)...); };
-  return sampled(load_entry(quantity, by_ref, by_fast, size_at, "t", passing...), draw, [=](NamedNumbers x) {
+  return sampled(load_entry(quantity, displacement, size_at, "t", passing...), draw, [=](NamedNumbers x) {
     keep_material(x, farthest_load(x, names) / (x["half_thickness"] / x["speed"]));
     // Un is infinite under the load.
     if (names.size() == 2 && x["t"] == x["T"]) x["T"] = std::nextafter(x["T"], HUGE_VAL);
@@ -255,7 +256,7 @@ Quantity started_entry(const char* quantity, auto by_ref, auto by_fast, auto siz
 
 /// `distances`: names of those from the load.
 template <class... Names>
-Quantity steady_entry(const char* quantity, auto by_ref, auto by_fast, auto size, Names... distances) {
+Quantity steady_entry(const char* quantity, auto displacement, auto size, Names... distances) {
   const std::vector<const char*> names{distances...};
   const auto draw = [=](Random& random, NamedNumbers x) {
     draw_sheet(random, x);
@@ -264,29 +265,27 @@ Quantity steady_entry(const char* quantity, auto by_ref, auto by_fast, auto size
                 (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
   };
   const auto size_at = [=](NamedPoint x) { return (Sizes(x).*size)(steady(x[distances])...); };
-  return sampled(load_entry(quantity, by_ref, by_fast, size_at, distances...), draw,
+  return sampled(load_entry(quantity, displacement, size_at, distances...), draw,
                  [=](NamedNumbers x) { keep_material(x, farthest_load(x, names)); });
 }
 
 }  // namespace
 
 std::vector<Quantity> moving_load_entries() {
-  return {
-      started_entry(
-          "Un", [](const auto&... x) { return ref::moving_load_normal_displacement(x...); },
-          [](const auto& load, auto... at) { return load.normal_displacement(at...); }, &Sizes::Un, "T"),
-      started_entry(
-          "Vn", [](const auto&... x) { return ref::moving_load_tangential_displacement(x...); },
-          [](const auto& load, auto... at) { return load.tangential_displacement(at...); }, &Sizes::Vn, "T",
-          "t0"),
-      steady_entry(
-          "Un_steady", [](const auto&... x) { return ref::moving_load_steady_normal_displacement(x...); },
-          [](const auto& load, auto... at) { return load.steady_normal_displacement(at...); }, &Sizes::Un,
-          "alpha"),
-      steady_entry(
-          "Vn_steady", [](const auto&... x) { return ref::moving_load_steady_tangential_displacement(x...); },
-          [](const auto& load, auto... at) { return load.steady_tangential_displacement(at...); }, &Sizes::Vn,
-          "alpha", "eta")};
+  return {started_entry(
+              "Un", [](const auto& load, const auto&... at) { return load.normal_displacement(at...); },
+              &Sizes::Un, "T"),
+          started_entry(
+              "Vn", [](const auto& load, const auto&... at) { return load.tangential_displacement(at...); },
+              &Sizes::Vn, "T", "t0"),
+          steady_entry(
+              "Un_steady",
+              [](const auto& load, const auto&... at) { return load.steady_normal_displacement(at...); },
+              &Sizes::Un, "alpha"),
+          steady_entry(
+              "Vn_steady",
+              [](const auto& load, const auto&... at) { return load.steady_tangential_displacement(at...); },
+              &Sizes::Vn, "alpha", "eta")};
 }
 
 }  // namespace nipref::verify
