@@ -20,9 +20,6 @@ constexpr double near = 0.5;
 /// no nearer than that or 2 beside.
 constexpr double nats_of_degree = 1.25;
 
-/// Gaps between a place and a piece, over the piece's width, from which on fewer nodes suffice.
-constexpr std::array<double, 2> distances{2, 8};
-
 /// The values of T_k(2x - 1), k < terms, a row a place.
 Matrix chebyshev_at(const std::vector<Float>& places, int terms) {
   Matrix values(static_cast<Index>(places.size()), terms);
@@ -41,11 +38,6 @@ Matrix coefficients_by(const std::vector<Float>& points) {
   coefficients *= Float(2) / count;
   coefficients.col(0) /= Float(2);
   return coefficients;
-}
-
-/// The values of these polynomials, a row a point.
-Matrix interpolation(const std::vector<Float>& points, const std::vector<Float>& places) {
-  return coefficients_by(points) * Matrix(chebyshev_at(places, static_cast<int>(points.size())).transpose());
 }
 
 bool any_has(const std::vector<LineFunctional>& functionals, Influence kind) {
@@ -68,26 +60,12 @@ LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
 
 /// The nodes of all pieces: Gauss's, and on the panel at the end Chebyshev's points of 0 .. 1.
 struct Tractions::Rules {
-  /// Nodes for a place at a distance, where a kernel is analytic but for that place, and what their values are
-  /// interpolated to.
-  struct Distant {
-    std::vector<Float> points;
-    Matrix to_plain, to_end;
-  };
-
   UnitRule plain;
   std::vector<Float> end;
-  std::vector<Distant> distant;
 
   Rules(int terms, double nats)
       : plain(gauss_rule(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6)),
-        end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {
-    for (const double gap : distances) {
-      const std::vector<Float> points =
-          chebyshev_points(static_cast<int>(nats / std::acosh(2 * gap + 1)) + 3);
-      distant.push_back({points, interpolation(points, plain.from_left), interpolation(points, end)});
-    }
-  }
+        end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {}
 };
 
 /// Nodes e, and w T_k times the weight: a row a node; imaginary parts where w is not real.
@@ -100,7 +78,7 @@ struct Tractions::Nodes {
 struct Tractions::Piece {
   std::size_t panel;
   Float from, width;
-  std::vector<Nodes> nodes;  ///< for places near, and at one of `distances` each where the panel is one piece
+  Nodes nodes;
   Matrix own;  ///< T_k in those of the piece's own variable, a row each; nothing where they are these
   /// Of a panel without w, from its first piece to this one: the integrals of T_k, then those of e T_k.
   Vector sums;
@@ -151,15 +129,16 @@ void Tractions::add_end_piece() {
   for (const Float& x : rules_->end) nodes.places.push_back(panel.width * x);
   nodes.real = weights.leftCols(panel.terms);
   if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms);
-  pieces_.push_back({0, 0, panel.width, {std::move(nodes)}, {}, {}});
-  add_distant_nodes(pieces_.back());
+  pieces_.push_back({0, 0, panel.width, std::move(nodes), {}, {}});
 }
 
 void Tractions::add_piece(std::size_t number, const Float& from, const Float& width) {
   const TractionPanel& panel = panels_[number];
   const UnitRule& rule = rules_->plain;
-  Piece piece{number, from, width, {}, {}, Vector(2 * panel.terms)};
-  Nodes nodes{{}, Matrix(static_cast<Index>(rule.size()), panel.terms), {}};
+  Piece piece{number, from,
+              width,  {{}, Matrix(static_cast<Index>(rule.size()), panel.terms), {}},
+              {},     Vector(2 * panel.terms)};
+  Nodes& nodes = piece.nodes;
   if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
   std::vector<Float> values(static_cast<std::size_t>(panel.terms));
   for (std::size_t j = 0; j < rule.size(); ++j) {
@@ -172,28 +151,13 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
       piece.sums(panel.terms + k) += here * nodes.places[j];
     }
   }
-  piece.nodes.push_back(std::move(nodes));
-  if (width == panel.width) {
-    add_distant_nodes(piece);
-  } else {
+  if (width != panel.width) {
     const std::vector<Float> points = chebyshev_points(panel.terms);
     std::vector<Float> in_panel;
     for (const Float& x : points) in_panel.push_back((from + width * x - panel.left) / panel.width);
     piece.own = Matrix(chebyshev_at(in_panel, panel.terms).transpose()) * coefficients_by(points);
   }
   pieces_.push_back(std::move(piece));
-}
-
-void Tractions::add_distant_nodes(Piece& piece) const {
-  for (const Rules::Distant& distant : rules_->distant) {
-    const Matrix& from = piece.panel == 0 ? distant.to_end : distant.to_plain;
-    const Nodes& near_by = piece.nodes.front();
-    Nodes nodes;
-    for (const Float& x : distant.points) nodes.places.push_back(piece.from + piece.width * x);
-    nodes.real = from * near_by.real;
-    if (near_by.imaginary.size() > 0) nodes.imaginary = from * near_by.imaginary;
-    piece.nodes.push_back(std::move(nodes));
-  }
 }
 
 /// The weights at Chebyshev's points with which w T_k times a polynomial is integrated: real parts, then imaginary ones.
@@ -217,12 +181,12 @@ bool Tractions::is_near(const Piece& piece, const Image& image) {
 }
 
 /// The values of a kernel at the nodes of a piece; if the place is near, those of its analytic part.
-Vector Tractions::at_nodes(const Piece& piece, const Nodes& nodes, const Image& image, Influence kind,
+Vector Tractions::at_nodes(const Piece& piece, const Image& image, Influence kind,
                            SheetKernels& kernels) const {
   const bool near_by = is_near(piece, image);
-  Vector values(static_cast<Index>(nodes.places.size()));
+  Vector values(static_cast<Index>(piece.nodes.places.size()));
   for (Index j = 0; j < values.size(); ++j) {
-    const Float alpha = image.side * (nodes.places[static_cast<std::size_t>(j)] - image.place);
+    const Float alpha = image.side * (piece.nodes.places[static_cast<std::size_t>(j)] - image.place);
     if (kind == Influence::normal) {
       values(j) = near_by ? kernels.smooth_normal(alpha) : kernels.normal(alpha);
     } else if (kind == Influence::sign) {
@@ -317,9 +281,10 @@ void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& f
   }
 }
 
-void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vector<Image>& images,
+void Tractions::add_nodes(const Piece& piece, const std::vector<Image>& images,
                           const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                           std::vector<Vector>& rows) const {
+  const Nodes& nodes = piece.nodes;
   Float product;
   const auto count = static_cast<Index>(nodes.places.size());
   std::vector<Vector> on_pressure(functionals.size(), Vector(count)), on_shear = on_pressure;
@@ -327,7 +292,7 @@ void Tractions::add_nodes(const Piece& piece, const Nodes& nodes, const std::vec
     for (int kind = 0; kind < influences; ++kind) {
       const auto number = static_cast<std::size_t>(kind);
       if (!any_has(functionals, static_cast<Influence>(kind))) continue;
-      const Vector values = at_nodes(piece, nodes, image, static_cast<Influence>(kind), kernels);
+      const Vector values = at_nodes(piece, image, static_cast<Influence>(kind), kernels);
       for (std::size_t f = 0; f < functionals.size(); ++f) {
         const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number];
         const Float shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
@@ -361,23 +326,14 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
   std::vector<Vector> rows(functionals.size(), Vector(columns()));
   const std::array<Image, 2> images{Image{e, 1}, Image{2 * half_length_ - e, -1}};
   for (const Piece& piece : pieces_) {
-    // With which of its nodes each image is integrated.
-    std::array<std::size_t, 2> sets{};
-    for (std::size_t i = 0; i < images.size(); ++i) {
+    // Those that the kernels reach, which on the panel at the end are all.
+    std::vector<Image> here;
+    for (const Image& image : images) {
       const Float gap =
-          std::max(Float(piece.from - images[i].place), Float(images[i].place - piece.from - piece.width));
-      if (piece.panel > 0 && gap >= kernels.far()) {
-        sets[i] = piece.nodes.size();
-      } else {
-        while (sets[i] + 1 < piece.nodes.size() && gap >= distances[sets[i]] * piece.width) ++sets[i];
-      }
+          std::max(Float(piece.from - image.place), Float(image.place - piece.from - piece.width));
+      if (piece.panel == 0 || gap < kernels.far()) here.push_back(image);
     }
-    for (std::size_t set = 0; set < piece.nodes.size(); ++set) {
-      std::vector<Image> here;
-      for (std::size_t i = 0; i < images.size(); ++i)
-        if (sets[i] == set) here.push_back(images[i]);
-      if (!here.empty()) add_nodes(piece, piece.nodes[set], here, functionals, kernels, rows);
-    }
+    if (!here.empty()) add_nodes(piece, here, functionals, kernels, rows);
     for (const Image& image : images)
       if (is_near(piece, image)) add_singular(piece, image, functionals, rows);
   }
@@ -427,7 +383,7 @@ PressureAndShear Tractions::at_root(const Vector& coefficients) const {
 Vector Tractions::weighted(const std::function<Float(const Float&)>& factor) const {
   Vector row(columns());
   for (const Piece& piece : pieces_) {
-    const Nodes& nodes = piece.nodes.front();
+    const Nodes& nodes = piece.nodes;
     const int first = first_columns_[piece.panel];
     const Index terms = nodes.real.cols();
     for (Index j = 0; j < nodes.real.rows(); ++j) {

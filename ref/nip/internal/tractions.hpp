@@ -78,11 +78,10 @@ class Tractions {
 
   void add_end_piece();
   void add_piece(std::size_t number, const Float& from, const Float& width);
-  void add_distant_nodes(Piece& piece) const;
   [[nodiscard]] Matrix end_weights() const;
-  [[nodiscard]] Vector at_nodes(const Piece& piece, const Nodes& nodes, const Image& image, Influence kind,
+  [[nodiscard]] Vector at_nodes(const Piece& piece, const Image& image, Influence kind,
                                 SheetKernels& kernels) const;
-  void add_nodes(const Piece& piece, const Nodes& nodes, const std::vector<Image>& images,
+  void add_nodes(const Piece& piece, const std::vector<Image>& images,
                  const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                  std::vector<Vector>& rows) const;
   /// int_0^A p factor(e) de as a row: sums over the nodes of a piece are the integrals over it.
