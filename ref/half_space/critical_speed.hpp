@@ -53,4 +53,17 @@ void check_subcritical(const ExactStiffness& solid, const Exact& speed, const Su
 /// The same for the line that is critical first, which is found as for critical_speed().
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion);
 
+/// Plane bulk waves along a direction of the surface, unit sqrt(modulus/density).
+enum class BulkWave {
+  upright,  ///< polarised nearest to the surface's normal
+  faster,   ///< of the two others
+  slower
+};
+
+/// density v^2 is an eigenvalue of n_j C_ijkl n_l. The error follows from the residual of the eigenpair, with an
+/// allowance for rounding. It is not proven, as it is the distance from the nearest eigenvalue, whichever that is.
+/// BadInput "digits" unless 16 <= digits <= 1000.
+Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+                         int digits);
+
 }  // namespace nipref::ref

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/half_space/bulk_wave.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>

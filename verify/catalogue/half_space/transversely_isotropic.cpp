@@ -1,9 +1,7 @@
 // Responses of transversely isotropic half-spaces along lines, and their critical speeds.
 
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/ref/half_space/bulk_wave.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
-#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
