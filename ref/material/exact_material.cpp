@@ -25,28 +25,28 @@ ExactFunction as_given(const data::MaterialFunction& function, const char* name)
   return result;
 }
 
-mpq_class at_zero(const Polynomial& p) { return p.empty() ? mpq_class(0) : p.front(); }
+mpq_class at_zero(const Polynomial& p) { return p.is_zero() ? mpq_class(0) : p[0]; }
 
 ExactFunction exact_function(ExactRatio theta, const std::string& last) {
   auto& [numerator, denominator] = theta;
   cancel(numerator, denominator);
-  const Polynomial at_once = divide(numerator, denominator);
-  if (at_once.size() > 1 || (at_once.empty() && numerator.size() + 1 < denominator.size()))
+  const Polynomial at_once = numerator / denominator;
+  numerator %= denominator;
+  if (at_once.size() > 1 || (at_once.is_zero() && numerator.size() + 1 < denominator.size()))
     throw data::NoMaterial(last, "(its degree)",
                            "must give way at once by a finite compliance or by a dashpot");
   if (has_repeated_root(denominator))
     throw data::NoMaterial(last, "(its roots)",
                            "must not be repeated: t e^(-rate t) is not among the terms of a material");
   ExactFunction result{at_zero(at_once), {}, {}};
-  if (denominator.front() == 0) {  // a fluid, with the rate 0
-    denominator.erase(denominator.begin());
-    const mpq_class flow = at_zero(numerator) / denominator.front();
+  if (denominator[0] == 0) {  // a fluid, with the rate 0
+    denominator >>= 1;
+    const mpq_class flow = at_zero(numerator) / denominator[0];
     result.terms.push_back({flow, 0});
-    numerator = sum(numerator, product({mpq_class(-flow)}, denominator));
-    numerator.erase(numerator.begin());
-    numerator = trimmed(std::move(numerator));
+    numerator -= flow * denominator;
+    if (!numerator.is_zero()) numerator >>= 1;
   }
-  if (numerator.empty()) return result;
+  if (numerator.is_zero()) return result;
   if (!(slowest_rate(denominator) > 0))
     throw data::NoMaterial(last, "(its roots)", "must have negative real parts: strains fade");
   if (denominator.size() == 2) {

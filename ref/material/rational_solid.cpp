@@ -27,24 +27,23 @@ ExactRatio ratio_of(const ExactSeries& series, const std::string& name) {
   for (std::size_t i = 0; i < series.rates.size(); ++i) {
     check_not_below_0(name + "_rate" + (i == 0 ? "" : "_" + std::to_string(i + 1)), series.rates[i]);
     const Polynomial factor{series.rates[i].value(), 1};
-    sum.numerator =
-        ref::sum(product(sum.numerator, factor), product({series.amplitudes[i].value()}, sum.denominator));
-    sum.denominator = product(sum.denominator, factor);
+    sum.numerator = sum.numerator * factor + series.amplitudes[i].value() * sum.denominator;
+    sum.denominator *= factor;
   }
-  if (trimmed(sum.numerator).empty())
+  if (sum.numerator.is_zero())
     throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
   return sum;
 }
 
 ExactRatio operators_of(const std::vector<Exact>& p, const std::vector<Exact>& q, const std::string& suffix) {
   const auto polynomial = [&](const std::vector<Exact>& coefficients, const std::string& name) {
-    Polynomial result;
+    std::vector<mpq_class> values;
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
       check_not_below_0(name + suffix + "_" + std::to_string(k), coefficients[k]);
-      result.push_back(coefficients[k].value());
+      values.push_back(coefficients[k].value());
     }
-    result = trimmed(std::move(result));
-    if (result.empty()) throw data::BadInput(name + suffix, "0", "must have a coefficient that is not 0");
+    Polynomial result(std::move(values));
+    if (result.is_zero()) throw data::BadInput(name + suffix, "0", "must have a coefficient that is not 0");
     return result;
   };
   const Polynomial above = polynomial(q, "Q"), below = polynomial(p, "P");
@@ -58,10 +57,9 @@ ExactRatio operators_of(const std::vector<Exact>& p, const std::vector<Exact>& q
 
 /// G = 1/(2 theta1), 6K = 3/theta2 - 1/theta1.
 ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) {
-  return {{one.denominator, product({2}, one.numerator)},
-          {sum(product(product({3}, two.denominator), one.numerator),
-               product(product({-1}, one.denominator), two.numerator)),
-           product(product({6}, one.numerator), two.numerator)},
+  return {{one.denominator, 2 * one.numerator},
+          {3 * two.denominator * one.numerator - one.denominator * two.numerator,
+           6 * one.numerator * two.numerator},
           one,
           two};
 }
@@ -69,12 +67,12 @@ ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) 
 Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, int digits) {
   check_not_below_0("t", t);
   cancel(numerator, denominator);
-  (void)divide(numerator, denominator);  // impulses
-  if (numerator.empty()) return exact_zero(digits);
+  numerator %= denominator;  // without impulses
+  if (numerator.is_zero()) return exact_zero(digits);
   if (t.sign() == 0) {
     const bool starts_at_0 = numerator.size() + 1 < denominator.size();
     return starts_at_0 ? exact_zero(digits)
-                       : exactly(mpq_class(numerator.back() / denominator.back()), digits);
+                       : exactly(mpq_class(last_of(numerator) / last_of(denominator)), digits);
   }
   constexpr double longest = 7e8, most_growth = 2300;
   const double rate = slowest_rate(denominator);
@@ -93,17 +91,12 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
   });
 }
 
-struct ExactComplex {
-  mpq_class real, imaginary;
-};
+using ExactComplex = Complex<mpq_class>;
 
-ExactComplex value_at(const Polynomial& polynomial, const mpq_class& p, const mpq_class& omega) {
-  ExactComplex sum{0, 0};
-  for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) {
-    const mpq_class real = sum.real * p - sum.imaginary * omega + *c;
-    sum.imaginary = sum.real * omega + sum.imaginary * p;
-    sum.real = real;
-  }
+ExactComplex value_at(const Polynomial& polynomial, const ExactComplex& p) {
+  ExactComplex sum;
+  for (auto c = polynomial.data().rbegin(); c != polynomial.data().rend(); ++c)
+    sum = sum * p + ExactComplex(*c);
   return sum;
 }
 
@@ -121,12 +114,11 @@ ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vecto
 
 // 1/(2G) and 3/(6K + 2G)
 ExactRationalSolid exact_moduli(const ExactRatio& G, const ExactRatio& K) {
-  return {G,
-          K,
-          {G.denominator, product({2}, G.numerator)},
-          {product(product({3}, G.denominator), K.denominator),
-           sum(product(product({6}, K.numerator), G.denominator),
-               product(product({2}, G.numerator), K.denominator))}};
+  return {
+      G,
+      K,
+      {G.denominator, 2 * G.numerator},
+      {3 * G.denominator * K.denominator, 6 * K.numerator * G.denominator + 2 * G.numerator * K.denominator}};
 }
 
 ExactRatio exact_modulus(data::SpringModel model, const Exact& spring, const Exact& second_spring,
@@ -157,13 +149,13 @@ ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, cons
 }
 
 Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits) {
-  return in_time(modulus.numerator, product({0, 1}, modulus.denominator), t, digits);
+  return in_time(modulus.numerator, Polynomial{0, 1} * modulus.denominator, t, digits);
 }
 
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits) {
-  if (trimmed(modulus.numerator).empty())
+  if (modulus.numerator.is_zero())
     throw data::BadInput("theta2", "3 theta1 at all times", "must be less: nothing resists dilatation");
-  return in_time(modulus.denominator, product({0, 1}, modulus.numerator), t, digits);
+  return in_time(modulus.denominator, Polynomial{0, 1} * modulus.numerator, t, digits);
 }
 
 Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits) {
@@ -180,17 +172,14 @@ Enclosure modulus_at(const ExactRatio& modulus, const Exact& p, const Exact& ome
   check_not_below_0("omega", omega);
   Polynomial above = modulus.numerator, below = modulus.denominator;
   cancel(above, below);
-  const ExactComplex n = value_at(above, p.value(), omega.value()),
-                     d = value_at(below, p.value(), omega.value());
-  const mpq_class square = d.real * d.real + d.imaginary * d.imaginary;
-  if (square == 0) {
+  const ExactComplex at(p.value(), omega.value()), divisor = value_at(below, at);
+  if (divisor.re == 0 && divisor.im == 0) {
     const bool is_frequency = p.sign() == 0;
     throw data::BadInput(is_frequency ? "omega" : "p", (is_frequency ? omega : p).text(),
                          "must not be where the modulus is infinite");
   }
-  const mpq_class value = part == ComplexPart::im ? mpq_class(n.imaginary * d.real - n.real * d.imaginary)
-                                                  : mpq_class(n.real * d.real + n.imaginary * d.imaginary);
-  return exactly(value / square, digits);
+  const ExactComplex value = value_at(above, at) / divisor;
+  return exactly(part == ComplexPart::im ? value.im : value.re, digits);
 }
 
 Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {

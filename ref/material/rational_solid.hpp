@@ -1,6 +1,7 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <boost/math/tools/polynomial.hpp>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,12 @@ namespace nipref::ref {
 
 enum class ComplexPart { re, im };
 
-/// numerator/denominator, two polynomials in p = d/dt; the first coefficient is that of p^0.
+/// A polynomial with rational coefficients; the first is that of p^0.
+using Polynomial = boost::math::tools::polynomial<mpq_class>;
+
+/// numerator/denominator, two polynomials in p = d/dt.
 struct ExactRatio {
-  std::vector<mpq_class> numerator, denominator;
+  Polynomial numerator, denominator;
 };
 
 /// fast::RationalSolid with exact constants.

@@ -30,10 +30,11 @@ struct Split {
   explicit Split(const ExactRatio& theta)
       : at_once(0), numerator(theta.numerator), denominator(theta.denominator) {
     cancel(numerator, denominator);
-    const Polynomial whole = divide(numerator, denominator);
+    const Polynomial whole = numerator / denominator;
+    numerator %= denominator;
     if (whole.size() > 1)
       throw data::BadInput("material", "(as given)", "must not give way without bound at once");
-    if (!whole.empty()) at_once = whole.front();
+    if (!whole.is_zero()) at_once = whole[0];
     if (has_repeated_root(denominator))
       throw data::BadInput("material", "(its rates)",
                            "must not be repeated: t e^(-rate t) is not among the terms of a material");

@@ -62,7 +62,7 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   mpq_div_2exp(step.get_mpq_t(), step.get_mpq_t(), halvings);
   Remainders modulo{{}, bits};
   Remainders::Polynomial above(n, Interval(bits));
-  mpq_class factor = 1 / denominator.back();
+  mpq_class factor = 1 / last_of(denominator);
   for (std::size_t k = n; k-- > 0; factor *= step) {
     if (k < numerator.size()) above[k] = Interval(mpq_class(numerator[k] * factor), bits);
     modulo.divisor.insert(modulo.divisor.begin(), Interval(mpq_class(denominator[k] * factor * step), bits));

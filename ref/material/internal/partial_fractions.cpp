@@ -30,7 +30,7 @@ ComplexInterval apart(const Points& points, std::size_t i) {
 /// The discs that contain one root each; nothing if some discs overlap.
 std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bits) {
   const Points near = roots_near(denominator, bits);
-  const Exact last(denominator.back());
+  const Exact last(last_of(denominator));
   std::vector<Interval> radii;
   Points roots;
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -57,17 +57,15 @@ std::vector<OscillatingTerm> partial_fractions(const Polynomial& numerator, cons
   std::vector<OscillatingTerm> terms;
   for (std::size_t i = 0; i < roots->size(); ++i) {
     const ComplexInterval& root = (*roots)[i];
-    const ComplexInterval slope = Interval(denominator.back(), bits) * apart(*roots, i);
+    const ComplexInterval slope = Interval(last_of(denominator), bits) * apart(*roots, i);
     terms.push_back({at(numerator, root) * inverse(slope), -root});
   }
   return terms;
 }
 
 bool has_repeated_root(const Polynomial& denominator) {
-  Polynomial slope, factor = denominator;
-  for (std::size_t k = 1; k < denominator.size(); ++k)
-    slope.push_back(mpq_class(denominator[k] * static_cast<unsigned long>(k)));
-  if (slope.empty()) return false;
+  Polynomial slope = denominator.prime(), factor = denominator;
+  if (slope.is_zero()) return false;
   cancel(slope, factor);
   return factor.size() < denominator.size();
 }

@@ -8,21 +8,12 @@
 namespace nipref::ref {
 namespace {
 
-/// The greatest common factor, by Euclid's algorithm.
-Polynomial common_factor(Polynomial a, Polynomial b) {
-  while (!b.empty()) {
-    (void)divide(a, b);
-    std::swap(a, b);
-  }
-  return a;
-}
-
 /// The coefficients to the working precision.
 struct FloatPolynomial {
   std::vector<Float> coefficients;
 
   explicit FloatPolynomial(const Polynomial& exact) {
-    for (const mpq_class& c : exact) coefficients.push_back(to_float(c));
+    for (const mpq_class& c : exact.data()) coefficients.push_back(to_float(c));
   }
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) - 1; }
   /// Value and slope.
@@ -70,48 +61,17 @@ std::vector<ComplexFloat> approximate_zeros(const Polynomial& exact, const Float
 
 }  // namespace
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  if (a.empty() || b.empty()) return {};
-  Polynomial c(a.size() + b.size() - 1);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-  }
-  return c;
-}
-
-Polynomial sum(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(std::max(a.size(), b.size()));
-  for (std::size_t i = 0; i < a.size(); ++i) c[i] += a[i];
-  for (std::size_t i = 0; i < b.size(); ++i) c[i] += b[i];
-  return c;
-}
-
-Polynomial trimmed(Polynomial p) {
-  while (!p.empty() && p.back() == 0) p.pop_back();
-  return p;
-}
-
-Polynomial divide(Polynomial& dividend, const Polynomial& divisor) {
-  Polynomial quotient(dividend.size() < divisor.size() ? 0 : dividend.size() - divisor.size() + 1);
-  for (std::size_t k = quotient.size(); k-- > 0;) {
-    quotient[k] = dividend[k + divisor.size() - 1] / divisor.back();
-    for (std::size_t j = 0; j < divisor.size(); ++j) dividend[k + j] -= quotient[k] * divisor[j];
-  }
-  dividend = trimmed(std::move(dividend));
-  return quotient;
-}
-
+/// By Euclid's algorithm.
 void cancel(Polynomial& numerator, Polynomial& denominator) {
-  numerator = trimmed(std::move(numerator));
-  denominator = trimmed(std::move(denominator));
-  const Polynomial common = common_factor(numerator, denominator);
-  numerator = divide(numerator, common);
-  denominator = divide(denominator, common);
+  Polynomial common = numerator, rest = denominator;
+  while (!rest.is_zero()) common = std::exchange(rest, common % rest);
+  numerator /= common;
+  denominator /= common;
 }
 
 double log2_root_bound(const Polynomial& p) {
   double largest = -HUGE_VAL;
-  const double last = Exact(p.back()).log2_magnitude();
+  const double last = Exact(last_of(p)).log2_magnitude();
   for (std::size_t k = 0; k + 1 < p.size(); ++k)
     largest =
         std::max(largest, (Exact(p[k]).log2_magnitude() - last) / static_cast<double>(p.size() - 1 - k));
@@ -145,10 +105,7 @@ std::vector<ComplexFloat> zeros_by_steps(
 std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {
   const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.302) + 10);
   std::vector<ComplexInterval> roots;
-  while (p.size() > 1 && p.front() == 0) {
-    p.erase(p.begin());
-    roots.push_back({Interval(bits), Interval(bits)});
-  }
+  for (; p.size() > 1 && p[0] == 0; p >>= 1) roots.push_back({Interval(bits), Interval(bits)});
   for (const ComplexFloat& root : approximate_zeros(p, ldexp(Float(1), -bits)))
     roots.push_back({interval_of(root.re, std::max(bits, bits_of(root.re))),
                      interval_of(root.im, std::max(bits, bits_of(root.im)))});

@@ -1,23 +1,15 @@
 #pragma once
-#include <gmpxx.h>
-
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include <nipref/ref/material/rational_solid.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 
-/// A polynomial with rational coefficients; the first is that of p^0.
-using Polynomial = std::vector<mpq_class>;
-
-Polynomial product(const Polynomial& a, const Polynomial& b);
-Polynomial sum(const Polynomial& a, const Polynomial& b);
-/// The polynomial without zero coefficients at its end.
-Polynomial trimmed(Polynomial p);
-/// Returns the quotient and replaces the dividend by the remainder; the divisor's last coefficient is not 0.
-Polynomial divide(Polynomial& dividend, const Polynomial& divisor);
+/// The coefficient of the highest power; p is not 0.
+inline const mpq_class& last_of(const Polynomial& p) { return p.data().back(); }
 /// Divides both by their greatest common factor; the denominator is not 0.
 void cancel(Polynomial& numerator, Polynomial& denominator);
 

@@ -8,19 +8,21 @@ namespace nipref::ref {
 inline Float zero_like(const Float& /*x*/) { return 0; }
 inline Interval zero_like(const Interval& x) { return Interval(x.precision()); }
 inline Float square(const Float& x) { return x * x; }
+inline mpq_class zero_like(const mpq_class& /*x*/) { return 0; }
+inline mpq_class square(const mpq_class& x) { return x * x; }
 
-/// A complex number of two Floats, whose products and quotients are computed by their formulas, so that their rounding errors
-/// are relative to the modulus, not to each part; or a rectangle of two intervals that contains a complex number, of which
-/// every operation encloses.
+/// A complex number of two rational numbers; of two Floats, whose products and quotients are computed by their formulas, so
+/// that their rounding errors are relative to the modulus, not to each part; or a rectangle of two intervals that contains a
+/// complex number, of which every operation encloses.
 template <class Number>
 struct Complex {
   Number re, im;
 
-  Complex() = default;  ///< 0, of Floats
+  Complex() = default;  ///< 0, not of intervals
   Complex(Number real) : re(std::move(real)), im(zero_like(re)) {}
   Complex(Number real, Number imaginary) : re(std::move(real)), im(std::move(imaginary)) {}
 
-  [[nodiscard]] bool is_real() const { return im == 0; }  ///< of Floats
+  [[nodiscard]] bool is_real() const { return im == 0; }  ///< not of intervals
   friend Complex operator-(const Complex& x) { return {-x.re, -x.im}; }
   friend Complex operator+(const Complex& x, const Complex& y) { return {x.re + y.re, x.im + y.im}; }
   friend Complex operator-(const Complex& x, const Complex& y) { return {x.re - y.re, x.im - y.im}; }

@@ -21,9 +21,8 @@ TEST_CASE("compliances: real rates and a conjugate pair, as they were put togeth
   const WorkingDigits working(40);
   // 2 + 3/(p + 1/7) + (p + 5)/(p^2 + 2 p + 10), the pair's rates 1 +- 3 i
   const Polynomial single{mpq_class(1, 7), 1}, pair{10, 2, 1};
-  const Polynomial numerator =
-      sum(sum(product(product({2}, single), pair), product({3}, pair)), product({5, 1}, single));
-  const Compliance found = compliance(numerator, product(single, pair));
+  const Polynomial numerator = 2 * single * pair + 3 * pair + Polynomial{5, 1} * single;
+  const Compliance found = compliance(numerator, single * pair);
   CHECK(near(found.at_once, 2));
   REQUIRE(found.terms.size() == 2);
   for (const ComplianceTerm& term : found.terms) {
@@ -43,13 +42,12 @@ TEST_CASE("compliances: real rates and a conjugate pair, as they were put togeth
 TEST_CASE("compliances: common factors cancel exactly, and rates need not be doubles' size apart") {
   const WorkingDigits working(40);
   const Polynomial common{mpq_class(1, 3), 1}, rest{2, 1}, zero{5, 1};
-  const Compliance found = compliance(product(common, zero), product(common, rest));
+  const Compliance found = compliance(common * zero, common * rest);
   REQUIRE(found.terms.size() == 1);
   CHECK(near(found.terms[0].rate.re, 2));
   CHECK(near(found.terms[0].amplitude.re, 3));
   const mpq_class small = mpq_class(1) / mpq_class(mpz_class("100000000000000000000"));
-  const Compliance close =
-      compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}));
+  const Compliance close = compliance(zero * zero, Polynomial{2, 1} * Polynomial{2 + small, 1});
   CHECK(close.terms.size() == 2);
 }
 
@@ -57,15 +55,14 @@ TEST_CASE("compliances: a fluid's rate is 0 exactly and once, and what gives way
   const WorkingDigits working(40);
   // 2 + 3/p + 5/(p + 7)
   const Polynomial rate{7, 1}, flow{0, 1};
-  const Polynomial numerator =
-      sum(sum(product({2}, product(flow, rate)), product({3}, rate)), product({5}, flow));
-  const Compliance fluid = compliance(numerator, product(flow, rate));
+  const Polynomial numerator = 2 * flow * rate + 3 * rate + 5 * flow;
+  const Compliance fluid = compliance(numerator, flow * rate);
   REQUIRE(fluid.terms.size() == 2);
   for (const ComplianceTerm& term : fluid.terms) {
     CHECK((term.rate.re == 0 || near(term.rate.re, 7)));
     CHECK(near(term.amplitude.re, term.rate.re == 0 ? 3 : 5));
   }
-  CHECK_THROWS_AS((void)compliance(numerator, product(flow, product(flow, rate))), nipref::data::BadInput);
+  CHECK_THROWS_AS((void)compliance(numerator, flow * flow * rate), nipref::data::BadInput);
   const Compliance creeping = compliance({3}, {14, 18});
   CHECK(creeping.at_once == 0);
   REQUIRE(creeping.terms.size() == 1);
@@ -75,5 +72,5 @@ TEST_CASE("compliances: a fluid's rate is 0 exactly and once, and what gives way
 TEST_CASE("compliances: a twofold rate is refused by name") {
   const WorkingDigits working(40);
   const Polynomial twice{2, 1}, zero{5, 1};
-  CHECK_REFUSED(compliance(product(zero, zero), product(twice, twice)), "Q = ");
+  CHECK_REFUSED(compliance(zero * zero, twice * twice), "Q = ");
 }
