@@ -152,9 +152,4 @@ Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const
   });
 }
 
-Enclosure J6(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t, const Exact& T,
-             int digits) {
-  return J5(gamma0, gamma, lambda, t, T, digits);
-}
-
 }  // namespace nipref::ref

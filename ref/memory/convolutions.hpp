@@ -27,7 +27,9 @@ Enclosure J4(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t
 /// is for the constants of theta1, J6 for those of theta2.
 Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t, const Exact& T,
              int digits);
-Enclosure J6(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t, const Exact& T,
-             int digits);
+inline Enclosure J6(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t,
+                    const Exact& T, int digits) {
+  return J5(gamma0, gamma, lambda, t, T, digits);
+}
 
 }  // namespace nipref::ref

@@ -23,24 +23,20 @@ using std::numbers::ln2;
 /// For cached results the nats are rounded up to multiples of this.
 constexpr double nats_grain = 16;
 
-enum class Kernel { I1, I2, I3, I4, I5 };
-
-std::size_t number_of(Kernel kernel) { return static_cast<std::size_t>(kernel); }
-/// I2 has no residues.
-PlainKernel plain_kernel(Kernel kernel) {
-  using enum PlainKernel;
-  return std::array{I1, I3, I3, I4, I5}[number_of(kernel)];
-}
+/// I1, I3, I4 or I5; nothing for I2, which has no symbol.
+using Kernel = std::optional<Symbol>;
 
 /// A kernel, or the thesis's sum of so many residues if residue_terms is not 0; for I2, which is a constant, both
 /// agree.
 Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int residue_terms) {
-  if (alpha.sign() == 0 && kernel != Kernel::I1) return Interval(64);
-  if (residue_terms > 0 && kernel != Kernel::I2)
-    return plain_kernel_at(plain_kernel(kernel), alpha, residue_terms,
+  if (alpha.sign() == 0 && kernel != Symbol::I1) return Interval(64);
+  if (!kernel) return I2_interval(alpha, nats);
+  if (residue_terms > 0)
+    return plain_kernel_at(*kernel, alpha, residue_terms,
                            std::ceil(std::max(nats, 40.0) / nats_grain) * nats_grain);
-  return std::array{I1_interval, I2_interval, I3_interval, I4_interval, I5_interval}[number_of(kernel)](alpha,
-                                                                                                        nats);
+  // In the order of Symbol.
+  return std::array{I1_interval, I3_interval, I4_interval, I5_interval}[static_cast<std::size_t>(*kernel)](
+      alpha, nats);
 }
 
 Interval rational(const mpq_class& value, double nats) {
@@ -48,11 +44,6 @@ Interval rational(const mpq_class& value, double nats) {
 }
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
-
-Symbol symbol_of(Kernel kernel) {
-  using enum Symbol;
-  return std::array{normal, I3, I3, I4, I5}[number_of(kernel)];
-}
 
 /// The nats for a number of the size 1/rate, or of the distance at rate 0, whose error is to be e^{-nats}.
 double nats_over_rate(const mpq_class& rate, double nats) {
@@ -79,13 +70,13 @@ struct HistoryRate {
 };
 
 /// Of a memory from infinity the kernel, nats, number of residues, alpha and rate.
-using HistoryKey = std::tuple<Kernel, double, int, mpq_class, mpq_class>;
+using HistoryKey = std::tuple<Symbol, double, int, mpq_class, mpq_class>;
 
 Interval make_history(const HistoryKey& key) {
   const auto& [kernel, nats, residue_terms, alpha, rate] = key;
-  return residue_terms > 0 ? plain_memory(plain_kernel(kernel), Exact(alpha), Exact(rate), residue_terms,
-                                          nats_over_rate(rate, nats))
-                           : steady_memory(symbol_of(kernel), Exact(alpha), Exact(rate), nats);
+  return residue_terms > 0
+             ? plain_memory(kernel, Exact(alpha), Exact(rate), residue_terms, nats_over_rate(rate, nats))
+             : steady_memory(kernel, Exact(alpha), Exact(rate), nats);
 }
 
 std::size_t size_of_history(const Interval& history) {
@@ -97,10 +88,10 @@ std::size_t size_of_history(const Interval& history) {
 ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRate& rate, double nats,
                               int residue_terms) {
   static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
-  if (kernel == Kernel::I2) return sign_history(alpha, rate.interval);
-  if (!rate.exact) return steady_memory(symbol_of(kernel), alpha, rate.interval, nats);
+  if (!kernel) return sign_history(alpha, rate.interval);
+  if (!rate.exact) return steady_memory(*kernel, alpha, rate.interval, nats);
   const double rounded_up = std::ceil(nats / nats_grain) * nats_grain;
-  return {*kept.at({kernel, rounded_up, residue_terms, alpha.value(), *rate.exact}), Interval(64)};
+  return {*kept.at({*kernel, rounded_up, residue_terms, alpha.value(), *rate.exact}), Interval(64)};
 }
 
 /// The nats for a number that is multiplied by e^{-faded} and is then to have an error of e^{-nats}. They are one of
@@ -119,9 +110,8 @@ ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& 
   ComplexInterval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
   if (!path.start) {
     // The infinite part that is left out is counted from the point, not from 0, so that it is the same for all points.
-    if (is_zero(rate.interval) && kernel != Kernel::I1)
-      whole.re =
-          whole.re + (kernel == Kernel::I2 ? 2L : 1L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
+    if (is_zero(rate.interval) && kernel != Symbol::I1)
+      whole.re = whole.re + (kernel ? 1L : 2L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
     return whole;
   }
   const Interval distance(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
@@ -168,14 +158,14 @@ KernelBounds bounds_of(Kernel kernel, const mpq_class& nearest, const mpq_class&
                        int residue_terms) {
   constexpr mpfr_prec_t bits = 64;
   const Interval distance(Exact(nearest), bits);
-  if (kernel == Kernel::I1 && residue_terms == 0) {
+  if (kernel == Symbol::I1 && residue_terms == 0) {
     const bool is_near = nearest < 1;
     return {is_near ? 3 - log(distance) : Interval(3L, bits), 1 / distance + 2, Interval(8L, bits),
             8 * Interval(rate, bits)};
   }
   const long n = residue_terms;
   const Interval size(n > 0 ? 7 * n + 1 : 4, bits), terms(n, bits);
-  const Interval slope = kernel == Kernel::I2 ? Interval(bits) : n > 0 ? 13 * terms * sqrt(terms) : size;
+  const Interval slope = !kernel ? Interval(bits) : n > 0 ? 13 * terms * sqrt(terms) : size;
   return {size, slope, size * Interval(way, bits), size};
 }
 
@@ -228,7 +218,7 @@ struct Part {
     for (const ExactFunction::Term& term : theta.terms) {
       const KernelBounds now = bounds(path.alpha, error.alpha, term.rate / travel_rate);
       const mpq_class amplitude = abs(term.amplitude) / travel_rate * (1 + share);
-      const Interval first = kernel == Kernel::I1 ? bounds(*path.start, error.start, 0).size
+      const Interval first = kernel == Symbol::I1 ? bounds(*path.start, error.start, 0).size
                                                   : now.size;  // the others are bounded
       sum = sum + rational(amplitude, 0) * ((now.size + now.faded) * moved + first * started +
                                             3 * Interval(share, bits) * now.memory);
@@ -311,10 +301,10 @@ double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const 
 
 std::vector<Part> tangential_parts(const LoadPath& alpha, const LoadPath& eta, const ExactFunction& normal,
                                    const ExactMaterial& material, int residue_terms) {
-  return {{normal, Kernel::I3, alpha, false, residue_terms},
-          {material.theta2, Kernel::I2, alpha, true, residue_terms},
-          {material.theta2, Kernel::I4, eta, false, residue_terms},
-          {material.theta1, Kernel::I5, eta, true, residue_terms}};
+  return {{normal, Symbol::I3, alpha, false, residue_terms},
+          {material.theta2, std::nullopt, alpha, true, residue_terms},
+          {material.theta2, Symbol::I4, eta, false, residue_terms},
+          {material.theta1, Symbol::I5, eta, true, residue_terms}};
 }
 
 }  // namespace
@@ -333,7 +323,7 @@ Enclosure MovingLoad::normal_at(const LoadPath& path, int digits) const {
   check_distance(normal_, path);
   const double distance = std::abs(path.alpha.approximate());
   const double first_nats = size_nats(normal_) + distance * decay_of_normal(normal_, path, travel_rate_);
-  return sum_over_pi({{normal_, Kernel::I1, path, false, residue_terms_}}, travel_rate_, first_nats, digits);
+  return sum_over_pi({{normal_, Symbol::I1, path, false, residue_terms_}}, travel_rate_, first_nats, digits);
 }
 
 Enclosure MovingLoad::tangential_at(const LoadPath& alpha, const LoadPath& eta, int digits) const {
@@ -358,7 +348,7 @@ Enclosure MovingLoad::tangential_displacement(const Exact& t, const Exact& T, co
 }
 
 Interval MovingLoad::normal_change(const Exact& t, const Exact& T, const MovingLoadError& error) const {
-  const Part part{normal_, Kernel::I1, started_place(t, T, travel_rate_, "T"), false, residue_terms_};
+  const Part part{normal_, Symbol::I1, started_place(t, T, travel_rate_, "T"), false, residue_terms_};
   return part.change(travel_rate_, error.load, error.memory) / Interval::pi(64);
 }
 
@@ -368,7 +358,7 @@ Interval MovingLoad::tangential_change(const Exact& t, const Exact& T, const Exa
                  eta = started_place(t, t0, travel_rate_, "t0");
   Interval sum(64);
   for (const Part& part : tangential_parts(alpha, eta, normal_, material_, residue_terms_)) {
-    const bool of_load = part.kernel == Kernel::I2 || part.kernel == Kernel::I3;
+    const bool of_load = !part.kernel || part.kernel == Symbol::I3;
     sum = sum + part.change(travel_rate_, of_load ? error.load : error.fixed_point, error.memory);
   }
   return sum / Interval::pi(64);

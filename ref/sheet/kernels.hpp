@@ -33,6 +33,11 @@ Enclosure I6(const Exact& alpha, const Exact& eta, int digits);
 /// int_0^inf 2 sinh x cos(eta x)/S dx. (thesis 4.20)
 Enclosure I7(const Exact& eta, int digits);
 
+/// How many values of kernels were taken: of I1, of I3 and of what I6 has beside I1.
+struct KernelValues {
+  long normal = 0, coupling = 0, stretch = 0;
+};
+
 /// BadInput naming `name` unless |argument| <= 1000.
 void check_argument(const Exact& argument, const char* name);
 /// The same, and BadInput at 0, where the kernel is infinite.

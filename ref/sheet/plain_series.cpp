@@ -1,6 +1,6 @@
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
-#include <nipref/ref/sheet/internal/plain_terms.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/plain_series.hpp>
 
 namespace nipref::ref {

@@ -24,9 +24,9 @@ struct SymbolSizes {
         return 2 * sum / abs(q);
       case Symbol::I7:
         return 2 * difference / abs(q);
-      case Symbol::I6_alpha:
+      case Symbol::I6_alpha_part:
         return 4 / abs(z * q);
-      case Symbol::I6_eta:
+      case Symbol::I6_eta_part:
         return 2 * sum / abs(z * q);
       default:
         throw std::logic_error("the symbol of I1 has a form of its own");

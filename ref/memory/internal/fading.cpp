@@ -37,20 +37,10 @@ using ContourNodes = std::vector<ContourNode>;
 
 constexpr mpfr_prec_t guard_bits = 32;
 
-/// The complex interval around 1 whose real and imaginary parts have the half-width 2^-k.
-ComplexInterval nearly_one(mpfr_prec_t k) {
-  Interval radius(1L, k);
-  mpfi_div_2ui(radius.get(), radius.get(), static_cast<unsigned long>(k));
-  return {Interval(1L, k).widened(radius), Interval(0L, k).widened(radius)};
-}
-
 /// G(z) with E = e^{-z} and D = 1 - E^4 + 4 z E^2 = 2 E^2 S:
 ///   I1: (1 - E^2)^2/(z D), I3: 4 E^2/D, I4: 2 E (1 - E^2)/(z D), I5: 2 E (1 + E^2)/D
 ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
   const mpfr_prec_t precision = z.re.precision();
-  // (1 - E^2)^2/D differs from 1 by less than 5 (|z| + 1) e^{-2x} < e^{-x}, if |z| < 2x and x > 32.
-  if (kernel == Symbol::normal && mpfr_cmp_si(z.re.lower(), precision) > 0 && sign_of(2 * z.re - abs(z)) > 0)
-    return nearly_one(precision) * inverse(z);
   const ComplexInterval e = exp(-z), square = e * e, one(Interval(1L, precision)), twice = e + e;
   const ComplexInterval fourfold = Interval(4L, precision) * square,
                         over_d = inverse(one - square * square + z * fourfold);

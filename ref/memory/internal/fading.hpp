@@ -5,8 +5,8 @@
 
 namespace nipref::ref {
 
-/// int_alpha^inf e^{-L (w - alpha)} I(w) dw, the memory of a load that has come from infinity. I is I1 (for `normal`), I3,
-/// I4 or I5; |alpha| <= 1000, alpha not 0 for I1. The rate L, Re L > 0, is given as an interval; the half-width is about
+/// int_alpha^inf e^{-L (w - alpha)} I(w) dw, the memory of a load that has come from infinity. I is I1, I3, I4
+/// or I5; |alpha| <= 1000, alpha not 0 for I1. The rate L, Re L > 0, is given as an interval; the half-width is about
 /// e^{-nats} plus the effect of that interval. At the rate 0, exactly, it is the limit, for odd kernels after
 /// pi/(4 L) + pi/4 alpha is subtracted. Proven: ref/memory/README.md, The memory of a load from infinity.
 ///

@@ -4,7 +4,7 @@
 #include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
-#include <nipref/ref/sheet/internal/plain_terms.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -14,7 +14,7 @@ constexpr int digits_of_slope = 4;
 }  // namespace
 
 Interval stretch_interval(const Exact& alpha, double nats) {
-  const Interval finite_part = transform(Symbol::I6_alpha, alpha, nats);
+  const Interval finite_part = transform(Symbol::I6_alpha_part, alpha, nats);
   const mpfr_prec_t precision = finite_part.precision();
   return finite_part - Interval::pi(precision) / 4 * Interval(alpha, precision);
 }

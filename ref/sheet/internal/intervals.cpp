@@ -19,7 +19,7 @@ Interval log_coth(const Exact& a, double nats) {
   return log1p(2 / expm1(exponent));
 }
 
-/// The transform of a symbol other than `normal` at x >= 0, by the cheaper of the two methods.
+/// The transform of a symbol other than that of I1 at x >= 0, by the cheaper of the two methods.
 Interval cheaper_transform(Symbol symbol, const Exact& x, double nats) {
   return residues_are_cheaper(x.approximate(), nats) ? residue_series(symbol, x, nats)
                                                      : transform(symbol, x, nats);
@@ -44,8 +44,8 @@ mpfr_prec_t working_precision(double nats, double size) {
 
 Interval I1_interval(const Exact& alpha, double nats) {
   const Exact a = alpha.magnitude();
-  if (residues_are_cheaper(a.approximate(), nats)) return residue_series(Symbol::normal, a, nats);
-  return log_coth(a, nats) + transform(Symbol::normal, a, nats);
+  if (residues_are_cheaper(a.approximate(), nats)) return residue_series(Symbol::I1, a, nats);
+  return log_coth(a, nats) + transform(Symbol::I1, a, nats);
 }
 
 Interval I2_interval(const Exact& alpha, double nats) {
@@ -60,7 +60,7 @@ Interval I7_interval(const Exact& eta, double nats) {
   return cheaper_transform(Symbol::I7, eta.magnitude(), nats);
 }
 Interval I6_eta_interval(const Exact& eta, double nats) {
-  return cheaper_transform(Symbol::I6_eta, eta.magnitude(), nats);
+  return cheaper_transform(Symbol::I6_eta_part, eta.magnitude(), nats);
 }
 
 Interval fixed_point_interval(data::SheetLoad load, const Exact& eta, const ThetaShares& shares,
@@ -80,7 +80,7 @@ Interval I6_interval(const Exact& alpha, const Exact& eta, double nats) {
   const mpq_class longer = e.value() - a.value();
   const mpfr_prec_t precision = working_precision(nats, std::abs(longer.get_d()));
   const Interval growth = Interval::pi(precision) / 4 * Interval(longer, precision);
-  return growth + (I1_interval(a, nats) + cheaper_transform(Symbol::I6_alpha, a, nats)) -
+  return growth + (I1_interval(a, nats) + cheaper_transform(Symbol::I6_alpha_part, a, nats)) -
          I6_eta_interval(e, nats);
 }
 

@@ -44,13 +44,13 @@ class SymbolLine {
   void start(long j) {
     place(j);
     e1_ = exp(-x_);
-    if (key_.symbol == Symbol::normal) u_ = exp(Float(-1.5) * x_);
+    if (key_.symbol == Symbol::I1) u_ = exp(Float(-1.5) * x_);
   }
 
   void advance(long j) {
     place(j);
     e1_ *= step1_;
-    if (key_.symbol == Symbol::normal) u_ *= step_u_;
+    if (key_.symbol == Symbol::I1) u_ *= step_u_;
   }
 
   [[nodiscard]] Float value() const {
@@ -62,7 +62,7 @@ class SymbolLine {
  private:
   void place(long j) { x_ = static_cast<double>(j) * key_.step; }
 
-  /// G q. For `normal` [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)] q/x = [2u q/(1 + u) - 2b (1 + 2x - b)]/x, u = e^{-3x/2}.
+  /// G q. For I1 [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)] q/x = [2u q/(1 + u) - 2b (1 + 2x - b)]/x, u = e^{-3x/2}.
   [[nodiscard]] Float numerator(const Float& b, const Float& q) const {
     switch (key_.symbol) {
       case Symbol::I3:
@@ -73,9 +73,9 @@ class SymbolLine {
         return 2 * (e1_ * (1 + b));
       case Symbol::I7:
         return 2 * (e1_ * (1 - b));
-      case Symbol::I6_alpha:
+      case Symbol::I6_alpha_part:
         return 4 * b / x_;
-      case Symbol::I6_eta:
+      case Symbol::I6_eta_part:
         return 2 * (e1_ * (1 + b)) / x_;
       default:
         return 2 * (u_ / (1 + u_) * q - b * (1 + 2 * x_ - b)) / x_;
@@ -93,10 +93,10 @@ mpfr_prec_t guard_bits(const NodeKey& key) {
 /// g_0, see Nodes.
 Float origin_of(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
-  if (symbol.parity == Parity::odd) return 0;
+  if (symbol.is_odd) return 0;
   // Every origin_value is a multiple of 1/12, exactly.
   const Float half = Float(key.step * std::round(12 * symbol.origin_value)) / 24;
-  return symbol.origin == OriginPole::twofold ? Float(half - pi() * pi() / 12 / key.step) : half;
+  return symbol.pole == 2 ? Float(half - pi() * pi() / 12 / key.step) : half;
 }
 
 /// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
@@ -146,7 +146,7 @@ mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs) {
 
 double effective_amplitude(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
-  return symbol.amplitude / std::pow(key.step, static_cast<int>(symbol.origin));
+  return symbol.amplitude / std::pow(key.step, symbol.pole);
 }
 
 Nodes make_nodes(const NodeKey& key) {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
@@ -33,14 +35,31 @@ std::size_t size_of_pole(const SheetPole& pole) {
   return static_cast<std::size_t>(8 * pole.z.re.precision()) / CHAR_BIT;
 }
 
-/// In the order of Symbol.
-constexpr std::array<PoleCoefficient, 7> symbol_coefficients{
-    {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {-1, 1, 3}, {1, -1, 2}, {1, -1, 1}}};
+/// sign z^p/cosh^q z.
+struct PowersOfPole {
+  int sign, p, q;
+
+  [[nodiscard]] ComplexInterval at(const SheetPole& pole) const {
+    const mpfr_prec_t precision = pole.z.re.precision();
+    ComplexInterval result{Interval(static_cast<long>(sign), precision), Interval(precision)};
+    for (int k = 0; k < q; ++k) result = result * pole.sech;
+    if (p > 0) return result * pole.z;
+    return p < 0 ? result * inverse(pole.z) : result;
+  }
+};
+
+/// 2 c_n
+ComplexInterval twice_residue(Symbol symbol, const SheetPole& pole) {
+  // In the order of Symbol.
+  constexpr std::array<PowersOfPole, 7> all{
+      {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {1, -1, 2}, {1, -1, 1}, {-1, 1, 3}}};
+  return all[static_cast<std::size_t>(symbol)].at(pole);
+}
 
 /// 2 c_n e^{i x z_n}
-ComplexInterval term(const PoleCoefficient& c, const SheetPole& pole, const Exact& magnitude) {
+ComplexInterval term(Symbol symbol, const SheetPole& pole, const Exact& magnitude) {
   const Interval x(magnitude, pole.z.re.precision());
-  return exp(ComplexInterval{-(x * pole.z.im), x * pole.z.re}) * twice(c, pole);
+  return exp(ComplexInterval{-(x * pole.z.im), x * pole.z.re}) * twice_residue(symbol, pole);
 }
 
 /// The factor of a wave e^{i x z} in the memory: 1/(rate - i z) ahead of the load, 1/(rate + i z) behind it.
@@ -83,12 +102,11 @@ template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
   const bool odd = is_odd(symbol);
-  const PoleCoefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   const long terms = terms_needed(x, nats);
   Interval sum(mpfr_prec_t{64});
   for (long n = terms; n >= 1; --n) {
     const auto root = sheet_pole(n, term_precision(n, x, nats));
-    const ComplexInterval next = with_factor(term(c, *root, exact_x), root->z);
+    const ComplexInterval next = with_factor(term(symbol, *root, exact_x), root->z);
     sum = sum + (odd ? next.re : next.im);
   }
   const Interval series = Interval::pi(sum.precision()) * (odd ? sum : -sum);
@@ -99,12 +117,22 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
 
 }  // namespace
 
-ComplexInterval twice(const PoleCoefficient& c, const SheetPole& pole) {
-  const mpfr_prec_t precision = pole.z.re.precision();
-  ComplexInterval result{Interval(static_cast<long>(c.sign), precision), Interval(precision)};
-  for (int k = 0; k < c.q; ++k) result = result * pole.sech;
-  if (c.p > 0) return result * pole.z;
-  return c.p < 0 ? result * inverse(pole.z) : result;
+ComplexInterval plain_coefficient(PlainKernel kernel, const SheetPole& pole) {
+  // z/cosh^4 z + 1/(z cosh^2 z) = 1/z at the roots.
+  if (kernel == PlainKernel::I6_alpha_part) return inverse(pole.z);
+  const ComplexInterval coefficient = twice_residue(kernel, pole);
+  return kernel == PlainKernel::I6_eta_part ? -coefficient : coefficient;
+}
+
+void check_residue_terms(int terms) {
+  if (terms >= 1 && terms <= most_residue_terms) return;
+  throw data::BadInput("terms", std::to_string(terms),
+                       "must be from 1 to " + std::to_string(most_residue_terms));
+}
+
+bool is_negligible(int n, const Interval& x, mpfr_prec_t precision, Interval& bound) {
+  bound = 1100 * exp(-((2L * n - 1) * (Interval::pi(x.precision()) * x) / 2));
+  return mpfr_zero_p(bound.upper()) != 0 || mpfr_get_exp(bound.upper()) < -precision;
 }
 
 std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
@@ -132,15 +160,14 @@ Interval passed_poles(Symbol symbol, const Exact& exact_x, double step, long lin
   const double x = exact_x.approximate();
   const double turns = 2 * std::numbers::pi / step;
   const bool odd = is_odd(symbol);
-  const PoleCoefficient c = symbol_coefficients[static_cast<std::size_t>(symbol)];
   Interval sum(mpfr_prec_t{64});
   for (long n = 4 * lines; n >= 1; --n) {
     const auto root = sheet_pole(n, bits_at_root(n, turns - x, turns + x, nats));
     const ComplexInterval w = Interval(exact_x, root->z.re.precision()) * root->z;
-    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice(c, *root)).im;
+    sum = sum + ((odd ? sin(w) : cos(w)) * image_factor(root->z, step) * twice_residue(symbol, *root)).im;
   }
   const Interval roots = 2 * Interval::pi(sum.precision()) * sum;
-  if (symbol != Symbol::normal) return roots;
+  if (symbol != Symbol::I1) return roots;
   return roots + passed_poles_of_tanh(exact_x, step, lines, working_precision(nats, turns + x));
 }
 

@@ -7,6 +7,7 @@
 #include <nipref/ref/number/float.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
 
@@ -20,11 +21,6 @@ struct KernelShape {
   double variation;
 };
 inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integral_shape{false, 226};
-
-/// How many values of kernels were taken: of I1, of I3 and of what I6 has beside I1.
-struct KernelValues {
-  long normal = 0, coupling = 0, stretch = 0;
-};
 
 /// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1, interpolated at Chebyshev points on
 /// panels of length 1/4, each of which is made when it is first needed; or I3 for alpha > 0, where the caller has to apply the

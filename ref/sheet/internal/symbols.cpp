@@ -5,16 +5,14 @@
 namespace nipref::ref {
 
 const SymbolBounds& bounds(Symbol symbol) {
-  using enum Parity;
-  using enum OriginPole;
   static constexpr std::array<SymbolBounds, 7> all{{
-      {"normal", even, none, 1.5, 1.5, -0.25, 7, 0},
-      {"I3", odd, simple, 2, 4.25, 0, 4, 8},
-      {"I4", odd, simple, 1, 2.5, 0, 3, 6},
-      {"I5", odd, simple, 1, 2.5, 0, 5, 12},
-      {"I7", even, none, 1, 2.25, 0.5, 6, 0},
-      {"I6_alpha", even, twofold, 2, 2.75, -1.0 / 6, 2, 0},
-      {"I6_eta", even, twofold, 1, 1.75, 1.0 / 12, 2, 0},
+      {"I1", false, 0, 1.5, 1.5, -0.25, 7, 0},
+      {"I3", true, 1, 2, 4.25, 0, 4, 8},
+      {"I4", true, 1, 1, 2.5, 0, 3, 6},
+      {"I5", true, 1, 1, 2.5, 0, 5, 12},
+      {"I6_alpha_part", false, 2, 2, 2.75, -1.0 / 6, 2, 0},
+      {"I6_eta_part", false, 2, 1, 1.75, 1.0 / 12, 2, 0},
+      {"I7", false, 0, 1, 2.25, 0.5, 6, 0},
   }};
   return all[static_cast<std::size_t>(symbol)];
 }

@@ -1,38 +1,36 @@
 #pragma once
 #include <string_view>
 
+#include <nipref/ref/sheet/plain_series.hpp>
+
 namespace nipref::ref {
 
-/// The functions G(z) whose Fourier transforms give the sheet kernels; S(z) = sinh 2z + 2z.
+/// The functions G(z) whose Fourier transforms give the sheet kernels, by the kernels' names; S(z) = sinh 2z + 2z.
 ///
 /// All are real on the real axis, of one parity, and meromorphic with poles only where S = 0 (z = 0 for those
-/// marked, all others have |Im z| > 2.1) and, for `normal`, at the poles of tanh(3z/4)
+/// marked, all others have |Im z| > 2.1) and, for I1 ("normal"), at the poles of tanh(3z/4)
 /// (|Im z| >= 2 pi/3 > 2.09).
 ///
-///     normal     [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf normal cos(a x) dx
-///     I3         2/S                             odd    simple pole at 0
-///     I4         2 sinh z/(z S)                  odd    simple pole at 0
-///     I5         2 cosh z/S                      odd    simple pole at 0
-///     I7         2 sinh z/S                      even
-///     I6_alpha   2/(z S)                         even   double pole at 0
-///     I6_eta     2 cosh z/(z S)                  even   double pole at 0
+///     I1              [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf G cos(a x) dx
+///     I3              2/S                             odd    simple pole at 0
+///     I4              2 sinh z/(z S)                  odd    simple pole at 0
+///     I5              2 cosh z/S                      odd    simple pole at 0
+///     I6_alpha_part   2/(z S)                         even   double pole at 0, what I6 has of alpha beside I1
+///     I6_eta_part     2 cosh z/(z S)                  even   double pole at 0, with the sign changed
+///     I7              2 sinh z/S                      even
 ///
 /// (thesis 4.9, 4.20; the tanh term removes the 1/z tail of I1's integrand, with
 /// int_0^inf tanh(c x) cos(a x)/x dx = ln coth(pi a/(4c)).)
-enum class Symbol { normal, I3, I4, I5, I7, I6_alpha, I6_eta };
-
-enum class Parity { even, odd };
-/// The value is the order of the pole.
-enum class OriginPole { none = 0, simple = 1, twofold = 2 };
+using Symbol = PlainKernel;
 
 /// Constants that bound a symbol, each proven on an interval mesh by tests/ref/sheet/symbols.cpp: ref/sheet/README.md,
 /// Kernels.
 struct SymbolBounds {
   std::string_view name;
-  Parity parity;
-  OriginPole origin;
+  bool is_odd;
+  int pole;             ///< the order of the pole at 0
   double decay;         ///< r: |G(x)| = O(e^{-r x})
-  double amplitude;     ///< C: min(1, x)^k |G(x)| <= C e^{-r x} for x >= 0, k the order of the pole at 0
+  double amplitude;     ///< C: min(1, x)^pole |G(x)| <= C e^{-r x} for x >= 0
   double origin_value;  ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
                         ///< without pole
   double integral;      ///< M >= int_R |G(x + iY)| dx, Y = 2 or 4 pi m
@@ -40,6 +38,6 @@ struct SymbolBounds {
 };
 
 const SymbolBounds& bounds(Symbol symbol);
-inline bool is_odd(Symbol symbol) { return bounds(symbol).parity == Parity::odd; }
+inline bool is_odd(Symbol symbol) { return bounds(symbol).is_odd; }
 
 }  // namespace nipref::ref

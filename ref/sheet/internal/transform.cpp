@@ -38,7 +38,7 @@ double moment(const SymbolBounds& symbol, double top) { return symbol.moment * t
 /// symbols.
 NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   const SymbolBounds& constants = bounds(symbol);
-  const bool odd = constants.parity == Parity::odd;
+  const bool odd = constants.is_odd;
   const double integral = odd && x < 1 ? moment(constants, top) : constants.integral;
   const double frequency = std::max(1.0, (nats + std::log(8 * integral) + top * x) / top);
   // As only a few steps occur, many arguments share their nodes.
@@ -91,15 +91,9 @@ Interval power_of_two(double exponent) {
 Interval with_origin_terms(const Interval& sum, const SymbolBounds& symbol, const NodeKey& key,
                            const Interval& x) {
   const Interval step(key.step, x.precision());
-  switch (symbol.origin) {
-    case OriginPole::none:
-      return sum;
-    case OriginPole::simple:
-      return sum + step * x / 4;
-    case OriginPole::twofold:
-      return sum - step * square(x) / 8 + Interval::pi(x.precision()) / 4 * x;
-  }
-  return sum;
+  if (symbol.pole == 0) return sum;
+  if (symbol.pole == 1) return sum + step * x / 4;
+  return sum - step * square(x) / 8 + Interval::pi(x.precision()) / 4 * x;
 }
 
 }  // namespace
@@ -112,7 +106,7 @@ Interval transform(Symbol symbol, const Exact& x, double nats) {
   const NodeKey key = node_key(symbol, size, nats, top);
   const auto set = nodes(key);
   const Angle angle(x.value() * key.step, angle_precision(*set));
-  const bool odd = constants.parity == Parity::odd;
+  const bool odd = constants.is_odd;
   const Float sum = odd ? sine_sum(*set, angle) : cosine_sum(*set, angle);
   Interval value(sum, sum, bits_of(sum));
   value = with_origin_terms(value, constants, key, Interval(x, bits_of(sum)));

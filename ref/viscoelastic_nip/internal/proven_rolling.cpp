@@ -203,7 +203,7 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
     const Float near = middle_of(x);
     const Interval here = interval_of(near), growth = exp(r * here);
     const Interval E = rate == 0 ? here : (growth - 1) / r;
-    const Interval value = steady_memory(Symbol::normal, to_exact(near), Exact(rate), nats) - log(here) * E;
+    const Interval value = steady_memory(Symbol::I1, to_exact(near), Exact(rate), nats) - log(here) * E;
     // |S'| = |r S - J - E/x| with |J| <= 1 + 2 x
     const Interval slope = 2 * (r * magnitude_of(value) + 1 + 2 * here + growth);
     values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));

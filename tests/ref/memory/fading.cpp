@@ -14,7 +14,7 @@ using nipref::test::exact;
 namespace {
 
 constexpr mpfr_prec_t mesh_precision = SymbolSizes::bits;
-constexpr Symbol fading_kernels[] = {Symbol::normal, Symbol::I3, Symbol::I4, Symbol::I5};
+constexpr Symbol fading_kernels[] = {Symbol::I1, Symbol::I3, Symbol::I4, Symbol::I5};
 
 Interval number(double x) { return Interval(x, mesh_precision); }
 
@@ -25,12 +25,12 @@ struct Hyperbola {
   ComplexInterval z, slope;
 };
 
-double decay_of(Symbol kernel) { return kernel == Symbol::normal ? 0 : bounds(kernel).decay; }
+double decay_of(Symbol kernel) { return kernel == Symbol::I1 ? 0 : bounds(kernel).decay; }
 
 /// |G| e^{r Re z}; for `normal` of I1's whole symbol, (1 - e2)^2/(z Q), and r = 0.
 Interval symbol_size(Symbol kernel, const ComplexInterval& z) {
   const SymbolSizes at(z);
-  return kernel == Symbol::normal ? square(abs(at.one - at.e2)) / abs(z * at.q) : at.of(kernel);
+  return kernel == Symbol::I1 ? square(abs(at.one - at.e2)) / abs(z * at.q) : at.of(kernel);
 }
 
 /// |G z'/z| e^{r Re z}
@@ -104,7 +104,7 @@ TEST_CASE("memory by contour: the constants of its error hold on an interval mes
       CHECK(lowest(abs(SymbolSizes(at.z).q)) > 0.78);
       for (const Symbol kernel : fading_kernels) {
         const Interval size = integrand_size(kernel, at);
-        CHECK(highest(kernel == Symbol::normal ? size * exp(cell(left, left + width)) : size) <= 6);
+        CHECK(highest(kernel == Symbol::I1 ? size * exp(cell(left, left + width)) : size) <= 6);
       }
       ++cells;
     }
@@ -178,7 +178,7 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
                                             {"1e6", "1e7"},
                                             {"3", "1e300"}}) {
         CAPTURE(bounds(kernel).name, alpha, real, imaginary);
-        if (kernel == Symbol::normal && alpha == std::string("0")) continue;
+        if (kernel == Symbol::I1 && alpha == std::string("0")) continue;
         const ComplexInterval best = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
         for (const double nats : {1.0, 20.0}) {
           const ComplexInterval rough = steady_memory(kernel, exact(alpha), rate_of(real, imaginary), nats);
@@ -201,7 +201,7 @@ TEST_CASE("memory by contour: at rate 0 it is the limit, of odd kernels beside p
       const Interval large = steady_memory(kernel, exact(alpha), rate, 60);
       const Interval pole = Interval::pi(400) / (4 * Interval(rate, 400));
       const Interval quarter = Interval::pi(400) / 4;
-      const bool is_odd = bounds(kernel).parity == Parity::odd;
+      const bool is_odd = bounds(kernel).is_odd;
       check_same(steady_memory(kernel, exact(alpha), exact("0"), 60),
                  is_odd ? large - pole - quarter * Interval(exact(alpha), 400) : large, 60);
     }

@@ -1,6 +1,6 @@
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
-#include <nipref/ref/sheet/internal/plain_terms.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/decimal.hpp"

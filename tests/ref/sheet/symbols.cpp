@@ -24,7 +24,7 @@ const Interval high_line = 4 * Interval::pi(precision);
 /// sup of |G| e^{r x} on the cell x + iy, y > 0; of `normal` on the line y = 4 pi of its bound, symbols.hpp.
 Interval scaled_modulus(Symbol symbol, const Interval& x, const Interval& y) {
   const SymbolSizes at({x, y});
-  if (symbol != Symbol::normal) return at.of(symbol);
+  if (symbol != Symbol::I1) return at.of(symbol);
   if (mpfi_cmp(y.get(), low_line.get()) > 0) {
     // 2 sinh^2 x - t (sinh 2x + 2x) is e^{x/2} [1 - v (1 + u) + v e^{-2x} - 2 x v (1 - u)]/(1 + u), v = e^{-x/2}.
     const Interval u = exp(-(3 * x) / 2), v = exp(-(x / 2)),
@@ -63,11 +63,11 @@ Interval scaled_modulus_on_axis(Symbol symbol, double left, double right) {
       return 2 * pole * (e2 + 1) / q_over_x;
     case Symbol::I7:
       return 2 * falling_ratio(2, left, right) / q_over_x;
-    case Symbol::I6_alpha:
+    case Symbol::I6_alpha_part:
       return 4 * square(pole) / q_over_x;
-    case Symbol::I6_eta:
+    case Symbol::I6_eta_part:
       return 2 * square(pole) * (e2 + 1) / q_over_x;
-    case Symbol::normal:
+    case Symbol::I1:
       break;
   }
   // normal = (tanh x - tanh(3x/4))/x - 2 tanh x/S: two parts of opposite sign. The first is at most
@@ -112,7 +112,7 @@ TEST_CASE("the constants that bound the symbols hold on an interval mesh") {
     CHECK(amplitude(symbol) <= constants.amplitude);
     for (const Interval* line : {&low_line, &high_line}) {
       CHECK(integral_on(symbol, *line, 0) <= constants.integral);
-      if (constants.parity == Parity::odd)
+      if (constants.is_odd)
         CHECK(2 * integral_on(symbol, *line, 1) <= constants.moment * mpfi_get_d(line->get()));
     }
   }
