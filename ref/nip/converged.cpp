@@ -25,8 +25,6 @@ constexpr int fewest_digits = 16;
 constexpr double longest_inside = 80;
 /// Digits of the fields of line loads beyond those of the stresses that they make.
 constexpr int stress_guard = 4;
-/// The distance from the contact at which displacements are computed, half-thicknesses.
-constexpr double farthest = 900;
 
 }  // namespace
 
@@ -226,13 +224,9 @@ Estimate ConvergedNip::Parts::traction(double y, Traction part, ProvenTraction p
       pressure_of(fine()), by_ends(x, part));
 }
 
-long ConvergedNip::Parts::kernel_values(long KernelValues::*of) const {
-  return (solved ? solved->kernels().values().*of : 0) + (proof ? proof->contact->kernel_values().*of : 0);
-}
-
 void ConvergedNip::Parts::check_place(double y) const {
   const WorkingDigits working(working_digits());
-  if (!std::isfinite(y) || abs(Float(y) / in_unit(&NipUnits::length)) > farthest + size())
+  if (!std::isfinite(y) || abs(Float(y) / in_unit(&NipUnits::length)) > farthest_inside + size())
     throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
 }
 
@@ -485,8 +479,11 @@ GreatestShear ConvergedNip::greatest_shear() const {
 int ConvergedNip::unknowns() const {
   return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact->terms();
 }
-long ConvergedNip::normal_values() const { return parts_->kernel_values(&KernelValues::normal); }
-long ConvergedNip::coupling_values() const { return parts_->kernel_values(&KernelValues::coupling); }
-long ConvergedNip::stretch_values() const { return parts_->kernel_values(&KernelValues::stretch); }
+
+KernelValues ConvergedNip::kernel_values() const {
+  const KernelValues a = parts_->solved ? parts_->solved->kernels().values() : KernelValues(),
+                     b = parts_->proof ? parts_->proof->contact->kernel_values() : KernelValues();
+  return {a.normal + b.normal, a.coupling + b.coupling, a.stretch + b.stretch};
+}
 
 }  // namespace nipref::ref

@@ -5,6 +5,7 @@
 
 #include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/number/estimate.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
 
@@ -56,10 +57,8 @@ class ConvergedNip {
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// normal_displacement and tangential_displacement at any depth, by the tractions; of a sheet without memory.
   [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
-  [[nodiscard]] int unknowns() const;          ///< of the finer solution, or else the terms of the proof
-  [[nodiscard]] long normal_values() const;    ///< of I1, taken so far
-  [[nodiscard]] long coupling_values() const;  ///< of I3, taken so far
-  [[nodiscard]] long stretch_values() const;   ///< of what I6 has beside I1
+  [[nodiscard]] int unknowns() const;  ///< of the finer solution, or else the terms of the proof
+  [[nodiscard]] KernelValues kernel_values() const;  ///< so far
 
   struct Parts;  ///< internal/converged_parts.hpp
   explicit ConvergedNip(Parts parts);

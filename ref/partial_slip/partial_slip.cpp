@@ -16,8 +16,6 @@ using data::BadInput;
 
 /// L/B.
 constexpr double shortest_slip = 1e-8, longest_slip = 10;
-/// The distance from the contact at which strains and displacements are computed, half-thicknesses.
-constexpr double farthest_slip = 900;
 
 NipTask slip_task(const data::PartialSlipNip& nip, int digits) {
   nip.check();
@@ -140,7 +138,7 @@ struct PartialSlipNip::Parts {
   }
   [[nodiscard]] Functional near(double y, const FunctionalAt& functional) const {
     const WorkingDigits working(working_digits_of_slip(digits));
-    if (!std::isfinite(y) || abs(y / to_float(units.length)) > farthest_slip + size)
+    if (!std::isfinite(y) || abs(y / to_float(units.length)) > farthest_inside + size)
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
     return at(y, functional);
   }

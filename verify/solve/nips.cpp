@@ -91,9 +91,10 @@ fast::Work work_of(const auto& by_fast) { return by_fast.work(); }
 /// Numbers of values of I1, of I3, and of the part of I6 that is not in I1.
 fast::Work work_of(const ref::ConvergedNip& contact) {
   fast::Work work;
-  work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact.normal_values());
-  work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact.coupling_values());
-  work.kernel_evaluations[5] = static_cast<std::uint64_t>(contact.stretch_values());
+  const auto [normal, coupling, stretch] = contact.kernel_values();
+  work.kernel_evaluations[0] = static_cast<std::uint64_t>(normal);
+  work.kernel_evaluations[2] = static_cast<std::uint64_t>(coupling);
+  work.kernel_evaluations[5] = static_cast<std::uint64_t>(stretch);
   work.unknowns = contact.unknowns();
   return work;
 }

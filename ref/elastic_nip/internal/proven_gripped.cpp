@@ -1,23 +1,149 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/elastic_nip/internal/gripped_system.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/refined_solution.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
 namespace {
 
-using namespace gripped;
+std::size_t at(long k) { return static_cast<std::size_t>(k); }
+
+// The equations in double, Float or intervals. (ref/elastic_nip/README.md, Contacts with full friction, (2) and (3))
+
+/// x times i^m, over i where m is odd.
+template <class Number>
+Number with_sign_of(long m, const Number& x) {
+  return (m & 2) != 0 ? Number(-x) : x;
+}
+
+template <class Number>
+Number times(long m, const Number& x) {
+  if constexpr (std::is_same_v<Number, double>) return static_cast<double>(m) * x;
+  if constexpr (!std::is_same_v<Number, double>) return m * x;
+}
+
+/// Numbers of one contact of half length A at the Chebyshev points t_i = cos((2i + 1) pi/(2N)), i < N.
+template <class Number>
+struct GrippedSystem {
+  long size;                    ///< N, even
+  Number zero, root, share;     ///< 0, sqrt(1 - beta^2) and 4/N^2
+  std::vector<Number> cosines;  ///< cos(k pi/(2N)), k < 4N
+  std::vector<Number> powers;   ///< omega_j, over i^j
+  /// J, I3 and J - int I3 at A (t_i - t_j), a row for each t_i > 0: at -t_i follows by parity.
+  std::vector<Number> normal, coupling, along;
+
+  [[nodiscard]] const Number& cosine(long k) const {
+    const long period = 4 * size;
+    return cosines[at((k % period + period) % period)];
+  }
+
+  /// The coefficient of zeta^n in 4 Omega h, over i^{1 - n}.
+  [[nodiscard]] Number outer(const std::vector<Number>& alpha, long n) const {
+    Number sum = zero;
+    for (long k = std::max(0L, n - 1); k < static_cast<long>(alpha.size()); ++k) {
+      const Number term = alpha[at(k)] * powers[at(1 + k - n)];
+      sum = k % 2 == 0 ? Number(sum + term) : Number(sum - term);
+    }
+    for (long k = 0; k <= std::min(1 - n, static_cast<long>(alpha.size()) - 1); ++k)
+      sum = sum + alpha[at(k)] * powers[at(1 - n - k)];
+    return sum;
+  }
+
+  /// Coefficients of sin(m theta) in the tractions over 2A: of odd m in the pressure, of even m in the shear.
+  [[nodiscard]] std::vector<Number> sines(const std::vector<Number>& alpha) const {
+    std::vector<Number> result(at(size), zero);
+    for (long m = 1; m < size; ++m) {
+      const Number above = outer(alpha, m), below = outer(alpha, -m);
+      const Number both = m % 2 == 0 ? Number(above - below) : Number(above + below);
+      result[at(m)] = with_sign_of(m, Number(root * both / 4));
+    }
+    return result;
+  }
+
+  /// sum_j J p_j - I3 q_j, and sum_j I3 p_j + (J - int I3) q_j, at the points t_i > 0.
+  [[nodiscard]] std::pair<std::vector<Number>, std::vector<Number>> smooth(
+      const std::vector<Number>& p, const std::vector<Number>& q) const {
+    std::vector<Number> u(at(size / 2), zero), v(at(size / 2), zero);
+    for (long i = 0; i < size / 2; ++i) {
+      for (long j = 0; j < size; ++j) {
+        const std::size_t ij = at(i * size + j);
+        u[at(i)] = u[at(i)] + normal[ij] * p[at(j)] - coupling[ij] * q[at(j)];
+        v[at(i)] = v[at(i)] + coupling[ij] * p[at(j)] + along[ij] * q[at(j)];
+      }
+    }
+    return {std::move(u), std::move(v)};
+  }
+
+  /// sum of m c_m cos(m theta_i) over odd m, or even ones.
+  [[nodiscard]] std::vector<Number> slopes(const std::vector<Number>& sines, long first) const {
+    std::vector<Number> result(at(size), zero);
+    for (long i = 0; i < size; ++i)
+      for (long m = first; m < size; m += 2)
+        result[at(i)] = result[at(i)] + times(m, sines[at(m)]) * cosine(m * (2 * i + 1));
+    return result;
+  }
+
+  /// Coefficients of T_m in the slopes that the tractions cause, over -2A^2: of odd m that of u, of even m that of v.
+  [[nodiscard]] std::vector<Number> rows(const std::vector<Number>& alpha,
+                                         const std::vector<Number>& sines) const {
+    const auto [u, v] = smooth(slopes(sines, 1), slopes(sines, 2));
+    std::vector<Number> result(at(size), zero);
+    for (long m = 0; m < size; ++m) {
+      Number sum = zero;
+      for (long i = 0; i < size / 2; ++i) sum = sum + (m % 2 == 0 ? v : u)[at(i)] * cosine(m * (2 * i + 1));
+      result[at(m)] = with_sign_of(m, Number(root * outer(alpha, m) / 2)) + share * sum;
+    }
+    result[0] = result[0] / 2;
+    return result;
+  }
+};
+
+template <class Number>
+Number converted(const Interval& x) {
+  if constexpr (std::is_same_v<Number, double>) return mpfi_get_d(x.get());
+  if constexpr (std::is_same_v<Number, Float>) return middle_of(x);
+  if constexpr (std::is_same_v<Number, Interval>) return x;
+}
+
+template <class Number>
+std::vector<Number> all_converted(const std::vector<Interval>& x) {
+  std::vector<Number> result;
+  result.reserve(x.size());
+  for (const Interval& value : x) result.push_back(converted<Number>(value));
+  return result;
+}
+
+template <class Number>
+GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
+  return {from.size,
+          converted<Number>(from.zero),
+          converted<Number>(from.root),
+          converted<Number>(from.share),
+          all_converted<Number>(from.cosines),
+          all_converted<Number>(from.powers),
+          all_converted<Number>(from.normal),
+          all_converted<Number>(from.coupling),
+          all_converted<Number>(from.along)};
+}
+
+/// Coefficients f_j of ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, over i^j, j < count.
+std::vector<Interval> power_series(const Interval& epsilon, long order, long count) {
+  std::vector<Interval> f{Interval(1L, epsilon.precision()), 4 * epsilon};
+  for (long j = 1; j + 1 < count; ++j)
+    f.push_back((4 * (epsilon * f[at(j)]) - (j - 1 - 2 * order) * f[at(j - 1)]) / (j + 1));
+  return f;
+}
 
 /// ln 2 - Re (digamma(1/2 + i epsilon) - digamma(1/2)), 0 <= epsilon < 1/3.
 Interval capacity(const Interval& epsilon) {
@@ -87,7 +213,7 @@ class GrippedContact final : public ProvenResults {
         epsilon_((log(beta_ + 1) - log(1 - beta_)) / (2 * Interval::pi(working_bits()))),
         offset_(working_bits()),
         kernels_(std::move(kernels)) {
-    const System<Interval> system = assembled();
+    const GrippedSystem<Interval> system = assembled();
     solve(system);
     prove(system);
   }
@@ -121,13 +247,174 @@ class GrippedContact final : public ProvenResults {
   }
 
  private:
-  System<Interval> assembled();
-  void solve(const System<Interval>& system);
-  void prove(const System<Interval>& system);
-  void find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
-                         const EntryBounds& decay, const Interval& entry_error);
-  [[nodiscard]] Interval traction(const SurfacePoint& place, bool shear) const;
-  [[nodiscard]] std::optional<Interval> peak(bool shear) const;
+  [[nodiscard]] GrippedSystem<Interval> assembled() {
+    const long N = size_;
+    const mpfr_prec_t bits = working_bits();
+    const Cosines cosines(N, bits);
+    GrippedSystem<Interval> system{
+        N, Interval(bits), sqrt(1 - square(beta_)), Interval(4L, bits) / (N * N), {}, {}, {}, {}, {}};
+    for (long k = 0; k < 4 * N; ++k) system.cosines.push_back(cosines(k));
+    system.powers = power_series(epsilon_, 1, 2 * N);
+    const Float A = middle_of(A_);
+    std::vector<Float> places;
+    for (long i = 0; i < N; ++i) places.push_back(A * middle_of(cosines(2 * i + 1)));
+    for (long i = 0; i < N / 2; ++i) {
+      for (long j = 0; j < N; ++j) {
+        const Float alpha = places[at(i)] - places[at(j)];
+        const Float normal = (*kernels_)[0](alpha), coupling = (*kernels_)[1](alpha);
+        system.normal.push_back(interval_of(normal));
+        system.coupling.push_back(i == j ? Interval(bits)
+                                         : interval_of(alpha < 0 ? Float(-coupling) : coupling));
+        system.along.push_back(system.normal.back() + interval_of((*kernels_)[2](alpha)));
+      }
+    }
+    return system;
+  }
+
+  /// By iterations in Float: no proof relies on it, as prove() bounds what it leaves.
+  void solve(const GrippedSystem<Interval>& system) {
+    const long unknowns = size_ - 1;
+    const auto in_double = converted<double>(system);
+    const auto in_float = converted<Float>(system);
+    DenseMatrix<double> matrix(unknowns, unknowns);
+    for (long k = 0; k < unknowns; ++k) {
+      std::vector<double> unit(at(unknowns), 0.0);
+      unit[at(k)] = 1;
+      const std::vector<double> rows = in_double.rows(unit, in_double.sines(unit));
+      for (long m = 0; m < unknowns; ++m) matrix(m, k) = rows[at(m + 1)];
+    }
+    const auto apply = [&](const Vector& x) {
+      const std::vector<Float> alpha(x.data(), x.data() + unknowns);
+      const std::vector<Float> rows = in_float.rows(alpha, in_float.sines(alpha));
+      Vector result(unknowns);
+      for (long m = 0; m < unknowns; ++m) result(m) = rows[at(m + 1)];
+      return result;
+    };
+    Vector right(unknowns);
+    right(0) = 1;
+    const std::optional<Vector> solution = refined_solution(EliminatedInDouble(matrix), right, apply);
+    for (long k = 0; k < unknowns; ++k)
+      alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
+  }
+
+  /// The errors of the page: in energy, of the slopes of the tractions, and of the creep.
+  void prove(const GrippedSystem<Interval>& system) {
+    const long N = size_;
+    const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
+    Interval residual(working_bits()), unknowns(working_bits());
+    for (long m = 1; m < N; ++m) {
+      residual = residual + m * m * magnitude_of(m == 1 ? 1 - rows[at(m)] : rows[at(m)]);
+      unknowns = unknowns + sqrt(Interval(m, working_bits())) * magnitude_of(sines[at(m)]);
+    }
+    // What the values of the kernels miss: by themselves, by their rounded arguments, and as A is an interval.
+    const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
+    Interval entry_error = 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
+    for (const SmoothKernel& kernel : *kernels_) entry_error = entry_error + interval_of(kernel.error());
+    const Interval node_sum =
+        sum_of_magnitudes(system.slopes(sines, 1)) + sum_of_magnitudes(system.slopes(sines, 2));
+    const EntryBounds decay = gripped_bounds(A_, N);
+    const Interval beyond = 2 * sum_of_magnitudes(alpha_), whole = square_tail(decay.rate, N),
+                   half = square_tail(decay.rate / 2, N);
+    const Interval in_row = 2 * entry_error * node_sum / N + unknowns * folded_entries(decay, N, N) +
+                            decay.amplitude * beyond * whole;
+    const Interval missed = N * N * N * in_row + decay.amplitude * (unknowns * whole + beyond * square(half));
+    energy_error_ = magnitude_of((residual + missed) / gripped_coercivity(A_, beta_));
+    const EntryBounds slow = gripped_bounds(A_, 1);
+    slope_error_ = magnitude_of(residual + missed +
+                                slow.amplitude * square_tail(slow.rate / 2, 1) * energy_error_ /
+                                    sqrt(1 - slow.power(1)));
+    first_ = sines[1].widened(energy_error_);
+    creep_error_ = missed + (3 * A_ + 1) * energy_error_;
+    creep_ = (-rows[0]).widened(creep_error_);
+    find_displacement(system, sines, decay, entry_error);
+  }
+
+  /// d1 of the page, and what its sums miss.
+  void find_displacement(const GrippedSystem<Interval>& system, const std::vector<Interval>& sines,
+                         const EntryBounds& decay, const Interval& entry_error) {
+    const long N = size_;
+    const std::vector<Interval> weights = power_series(epsilon_, 0, N);
+    std::vector<Interval> p(at(N), system.zero), q = p, even = p, odd = p;
+    for (long i = 0; i < N; ++i) {
+      for (long m = 0; m < N; ++m) {
+        const long turn = m * (2 * i + 1);
+        const Interval wave = system.cosine(turn - N) * system.cosine(2 * i + 1 - N);
+        Interval& traction = (m % 2 == 0 ? q : p)[at(i)];
+        traction = traction + sines[at(m)] * wave;
+        Interval& weight = (m % 2 == 0 ? even : odd)[at(i)];
+        weight = weight + with_sign_of(m, weights[at(m)] * system.cosine(turn));
+      }
+    }
+    const auto [u, v] = system.smooth(p, q);
+    Interval sum = system.zero;
+    for (long i = 0; i < N / 2; ++i) sum = sum + even[at(i)] * u[at(i)] + odd[at(i)] * v[at(i)];
+    const Interval cosh_end = 1 / system.root, smallest = decay.power(N - 1) / (1 - decay.power(1));
+    const Interval tractions = sum_of_magnitudes(alpha_) + sum_of_magnitudes(sines);
+    const Interval missed =
+        entry_error * sum_of_magnitudes(weights) * tractions +
+        2 * decay.amplitude * smallest * tractions * (2 * cosh_end + sum_of_magnitudes(weights));
+    const Interval smooth =
+        (system.share * sum / 2).widened(missed + cosh_end * (6 * A_ + 2) * energy_error_);
+    const Interval singular = first_ / 2 * (capacity(epsilon_) - log(A_));
+    edge_displacement_ =
+        square(A_) * (2 * (singular + smooth - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
+  }
+
+  /// |g - w p| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
+  [[nodiscard]] Interval traction(const SurfacePoint& place, bool shear) const {
+    const mpfr_prec_t bits = working_bits();
+    if (mpfr_sgn(place.before_end.upper()) <= 0) return Interval(bits);
+    const Interval error = slope_error_ / (1 - square(beta_));
+    if (mpfr_sgn(place.before_end.lower()) <= 0) {
+      const Interval end = magnitude_of(place.before_end);
+      return either_side(2 * A_ * sqrt(end * (2 - end)) * (sum_of_magnitudes(alpha_) + error));
+    }
+    const Interval ratio = place.before_end / (2 - place.before_end), theta = 2 * atan(sqrt(ratio)),
+                   turn = -(epsilon_ * log(ratio)), sine = sqrt(place.before_end * (2 - place.before_end));
+    Interval even(bits), odd(bits);
+    for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
+      Interval& sum = k % 2 == 0 ? even : odd;
+      sum = sum + with_sign_of(k, alpha_[at(k)] * cos(k * theta));
+    }
+    const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
+    const Interval traction = 2 * A_ * (sine * value.widened(error));
+    return shear && place.is_trailing ? -traction : traction;
+  }
+
+  /// gamma = g sin(theta) h, where g has the modulus 1 and the slope -2 i epsilon g/sin(theta), and h is a polynomial. As the
+  /// shear is odd, its largest value is that of its magnitude.
+  [[nodiscard]] std::optional<Interval> peak(bool shear) const {
+    const mpfr_prec_t bits = working_bits();
+    const ComplexInterval zero{Interval(bits), Interval(bits)}, twist{Interval(bits), -(2 * epsilon_)};
+    const auto traction_over = [&](const Interval& theta) -> FunctionOver {
+      const Interval sine = sin(theta), cosine = cos(theta),
+                     turn = -(2 * (epsilon_ * log(sine / (cosine + 1))));
+      ComplexInterval h = zero, slope = zero, curvature = zero;
+      for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
+        const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.re : x.im; };
+        const Interval alpha = with_sign_of(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
+        part(h) = part(h) + wave;
+        part(slope) = part(slope) - k * (alpha * sin(k * theta));
+        part(curvature) = part(curvature) - k * k * wave;
+      }
+      const ComplexInterval g{cos(turn), sin(turn)}, first = twist * h + cosine * h + sine * slope;
+      const ComplexInterval second =
+          1 / sine * (twist * first) + twist * slope + 2 * cosine * slope + sine * (curvature - h);
+      const auto part = [&](const ComplexInterval& x) { return shear ? (g * x).im : (g * x).re; };
+      return {part(sine * h), part(first), part(second)};
+    };
+    const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));
+    const auto found = largest_value(traction_over, hull(end, Interval::pi(bits) - end), magnitude_of(error),
+                                     Interval(bits));
+    // Nearer the ends tractions are smaller: the shear is at most sin(theta) (|turn| even + odd), |turn| <= 2 epsilon ln(2/theta).
+    Interval even(bits), odd(bits);
+    for (std::size_t k = 0; k < alpha_.size(); ++k)
+      (k % 2 == 0 ? even : odd) = (k % 2 == 0 ? even : odd) + magnitude_of(alpha_[k]);
+    const Interval nearer = shear ? 2 * epsilon_ * log(2 / end) * even + odd : even + odd;
+    if (!found || mpfr_lessequal_p(found->value.lower(), (end * (nearer + error)).upper()) != 0)
+      return std::nullopt;
+    return 2 * A_ * found->value;
+  }
 
   long size_;
   Interval A_, beta_, epsilon_, offset_;
@@ -136,174 +423,6 @@ class GrippedContact final : public ProvenResults {
   Interval first_{working_bits()}, creep_{working_bits()}, edge_displacement_{working_bits()};
   Interval energy_error_{working_bits()}, slope_error_{working_bits()}, creep_error_{working_bits()};
 };
-
-System<Interval> GrippedContact::assembled() {
-  const long N = size_;
-  const mpfr_prec_t bits = working_bits();
-  const Cosines cosines(N, bits);
-  System<Interval> system{
-      N, Interval(bits), sqrt(1 - square(beta_)), Interval(4L, bits) / (N * N), {}, {}, {}, {}, {}};
-  for (long k = 0; k < 4 * N; ++k) system.cosines.push_back(cosines(k));
-  system.powers = power_series(epsilon_, 1, 2 * N);
-  const Float A = middle_of(A_);
-  std::vector<Float> places;
-  for (long i = 0; i < N; ++i) places.push_back(A * middle_of(cosines(2 * i + 1)));
-  for (long i = 0; i < N / 2; ++i) {
-    for (long j = 0; j < N; ++j) {
-      const Float alpha = places[at(i)] - places[at(j)];
-      const Float normal = (*kernels_)[0](alpha), coupling = (*kernels_)[1](alpha);
-      system.normal.push_back(interval_of(normal));
-      system.coupling.push_back(i == j ? Interval(bits)
-                                       : interval_of(alpha < 0 ? Float(-coupling) : coupling));
-      system.along.push_back(system.normal.back() + interval_of((*kernels_)[2](alpha)));
-    }
-  }
-  return system;
-}
-
-/// By iterations in Float: no proof relies on it, as prove() bounds what it leaves.
-void GrippedContact::solve(const System<Interval>& system) {
-  const long unknowns = size_ - 1;
-  const auto in_double = converted<double>(system);
-  const auto in_float = converted<Float>(system);
-  DenseMatrix<double> matrix(unknowns, unknowns);
-  for (long k = 0; k < unknowns; ++k) {
-    std::vector<double> unit(at(unknowns), 0.0);
-    unit[at(k)] = 1;
-    const std::vector<double> rows = in_double.rows(unit, in_double.sines(unit));
-    for (long m = 0; m < unknowns; ++m) matrix(m, k) = rows[at(m + 1)];
-  }
-  const auto apply = [&](const Vector& x) {
-    const std::vector<Float> alpha(x.data(), x.data() + unknowns);
-    const std::vector<Float> rows = in_float.rows(alpha, in_float.sines(alpha));
-    Vector result(unknowns);
-    for (long m = 0; m < unknowns; ++m) result(m) = rows[at(m + 1)];
-    return result;
-  };
-  Vector right(unknowns);
-  right(0) = 1;
-  const std::optional<Vector> solution = refined_solution(EliminatedInDouble(matrix), right, apply);
-  for (long k = 0; k < unknowns; ++k)
-    alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
-}
-
-/// The errors of the page: in energy, of the slopes of the tractions, and of the creep.
-void GrippedContact::prove(const System<Interval>& system) {
-  const long N = size_;
-  const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
-  Interval residual(working_bits()), unknowns(working_bits());
-  for (long m = 1; m < N; ++m) {
-    residual = residual + m * m * magnitude_of(m == 1 ? 1 - rows[at(m)] : rows[at(m)]);
-    unknowns = unknowns + sqrt(Interval(m, working_bits())) * magnitude_of(sines[at(m)]);
-  }
-  // What the values of the kernels miss: by themselves, by their rounded arguments, and as A is an interval.
-  const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
-  Interval entry_error = 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
-  for (const SmoothKernel& kernel : *kernels_) entry_error = entry_error + interval_of(kernel.error());
-  const Interval node_sum =
-      sum_of_magnitudes(system.slopes(sines, 1)) + sum_of_magnitudes(system.slopes(sines, 2));
-  const EntryBounds decay = gripped_bounds(A_, N);
-  const Interval beyond = 2 * sum_of_magnitudes(alpha_), whole = square_tail(decay.rate, N),
-                 half = square_tail(decay.rate / 2, N);
-  const Interval in_row = 2 * entry_error * node_sum / N + unknowns * folded_entries(decay, N, N) +
-                          decay.amplitude * beyond * whole;
-  const Interval missed = N * N * N * in_row + decay.amplitude * (unknowns * whole + beyond * square(half));
-  energy_error_ = magnitude_of((residual + missed) / gripped_coercivity(A_, beta_));
-  const EntryBounds slow = gripped_bounds(A_, 1);
-  slope_error_ =
-      magnitude_of(residual + missed +
-                   slow.amplitude * square_tail(slow.rate / 2, 1) * energy_error_ / sqrt(1 - slow.power(1)));
-  first_ = sines[1].widened(energy_error_);
-  creep_error_ = missed + (3 * A_ + 1) * energy_error_;
-  creep_ = (-rows[0]).widened(creep_error_);
-  find_displacement(system, sines, decay, entry_error);
-}
-
-/// d1 of the page, and what its sums miss.
-void GrippedContact::find_displacement(const System<Interval>& system, const std::vector<Interval>& sines,
-                                       const EntryBounds& decay, const Interval& entry_error) {
-  const long N = size_;
-  const std::vector<Interval> weights = power_series(epsilon_, 0, N);
-  std::vector<Interval> p(at(N), system.zero), q = p, even = p, odd = p;
-  for (long i = 0; i < N; ++i) {
-    for (long m = 0; m < N; ++m) {
-      const long turn = m * (2 * i + 1);
-      const Interval wave = system.cosine(turn - N) * system.cosine(2 * i + 1 - N);
-      Interval& traction = (m % 2 == 0 ? q : p)[at(i)];
-      traction = traction + sines[at(m)] * wave;
-      Interval& weight = (m % 2 == 0 ? even : odd)[at(i)];
-      weight = weight + with_sign_of(m, weights[at(m)] * system.cosine(turn));
-    }
-  }
-  const auto [u, v] = system.smooth(p, q);
-  Interval sum = system.zero;
-  for (long i = 0; i < N / 2; ++i) sum = sum + even[at(i)] * u[at(i)] + odd[at(i)] * v[at(i)];
-  const Interval cosh_end = 1 / system.root, smallest = decay.power(N - 1) / (1 - decay.power(1));
-  const Interval tractions = sum_of_magnitudes(alpha_) + sum_of_magnitudes(sines);
-  const Interval missed =
-      entry_error * sum_of_magnitudes(weights) * tractions +
-      2 * decay.amplitude * smallest * tractions * (2 * cosh_end + sum_of_magnitudes(weights));
-  const Interval smooth = (system.share * sum / 2).widened(missed + cosh_end * (6 * A_ + 2) * energy_error_);
-  const Interval singular = first_ / 2 * (capacity(epsilon_) - log(A_));
-  edge_displacement_ =
-      square(A_) * (2 * (singular + smooth - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
-}
-
-/// |g - w p| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
-Interval GrippedContact::traction(const SurfacePoint& place, bool shear) const {
-  const mpfr_prec_t bits = working_bits();
-  if (mpfr_sgn(place.before_end.upper()) <= 0) return Interval(bits);
-  const Interval error = slope_error_ / (1 - square(beta_));
-  if (mpfr_sgn(place.before_end.lower()) <= 0) {
-    const Interval end = magnitude_of(place.before_end);
-    return either_side(2 * A_ * sqrt(end * (2 - end)) * (sum_of_magnitudes(alpha_) + error));
-  }
-  const Interval ratio = place.before_end / (2 - place.before_end), theta = 2 * atan(sqrt(ratio)),
-                 turn = -(epsilon_ * log(ratio)), sine = sqrt(place.before_end * (2 - place.before_end));
-  Interval even(bits), odd(bits);
-  for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
-    Interval& sum = k % 2 == 0 ? even : odd;
-    sum = sum + with_sign_of(k, alpha_[at(k)] * cos(k * theta));
-  }
-  const Interval value = shear ? sin(turn) * even + cos(turn) * odd : cos(turn) * even - sin(turn) * odd;
-  const Interval traction = 2 * A_ * (sine * value.widened(error));
-  return shear && place.is_trailing ? -traction : traction;
-}
-
-/// gamma = g sin(theta) h, where g has the modulus 1 and the slope -2 i epsilon g/sin(theta), and h is a polynomial. As the
-/// shear is odd, its largest value is that of its magnitude.
-std::optional<Interval> GrippedContact::peak(bool shear) const {
-  const mpfr_prec_t bits = working_bits();
-  const ComplexInterval zero{Interval(bits), Interval(bits)}, twist{Interval(bits), -(2 * epsilon_)};
-  const auto traction_over = [&](const Interval& theta) -> FunctionOver {
-    const Interval sine = sin(theta), cosine = cos(theta),
-                   turn = -(2 * (epsilon_ * log(sine / (cosine + 1))));
-    ComplexInterval h = zero, slope = zero, curvature = zero;
-    for (long k = 0; k < static_cast<long>(alpha_.size()); ++k) {
-      const auto part = [&](ComplexInterval& x) -> Interval& { return k % 2 == 0 ? x.re : x.im; };
-      const Interval alpha = with_sign_of(k, alpha_[at(k)]), wave = alpha * cos(k * theta);
-      part(h) = part(h) + wave;
-      part(slope) = part(slope) - k * (alpha * sin(k * theta));
-      part(curvature) = part(curvature) - k * k * wave;
-    }
-    const ComplexInterval g{cos(turn), sin(turn)}, first = twist * h + cosine * h + sine * slope;
-    const ComplexInterval second =
-        1 / sine * (twist * first) + twist * slope + 2 * cosine * slope + sine * (curvature - h);
-    const auto part = [&](const ComplexInterval& x) { return shear ? (g * x).im : (g * x).re; };
-    return {part(sine * h), part(first), part(second)};
-  };
-  const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));
-  const auto found =
-      largest_value(traction_over, hull(end, Interval::pi(bits) - end), magnitude_of(error), Interval(bits));
-  // Nearer the ends tractions are smaller: the shear is at most sin(theta) (|turn| even + odd), |turn| <= 2 epsilon ln(2/theta).
-  Interval even(bits), odd(bits);
-  for (std::size_t k = 0; k < alpha_.size(); ++k)
-    (k % 2 == 0 ? even : odd) = (k % 2 == 0 ? even : odd) + magnitude_of(alpha_[k]);
-  const Interval nearer = shear ? 2 * epsilon_ * log(2 / end) * even + odd : even + odd;
-  if (!found || mpfr_lessequal_p(found->value.lower(), (end * (nearer + error)).upper()) != 0)
-    return std::nullopt;
-  return 2 * A_ * found->value;
-}
 
 std::shared_ptr<GrippedContact::Kernels> smooth_kernels(const GrippedKernels& kernels,
                                                         const GrippedPlan& plan) {

@@ -4,7 +4,7 @@
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/refined_solution.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 

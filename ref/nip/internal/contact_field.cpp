@@ -43,9 +43,9 @@ struct ContactField::Peak {
 
 ContactField::ContactField(const FieldSource& coarse, const FieldSource& fine, const Float& scale,
                            const Float& uncertainty, int digits)
-    : coarse_(coarse.middle, coarse.half_length, coarse.tractions, {digits + guard, 1, scale}),
-      fine_(fine.middle, fine.half_length, fine.tractions, {digits + guard, 1.3, scale}),
-      rough_(fine.middle, fine.half_length, fine.tractions, {rough_digits, 1, scale}),
+    : coarse_(coarse, {digits + guard, 1, scale}),
+      fine_(fine, {digits + guard, 1.3, scale}),
+      rough_(fine, {rough_digits, 1, scale}),
       middle_(fine.middle),
       half_length_(fine.half_length),
       scale_(scale),

@@ -6,14 +6,8 @@
 
 namespace nipref::ref {
 
-/// The largest distance from the middle of a contact at which stresses inside are computed, half-thicknesses.
+/// The largest distance at which displacements are computed from a contact, and stresses inside from its middle, half-thicknesses.
 inline constexpr double farthest_inside = 900;
-
-/// A solved contact of which the field is computed, in half-thicknesses and any unit of stress.
-struct FieldSource {
-  Float middle, half_length;
-  InnerField::Tractions tractions;
-};
 
 /// The stresses inside the sheet from the tractions of two solutions of a contact. The values are those of the fine one; the
 /// error is estimated: twice the largest difference at the point, a hundredth of the last digit of `scale`, and `uncertainty`.

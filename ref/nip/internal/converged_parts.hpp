@@ -92,7 +92,6 @@ struct ConvergedNip::Parts {
   [[nodiscard]] Float by_ends(const Float& x, Float PressureAndShear::*part) const;
   using ProvenTraction = Interval (ProvenResults::*)(const SurfacePoint&) const;
   [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part, ProvenTraction proven) const;
-  [[nodiscard]] long kernel_values(long KernelValues::*of) const;
   void check_place(double y) const;
   void check_has_shear() const;
   [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const;

@@ -19,38 +19,6 @@ struct SineAndCosine {
 
 double nats_of(int digits) { return digits * std::numbers::ln10; }
 
-/// The substitution that maps (0, 1) to the range of u from `start` over `length`. It is linear, unless `scale`
-/// (which is d inside the sheet) is below the length: then u = scale sinh w with w linear.
-class Substitution {
- public:
-  Substitution(Float start, Float length, const Float& scale)
-      : start_(std::move(start)), length_(std::move(length)) {
-    is_linear_ = !(scale < length_);
-    if (is_linear_) return;
-    scale_ = scale;
-    first_ = asinh(start_ / scale);
-    last_ = asinh((start_ + length_) / scale);
-    // last_ - first_, without its cancellation.
-    span_ = 2 * asinh(length_ / (2 * scale * cosh((first_ + last_) / 2)));
-  }
-
-  struct Point {
-    Float from_start, to_end, slope;
-  };
-  [[nodiscard]] Point at(const Float& from_left, const Float& from_right) const {
-    if (is_linear_) return {length_ * from_left, length_ * from_right, length_};
-    const Float after = span_ * from_left / 2, before = span_ * from_right / 2;
-    return {2 * scale_ * cosh(first_ + after) * sinh(after), 2 * scale_ * cosh(last_ - before) * sinh(before),
-            scale_ * span_ * cosh(first_ + 2 * after)};
-  }
-  [[nodiscard]] const Float& start() const { return start_; }
-
- private:
-  Float start_, length_;
-  bool is_linear_;
-  Float scale_, first_, last_, span_;
-};
-
 /// The sign of u = alpha - alpha' for a traction on the left or the right of the point.
 enum Side { left_of_point = 1, right_of_point = -1 };
 
@@ -85,17 +53,10 @@ struct InnerField::FacePoint {
 };
 
 struct InnerField::Segment {
-  Substitution range;
+  Float start, length;
   bool left, right;                 ///< on which sides of the point there are tractions
   Float beyond_left, beyond_right;  ///< length of the contact beyond the segment on each side
 };
-
-InnerField::InnerField(const Float& middle, const Float& half_length, Tractions tractions,
-                       FieldFineness fineness)
-    : middle_(middle),
-      half_length_(half_length),
-      tractions_(std::move(tractions)),
-      fineness_(std::move(fineness)) {}
 
 const std::vector<UnitPoint>& InnerField::level(int number) const {
   while (std::ssize(levels_) <= number) {
@@ -121,22 +82,22 @@ template <std::size_t Parts>
 void InnerField::add_segment(const Segment& segment, const FacePoint& point,
                              std::array<Float, Parts>& sum) const {
   // Displacements are smaller than tractions under a short contact.
-  const Float scale = Parts == 2 ? std::min(Float(1), half_length_) : Float(1);
+  const Float scale = Parts == 2 ? std::min(Float(1), source_.half_length) : Float(1);
   const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits);
   std::array<Float, Parts> total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitPoint& node : level(number)) {
-      const Substitution::Point at = segment.range.at(node.from_left, node.from_right);
-      const Float gap = segment.range.start() + at.from_start, weight = node.slope * at.slope;
+      const Float from_start = segment.length * node.from_left, to_end = segment.length * node.from_right;
+      const Float gap = segment.start + from_start, weight = node.slope * segment.length;
       if (segment.left) {
-        const Float from_end = segment.beyond_left + at.to_end;
-        const Float other = point.is_inside ? point.from_right + gap : at.from_start;
-        point.add(tractions_(from_end, other), gap, left_of_point, weight, total);
+        const Float from_end = segment.beyond_left + to_end;
+        const Float other = point.is_inside ? point.from_right + gap : from_start;
+        point.add(source_.tractions(from_end, other), gap, left_of_point, weight, total);
       }
       if (segment.right) {
-        const Float from_end = segment.beyond_right + at.to_end;
-        const Float other = point.is_inside ? point.from_left + gap : at.from_start;
-        point.add(tractions_(other, from_end), gap, right_of_point, weight, total);
+        const Float from_end = segment.beyond_right + to_end;
+        const Float other = point.is_inside ? point.from_left + gap : from_start;
+        point.add(source_.tractions(other, from_end), gap, right_of_point, weight, total);
       }
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
@@ -154,31 +115,31 @@ void InnerField::add_segment(const Segment& segment, const FacePoint& point,
 template <std::size_t Parts>
 void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
                                 std::array<Float, Parts>& sum) const {
-  const Float from_middle = at.alpha - middle_;
-  FacePoint point{
-      half_length_ + from_middle, half_length_ - from_middle, 1 - face * at.depth, face, false, shares};
+  const Float from_middle = at.alpha - source_.middle;
+  FacePoint point{source_.half_length + from_middle,
+                  source_.half_length - from_middle,
+                  1 - face * at.depth,
+                  face,
+                  false,
+                  shares};
   const Float near = std::min(point.from_left, point.from_right),
               far = std::max(point.from_left, point.from_right);
   const bool more_right = point.from_right > point.from_left;
   point.is_inside = near >= 0;
-  const Float size = abs(near);
-  const Float scale = point.distance > 0 ? point.distance : size > 0 ? size : far;
   if (!point.is_inside) {
-    add_segment({Substitution(size, far - size, scale), !more_right, more_right, 0, 0}, point, sum);
+    add_segment({-near, far + near, !more_right, more_right, 0, 0}, point, sum);
     return;
   }
   if (near > 0) {
-    add_segment({Substitution(0, near, scale), true, true, point.from_left - near, point.from_right - near},
-                point, sum);
+    add_segment({0, near, true, true, point.from_left - near, point.from_right - near}, point, sum);
     if (Parts == 3 && point.distance == 0) {
-      const FaceTraction here = tractions_(point.from_left, point.from_right);
+      const FaceTraction here = source_.tractions(point.from_left, point.from_right);
       sum[0] -= here.pressure;
       sum[1] -= here.pressure;
       sum.back() += face * here.shear;
     }
   }
-  if (far > near)
-    add_segment({Substitution(near, far - near, scale), !more_right, more_right, 0, 0}, point, sum);
+  if (far > near) add_segment({near, far - near, !more_right, more_right, 0, 0}, point, sum);
 }
 
 /// The tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x) and |Im
@@ -186,17 +147,17 @@ void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShare
 /// in part.
 const std::vector<InnerField::Charge>& InnerField::charges() const {
   if (!charges_.empty()) return charges_;
-  const double nats = nats_of(fineness_.digits + 2), A = static_cast<double>(half_length_);
+  const double nats = nats_of(fineness_.digits + 2), A = static_cast<double>(source_.half_length);
   const double growth = std::max(0.0, 0.94 * A - 2) * nats / 2;
   const double step = std::numbers::pi / ((nats + growth) * fineness_.fineness);
   const double last = std::asinh((nats + 8) / std::numbers::pi);
   const int half = static_cast<int>(std::ceil(last / step));
   for (int i = -half; i <= half; ++i) {
     const UnitPoint at(Float(step) * i);
-    const Float length = 2 * half_length_, weight = length * at.slope * step;
-    const FaceTraction here = tractions_(length * at.from_left, length * at.from_right);
-    charges_.push_back(
-        {half_length_ * (at.from_left - at.from_right), {weight * here.pressure, weight * here.shear}});
+    const Float length = 2 * source_.half_length, weight = length * at.slope * step;
+    const FaceTraction here = source_.tractions(length * at.from_left, length * at.from_right);
+    charges_.push_back({source_.half_length * (at.from_left - at.from_right),
+                        {weight * here.pressure, weight * here.shear}});
   }
   return charges_;
 }
@@ -204,7 +165,8 @@ const std::vector<InnerField::Charge>& InnerField::charges() const {
 /// Gauss rules on panels of length 2. Once it resolves the waves, each further node reduces the error by a factor of
 /// 4.45, because of the poles of 1/D at 1.125 +- 2.106 i.
 const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const {
-  const double A = static_cast<double>(half_length_), off = std::fabs(static_cast<double>(alpha - middle_));
+  const double A = static_cast<double>(source_.half_length),
+               off = std::fabs(static_cast<double>(alpha - source_.middle));
   const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(off / (A + 0.5)))));
   const auto found = waves_.find(doublings);
   if (found != waves_.end()) return found->second;
@@ -259,7 +221,7 @@ void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, 
       a[i] = wave.sinh_part * depth[i] - planes[i];
       b[i] = wave.cosh_part * depth[i] - planes[i];
     }
-    const SineAndCosine at(z * (alpha - middle_));
+    const SineAndCosine at(z * (alpha - source_.middle));
     const FaceTraction &c = wave.cosine, &i = wave.sine;
     for (std::size_t part = 0; part < Parts; ++part) {
       const auto& [sine, odd_in_depth, first_pressure, first_shear, second, third] = forms[part];

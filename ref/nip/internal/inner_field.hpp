@@ -3,6 +3,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <nipref/ref/nip/internal/tractions.hpp>
@@ -33,6 +34,13 @@ struct FloatDisplacements {
   Float across, along;
 };
 
+/// A solved contact of which the field is computed, in half-thicknesses and any unit of stress.
+struct FieldSource {
+  Float middle, half_length;
+  /// 0 at the ends and analytic between them, as functions of the distances from the left and the right end, > 0.
+  std::function<FaceTraction(const Float& from_left, const Float& from_right)> tractions;
+};
+
 /// The accuracy of a field: the error of its stresses is about 10^-digits of `scale`. Fields with a different
 /// `fineness`, 1 or more, have no node in common.
 struct FieldFineness {
@@ -48,11 +56,8 @@ struct FieldFineness {
 /// ref/nip/README.md, Stresses inside, Displacements inside. Neither part uses the kernels of sheet/field.hpp.
 class InnerField {
  public:
-  /// Tractions that are 0 at the ends and analytic between them, as functions of the distances from the left and the
-  /// right end, > 0.
-  using Tractions = std::function<FaceTraction(const Float& from_left, const Float& from_right)>;
-
-  InnerField(const Float& middle, const Float& half_length, Tractions tractions, FieldFineness fineness);
+  InnerField(FieldSource source, FieldFineness fineness)
+      : source_(std::move(source)), fineness_(std::move(fineness)) {}
 
   [[nodiscard]] FloatStresses at(const SheetPoint& point) const;
   /// The displacements there, which vanish at alpha = 0 on the middle plane if the pressure is even and the shear odd. The shear
@@ -97,8 +102,7 @@ class InnerField {
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 
-  Float middle_, half_length_;
-  Tractions tractions_;
+  FieldSource source_;
   FieldFineness fineness_;
   mutable std::deque<std::vector<UnitPoint>> levels_;
   mutable std::vector<Charge> charges_;

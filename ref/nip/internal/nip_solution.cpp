@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <nipref/ref/nip/internal/nip_solution.hpp>
-#include <nipref/ref/number/internal/refined_solution.hpp>
 
 namespace nipref::ref {
 
@@ -112,87 +111,99 @@ Float ElasticSheet::epsilon() const { return grips_ ? Float(atanh(beta_) / pi())
 
 Resolution ElasticSheet::resolution() const { return {decay_of(grips_, static_cast<double>(beta_)), {}, 1}; }
 
+namespace {
+
+/// With full friction v = creep y in the contact. Displacements are collocated.
+class ElasticSolution : public NipSolution {
+ public:
+  ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
+      : NipSolution(std::move(tractions)), sheet_(sheet) {
+    const std::vector<Float> points = tractions_.matching_points();
+    const auto count = static_cast<Index>(points.size());
+    const Index columns = tractions_.columns(), size = unknowns();
+    std::vector<LineFunctional> functionals{normal()};
+    if (sheet_.grips()) functionals.push_back(tangential());
+    Matrix matrix(size, size);
+    Vector right(size);
+    for (Index i = 0; i < count; ++i) {
+      const Float& e = points[static_cast<std::size_t>(i)];
+      const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels);
+      matrix.row(i).leftCols(columns) = rows[0].transpose();
+      if (sheet_.grips()) matrix.row(count + i).leftCols(columns) = rows[1].transpose();
+      // The displacement at the end over A, so that all unknowns are of about one size.
+      matrix(i, columns) = -half_length();
+      right(i) = e * (2 * half_length() - e);
+      if (sheet_.grips()) matrix(count + i, columns + 1) = -(half_length() - e);
+    }
+    const Vector solution = refined_solution(matrix, right);
+    leading_ = trailing_ = solution.block(0, 0, columns, 1);
+    edge_displacement_ = solution(columns) * half_length();
+    if (sheet_.grips()) creep_ = solution(columns + 1);
+    load_ = 2 * tractions_.integral().cwiseProduct(leading_).sum();
+  }
+
+  [[nodiscard]] int unknowns() const override { return tractions_.columns() + (sheet_.grips() ? 2 : 1); }
+
+  [[nodiscard]] Float growth() const override {
+    const auto [a, b] = tractions_.at_root(leading_);
+    const Float epsilon = sheet_.epsilon(), cosine = cosh(pi() * epsilon);
+    return pi() * half_length() * (a * a + b * b) * (1 + 4 * epsilon * epsilon) /
+           (4 * panels().front().width * load_ * cosine * cosine);
+  }
+
+  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override {
+    return before_end(x) < 0 ? value(x, normal(), kernels) : on_roller(x);
+  }
+
+  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override {
+    if (sheet_.grips() && before_end(x) >= 0) return creep_ * (half_length() - x);
+    const Float along = value(x, tangential(), kernels);
+    return x <= half_length() ? along : Float(-along);
+  }
+
+  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override {
+    if (sheet_.grips() && before_end(x) >= 0) return creep_;
+    LineFunctional slope;
+    slope.pressure(Influence::coupling_slope, 1 / pi());
+    if (sheet_.grips()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
+    return value(x, slope, kernels) - sheet_.beta() * tractions(x).pressure;
+  }
+
+ private:
+  [[nodiscard]] LineFunctional normal() const {
+    LineFunctional result;
+    result.pressure(Influence::normal, 1 / pi());
+    if (sheet_.grips())
+      result.shear(Influence::sign, sheet_.beta() / 2).shear(Influence::coupling, -1 / pi());
+    return result;
+  }
+
+  [[nodiscard]] LineFunctional tangential() const {
+    LineFunctional result;
+    result.pressure(Influence::sign, -sheet_.beta() / 2).pressure(Influence::coupling, 1 / pi());
+    if (sheet_.grips()) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
+    return result;
+  }
+
+  /// Distance from the nearer end, negative outside.
+  [[nodiscard]] Float before_end(const Float& x) const {
+    return x <= half_length() ? x : Float(2 * half_length() - x);
+  }
+
+  [[nodiscard]] Float value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const {
+    return tractions_.rows(before_end(x), {functional}, kernels).front().cwiseProduct(leading_).sum();
+  }
+
+  const ElasticSheet& sheet_;
+  Float creep_;
+};
+
+}  // namespace
+
 std::unique_ptr<NipSolution> ElasticSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
                                                   double nats, SheetKernels& kernels) const {
   return std::make_unique<ElasticSolution>(
       *this, Tractions(half_length, std::move(panels), epsilon(), grips_, nats), kernels);
-}
-
-ElasticSolution::ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
-    : NipSolution(std::move(tractions)), sheet_(sheet) {
-  const std::vector<Float> points = tractions_.matching_points();
-  const auto count = static_cast<Index>(points.size());
-  const Index columns = tractions_.columns(), size = unknowns();
-  std::vector<LineFunctional> functionals{normal()};
-  if (sheet_.grips()) functionals.push_back(tangential());
-  Matrix matrix(size, size);
-  Vector right(size);
-  for (Index i = 0; i < count; ++i) {
-    const Float& e = points[static_cast<std::size_t>(i)];
-    const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels);
-    for (Index k = 0; k < columns; ++k) {
-      matrix(i, k) = rows[0](k);
-      if (sheet_.grips()) matrix(count + i, k) = rows[1](k);
-    }
-    // The displacement at the end over A, so that all unknowns are of about one size.
-    matrix(i, columns) = -half_length();
-    right(i) = e * (2 * half_length() - e);
-    if (sheet_.grips()) matrix(count + i, columns + 1) = -(half_length() - e);
-  }
-  const Vector solution = refined_solution(matrix, right);
-  leading_ = trailing_ = solution.block(0, 0, columns, 1);
-  edge_displacement_ = solution(columns) * half_length();
-  if (sheet_.grips()) creep_ = solution(columns + 1);
-  load_ = 2 * tractions_.integral().cwiseProduct(leading_).sum();
-}
-
-int ElasticSolution::unknowns() const { return tractions_.columns() + (sheet_.grips() ? 2 : 1); }
-
-Float ElasticSolution::growth() const {
-  const auto [a, b] = tractions_.at_root(leading_);
-  const Float epsilon = sheet_.epsilon(), cosine = cosh(pi() * epsilon);
-  return pi() * half_length() * (a * a + b * b) * (1 + 4 * epsilon * epsilon) /
-         (4 * panels().front().width * load_ * cosine * cosine);
-}
-
-LineFunctional ElasticSolution::normal() const {
-  LineFunctional result;
-  result.pressure(Influence::normal, 1 / pi());
-  if (sheet_.grips()) result.shear(Influence::sign, sheet_.beta() / 2).shear(Influence::coupling, -1 / pi());
-  return result;
-}
-
-LineFunctional ElasticSolution::tangential() const {
-  LineFunctional result;
-  result.pressure(Influence::sign, -sheet_.beta() / 2).pressure(Influence::coupling, 1 / pi());
-  if (sheet_.grips()) result.shear(Influence::normal, 1 / pi()).shear(Influence::stretch, 1 / pi());
-  return result;
-}
-
-Float ElasticSolution::before_end(const Float& x) const {
-  return x <= half_length() ? x : Float(2 * half_length() - x);
-}
-
-Float ElasticSolution::value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const {
-  return tractions_.rows(before_end(x), {functional}, kernels).front().cwiseProduct(leading_).sum();
-}
-
-Float ElasticSolution::normal(const Float& x, SheetKernels& kernels) const {
-  return before_end(x) < 0 ? value(x, normal(), kernels) : on_roller(x);
-}
-
-Float ElasticSolution::tangential(const Float& x, SheetKernels& kernels) const {
-  if (sheet_.grips() && before_end(x) >= 0) return creep_ * (half_length() - x);
-  const Float along = value(x, tangential(), kernels);
-  return x <= half_length() ? along : Float(-along);
-}
-
-Float ElasticSolution::strain(const Float& x, SheetKernels& kernels) const {
-  if (sheet_.grips() && before_end(x) >= 0) return creep_;
-  LineFunctional slope;
-  slope.pressure(Influence::coupling_slope, 1 / pi());
-  if (sheet_.grips()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
-  return value(x, slope, kernels) - sheet_.beta() * tractions(x).pressure;
 }
 
 }  // namespace nipref::ref

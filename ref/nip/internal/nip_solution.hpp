@@ -116,26 +116,4 @@ class ElasticSheet : public NipSheet {
   Float beta_;
 };
 
-/// With full friction v = creep y in the contact. Displacements are collocated.
-class ElasticSolution : public NipSolution {
- public:
-  ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels);
-
-  [[nodiscard]] int unknowns() const override;
-  [[nodiscard]] Float growth() const override;
-  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override;
-  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override;
-  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override;
-
- private:
-  [[nodiscard]] LineFunctional normal() const;
-  [[nodiscard]] LineFunctional tangential() const;
-  /// Distance from the nearer end, negative outside.
-  [[nodiscard]] Float before_end(const Float& x) const;
-  [[nodiscard]] Float value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const;
-
-  const ElasticSheet& sheet_;
-  Float creep_;
-};
-
 }  // namespace nipref::ref

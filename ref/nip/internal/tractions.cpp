@@ -68,7 +68,7 @@ struct Tractions::Rules {
         end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {}
 };
 
-/// Nodes e, and w T_k times the weight: a row a node; imaginary parts where w is not real.
+/// Nodes e, and w T_k times the weight: a column a node; imaginary parts where w is not real.
 struct Tractions::Nodes {
   std::vector<Float> places;
   Matrix real, imaginary;
@@ -127,8 +127,8 @@ void Tractions::add_end_piece() {
   const Matrix weights = end_weights();
   Nodes nodes;
   for (const Float& x : rules_->end) nodes.places.push_back(panel.width * x);
-  nodes.real = weights.leftCols(panel.terms);
-  if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms);
+  nodes.real = weights.leftCols(panel.terms).transpose();
+  if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms).transpose();
   pieces_.push_back({0, 0, panel.width, std::move(nodes), {}, {}});
 }
 
@@ -136,7 +136,7 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
   const TractionPanel& panel = panels_[number];
   const UnitRule& rule = rules_->plain;
   Piece piece{number, from,
-              width,  {{}, Matrix(static_cast<Index>(rule.size()), panel.terms), {}},
+              width,  {{}, Matrix(panel.terms, static_cast<Index>(rule.size())), {}},
               {},     Vector(2 * panel.terms)};
   Nodes& nodes = piece.nodes;
   if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
@@ -145,7 +145,7 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
     nodes.places.push_back(from + width * rule.from_left[j]);
     chebyshev_values(2 * (nodes.places[j] - panel.left) / panel.width - 1, values);
     for (Index k = 0; k < panel.terms; ++k) {
-      Float& here = nodes.real(static_cast<Index>(j), k);
+      Float& here = nodes.real(k, static_cast<Index>(j));
       here = width * rule.weight[j] * values[static_cast<std::size_t>(k)];
       piece.sums(k) += here;
       piece.sums(panel.terms + k) += here * nodes.places[j];
@@ -228,10 +228,9 @@ void Tractions::add_singular(const Piece& piece, const Image& image,
       const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number],
                   shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
       if (pressure == 0 && shear == 0) continue;
-      for (Index k = 0; k < terms; ++k) {
-        rows[f](first + k) += pressure * integrals(k, 0) + shear * integrals(k, 1);
-        if (has_shear_) rows[f](first + terms + k) += shear * integrals(k, 0) - pressure * integrals(k, 1);
-      }
+      rows[f].middleRows(first, terms) += pressure * integrals.col(0) + shear * integrals.col(1);
+      if (has_shear_)
+        rows[f].middleRows(first + terms, terms) += shear * integrals.col(0) - pressure * integrals.col(1);
     }
   };
   const Float scale = log(piece.width);
@@ -269,9 +268,8 @@ void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& f
       for (std::size_t f = 0; f < functionals.size(); ++f) {
         const auto add = [&](const std::pair<Float, Float>& here, int parity, int column) {
           const int factor = adds ? parity : -parity;
-          for (Index k = 0; k < terms; ++k)
-            rows[f](column + k) +=
-                factor * (here.first * piece.sums(k) + here.second * piece.sums(terms + k));
+          rows[f].middleRows(column, terms) += Float(factor) * (here.first * piece.sums.topRows(terms) +
+                                                                here.second * piece.sums.bottomRows(terms));
         };
         add(line(functionals[f].on_pressure), image.parity_of_pressure(functionals[f]), first);
         if (has_shear_)
@@ -285,7 +283,6 @@ void Tractions::add_nodes(const Piece& piece, const std::vector<Image>& images,
                           const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
                           std::vector<Vector>& rows) const {
   const Nodes& nodes = piece.nodes;
-  Float product;
   const auto count = static_cast<Index>(nodes.places.size());
   std::vector<Vector> on_pressure(functionals.size(), Vector(count)), on_shear = on_pressure;
   for (const Image& image : images) {
@@ -296,28 +293,19 @@ void Tractions::add_nodes(const Piece& piece, const std::vector<Image>& images,
       for (std::size_t f = 0; f < functionals.size(); ++f) {
         const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number];
         const Float shear = image.parity_of_shear(functionals[f]) * functionals[f].on_shear[number];
-        for (Index j = 0; j < count; ++j) {
-          if (pressure != 0) add_product(on_pressure[f](j), product, pressure, values(j));
-          if (shear != 0) add_product(on_shear[f](j), product, shear, values(j));
-        }
+        if (pressure != 0) on_pressure[f] += pressure * values;
+        if (shear != 0) on_shear[f] += shear * values;
       }
     }
   }
   const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
   for (std::size_t f = 0; f < functionals.size(); ++f) {
-    for (Index k = 0; k < terms; ++k) {
-      for (Index j = 0; j < count; ++j) {
-        const Float& real = nodes.real(j, k);
-        add_product(rows[f](first + k), product, on_pressure[f](j), real);
-        if (has_shear_) add_product(rows[f](first + terms + k), product, on_shear[f](j), real);
-        if (nodes.imaginary.size() == 0) continue;
-        const Float& imaginary = nodes.imaginary(j, k);
-        add_product(rows[f](first + k), product, on_shear[f](j), imaginary);
-        mpfr_mul(raw(product), raw(on_pressure[f](j)), raw(imaginary), MPFR_RNDN);
-        Float& here = rows[f](first + terms + k);
-        mpfr_sub(raw(here), raw(here), raw(product), MPFR_RNDN);
-      }
-    }
+    auto row = rows[f].middleRows(first, has_shear_ ? 2 * terms : terms);
+    row.topRows(terms) += nodes.real * on_pressure[f];
+    if (has_shear_) row.bottomRows(terms) += nodes.real * on_shear[f];
+    if (nodes.imaginary.size() == 0) continue;
+    row.topRows(terms) += nodes.imaginary * on_shear[f];
+    row.bottomRows(terms) -= nodes.imaginary * on_pressure[f];
   }
 }
 
@@ -383,16 +371,12 @@ PressureAndShear Tractions::at_root(const Vector& coefficients) const {
 Vector Tractions::weighted(const std::function<Float(const Float&)>& factor) const {
   Vector row(columns());
   for (const Piece& piece : pieces_) {
-    const Nodes& nodes = piece.nodes;
+    const auto& [places, real, imaginary] = piece.nodes;
     const int first = first_columns_[piece.panel];
-    const Index terms = nodes.real.cols();
-    for (Index j = 0; j < nodes.real.rows(); ++j) {
-      const Float here = factor(nodes.places[static_cast<std::size_t>(j)]);
-      for (Index k = 0; k < terms; ++k) {
-        row(first + k) += here * nodes.real(j, k);
-        if (nodes.imaginary.size() > 0) row(first + terms + k) -= here * nodes.imaginary(j, k);
-      }
-    }
+    Vector factors(real.cols());
+    for (Index j = 0; j < factors.size(); ++j) factors(j) = factor(places[static_cast<std::size_t>(j)]);
+    row.middleRows(first, real.rows()) += real * factors;
+    if (imaginary.size() > 0) row.middleRows(first + real.rows(), real.rows()) -= imaginary * factors;
   }
   return row;
 }

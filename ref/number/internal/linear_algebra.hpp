@@ -1,6 +1,8 @@
 #pragma once
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <boost/multiprecision/eigen.hpp>
+#include <functional>
+#include <optional>
 #include <type_traits>
 
 #include <nipref/ref/number/float.hpp>
@@ -44,5 +46,17 @@ Float largest_entry(const Matrix& x);
 /// The solutions for the right-hand sides, which are the columns of `right`, by elimination with partial pivoting.
 template <class Scalar>
 DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right);
+
+using EliminatedInDouble = Eigen::PartialPivLU<Eigen::MatrixXd>;
+
+/// The solution x of apply(x) = right by iterative refinement. `approximate`, nearly the same system in double, gives
+/// corrections from the residuals in the working precision, until a residual is of the order of the rounding errors. Nothing
+/// if none becomes so small.
+std::optional<Vector> refined_solution(const EliminatedInDouble& approximate, const Vector& right,
+                                       const std::function<Vector(const Vector&)>& apply);
+
+/// The result of solve(), up to rounding, for one right-hand side. Computed by iterative refinement, which takes a
+/// fraction of the time, unless the matrix is so close to singular that refinement does not converge; then by solve().
+Vector refined_solution(const Matrix& matrix, const Vector& right);
 
 }  // namespace nipref::ref

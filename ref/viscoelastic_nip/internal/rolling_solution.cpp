@@ -2,10 +2,14 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
-#include <nipref/ref/number/internal/refined_solution.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/trace.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -68,238 +72,248 @@ Matrix refined_solutions(const Matrix& matrix, const Matrix& right) {
   return solution;
 }
 
+/// The contact of a steadily rolling viscoelastic sheet as a sum of elastic ones, whose right-hand sides are what the inverse of
+/// its compliance makes of the displacement: ref/viscoelastic_nip/README.md, Rolling contacts. n_j is what of the memory j comes
+/// from ahead of the contact.
+class RollingSolution : public NipSolution {
+ public:
+  /// Integrals are good to about e^-nats.
+  RollingSolution(const RollingSheet& sheet, Tractions tractions, double nats, SheetKernels& kernels)
+      : NipSolution(std::move(tractions)),
+        sheet_(sheet),
+        outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
+        nats_(nats) {
+    const std::array<Matrix, 2> parts = bounded_parts(kernels);
+    const Matrix zero = conditions(parts, kernels);
+    const Index unknown = zero.rows(), columns = tractions_.columns();
+    unknowns_ = static_cast<int>(2 * parts[0].rows() + unknown);
+    amplitudes_ = Vector(unknown + 1);
+    amplitudes_(known) = 1;
+    amplitudes_.bottomRows(unknown) = ref::solve<Float>(zero.rightCols(unknown), -zero.col(known));
+    edge_displacement_ = amplitudes_(edge) * half_length() * half_length();
+    offset_ = amplitudes_(shift) * half_length();
+    const Vector even = Matrix(parts[0].topRows(columns)) * amplitudes_,
+                 odd = Matrix(parts[1].topRows(columns)) * amplitudes_;
+    leading_ = even + odd;
+    trailing_ = even - odd;
+    load_ = 2 * tractions_.integral().cwiseProduct(even).sum();
+    moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
+  }
+
+  [[nodiscard]] int unknowns() const override { return unknowns_; }
+
+  /// The contact that rolls the other way has the same load and the ends exchanged.
+  [[nodiscard]] Float growth() const override {
+    const Float leading = tractions_.at_root(leading_).pressure,
+                trailing = tractions_.at_root(trailing_).pressure;
+    return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
+  }
+
+  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override {
+    const Float& size = half_length();
+    if (x >= 0 && x <= 2 * size) return on_roller(x);
+    Float sum = elastic(Influence::normal, x, kernels);
+    for (const auto& [amplitude, rate] : sheet_.material.normal)
+      sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
+    return sum;
+  }
+
+  /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
+  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override {
+    const RollingMaterial& material = sheet_.material;
+    const ComplexFloat at_once;
+    Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
+                (load_ / 4 - elastic(Influence::coupling, x, kernels));
+    for (const auto& [amplitude, rate] : material.theta2)
+      sum += (amplitude * pressure_trace().faded_integral(rate, x)).re;
+    for (const auto& [amplitude, rate] : material.normal) {
+      const Trace& trace = elastic_trace(Influence::coupling, kernels);
+      ComplexFloat faded = trace.faded(rate, x);
+      // Behind all that the sheet feels g stays what it is.
+      if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
+      sum -= (amplitude * faded).re;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override {
+    const RollingMaterial& material = sheet_.material;
+    Float sum =
+        elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * tractions(x).pressure;
+    for (const auto& [amplitude, rate] : material.theta2)
+      sum -= (amplitude * pressure_trace().faded(rate, x)).re;
+    for (const auto& [amplitude, rate] : material.normal)
+      sum += (amplitude * elastic_trace(Influence::coupling_slope, kernels).faded(rate, x)).re;
+    return sum;
+  }
+
+ private:
+  /// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
+  /// b_j n_j, A^2.
+  [[nodiscard]] Vector direct_row(const Float& x) const {
+    const Float& size = half_length();
+    const auto modes = static_cast<Index>(sheet_.inverse.size());
+    Vector row(first_memory + 2 * modes);
+    std::array<Float, 3> powers{1, x, x * x / 2};
+    for (Index j = 0; j < modes; ++j) {
+      const auto& [amplitude, rate] = sheet_.inverse[static_cast<std::size_t>(j)];
+      for (int k = 0; k < 3; ++k)
+        powers[static_cast<std::size_t>(k)] += (amplitude * faded_power(rate, x, k)).re;
+      const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
+      row(first_memory + 2 * j) = wave.re;
+      row(first_memory + 2 * j + 1) = -wave.im;
+    }
+    row(known) = 2 * size * powers[1] - 2 * powers[2];
+    row(edge) = size * size * powers[0];
+    row(shift) = 2 * size * powers[1];
+    return row;
+  }
+
+  /// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
+  /// rows for each memory, its real and its imaginary part.
+  [[nodiscard]] Matrix memory_rows(SheetKernels& kernels) const {
+    const Index columns = tractions_.columns();
+    const auto count = static_cast<Index>(sheet_.memory.size());
+    Matrix result(2 * count, 2 * columns);
+    Float slowest = sheet_.memory.empty() ? Float(0) : sheet_.memory.front().rate.re;
+    for (const RollingMemory& term : sheet_.memory) slowest = std::min(slowest, term.rate.re);
+    for (const TractionPanel& panel : outside_) {
+      if (count == 0 || slowest * panel.left > nats_) break;
+      const UnitRule rule = gauss_rule(nodes_of(panel, sheet_.resolution()));
+      for (std::size_t i = 0; i < rule.size(); ++i) {
+        // Next to the end f is analytic in the root of the distance.
+        const Float& xi = rule.from_left[i];
+        const bool at_end = panel.left == 0;
+        const Float way = panel.left + panel.width * (at_end ? Float(xi * xi) : xi);
+        const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
+        const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
+        for (Index m = 0; m < count; ++m) {
+          const ComplexFloat factor = exp(-(sheet_.memory[static_cast<std::size_t>(m)].rate * way)) * weight;
+          for (Index part = 0; part < 2; ++part) {
+            const Vector& row = rows[static_cast<std::size_t>(part)];
+            result.row(2 * m).middleCols(part * columns, columns) += factor.re * row.transpose();
+            if (!factor.is_real())
+              result.row(2 * m + 1).middleCols(part * columns, columns) += factor.im * row.transpose();
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
+  [[nodiscard]] std::array<Matrix, 2> bounded_parts(SheetKernels& kernels) const {
+    const std::vector<Float> points = tractions_.matching_points();
+    const auto rows = static_cast<Index>(points.size());
+    const Index beside = tractions_.columns(), sides = direct_row(0).size();
+    const Float& size = half_length();
+    Matrix even(rows, rows), odd(rows, rows), even_right(rows, sides), odd_right(rows, sides);
+    for (Index i = 0; i < rows; ++i) {
+      const Float& e = points[static_cast<std::size_t>(i)];
+      const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels);
+      even.row(i).leftCols(beside) = here[0].transpose();
+      odd.row(i).leftCols(beside) = here[1].transpose();
+      even(i, beside) = -size;
+      odd(i, beside) = -(size - e);
+      const Vector leading = direct_row(e), trailing = direct_row(2 * size - e);
+      even_right.row(i) = (leading + trailing).transpose() / Float(2);
+      odd_right.row(i) = (leading - trailing).transpose() / Float(2);
+    }
+    return {refined_solutions(even, even_right), refined_solutions(odd, odd_right)};
+  }
+
+  /// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
+  /// and imaginary part; by the columns of direct_row().
+  [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts, SheetKernels& kernels) const {
+    const Index columns = tractions_.columns(), sides = parts[0].cols();
+    const Float square = half_length() * half_length();
+    const Matrix rows = memory_rows(kernels);
+    const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
+                              Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
+    Matrix result(sides - 1, sides);
+    result.row(0) = parts[0].row(columns);
+    result.row(1) = parts[1].row(columns);
+    Index row = 2;
+    for (const auto& [amplitude, rate] : sheet_.inverse) {
+      result(row, row + 1) = 1;
+      result(row + 1, row + 2) = 1;
+      Index re = 0;
+      for (const auto& [its_amplitude, its_rate] : sheet_.memory) {
+        const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
+        result.row(row) -= factor.re * remembered.row(re) - factor.im * remembered.row(re + 1);
+        result.row(row + 1) -= factor.re * remembered.row(re + 1) + factor.im * remembered.row(re);
+        re += 2;
+      }
+      row += 2;
+    }
+    return result;
+  }
+
+  /// int kind p/pi with alpha = x' - x, upstream.
+  [[nodiscard]] Float elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
+    const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
+    const Float e = leads ? x : Float(2 * half_length() - x);
+    const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels);
+    const Vector even = leading_ + trailing_, odd = leading_ - trailing_;
+    const Float of_even = rows[0].cwiseProduct(even).sum() / 2, of_odd = rows[1].cwiseProduct(odd).sum() / 2;
+    if (leads) return of_even + of_odd;
+    return is_odd ? Float(of_odd - of_even) : Float(of_even - of_odd);
+  }
+
+  [[nodiscard]] const Trace& pressure_trace() const {
+    if (!pressure_) {
+      const std::vector<TractionPanel>& own = tractions_.panels();
+      std::vector<TracePanel> panels;
+      append(panels, own, 0, true, true, own.front().terms + 1);
+      append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
+      pressure_ = Trace(
+          std::move(panels), [this](const Float& x) { return tractions(x).pressure; }, nats_);
+    }
+    return *pressure_;
+  }
+
+  /// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
+  [[nodiscard]] const Trace& elastic_trace(Influence kind, SheetKernels& kernels) const {
+    const auto found = elastic_.find(kind);
+    if (found != elastic_.end()) return found->second;
+    const auto function = [this, kind, &kernels](const Float& x) -> Float {
+      if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
+        return direct_row(x).cwiseProduct(amplitudes_).sum();
+      const Float value = elastic(kind, x, kernels);
+      return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
+    };
+    // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
+    const bool has_roots = kind == Influence::normal;
+    Resolution resolution = sheet_.resolution();
+    if (!has_roots) resolution.first = 1;
+    const Fineness fineness = fineness_of_traces(nats_);
+    const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
+                                     outside = has_roots ? outside_
+                                                         : panels_of(kernels.far(), resolution, fineness);
+    std::vector<TracePanel> panels;
+    append(panels, outside, 0, false, has_roots, 0);
+    append(panels, inside, 0, true, false, 0);
+    append(panels, inside, 2 * half_length(), false, false, 0);
+    append(panels, outside, 2 * half_length(), true, has_roots, 0);
+    return elastic_.emplace(kind, Trace(std::move(panels), function, nats_)).first->second;
+  }
+
+  const RollingSheet& sheet_;
+  std::vector<TractionPanel>
+      outside_;  ///< panels from an end outwards, to where the elastic sheet moves no more
+  double nats_;
+  Vector amplitudes_;  ///< of the columns of direct_row()
+  int unknowns_ = 0;
+  mutable std::optional<Trace> pressure_;
+  mutable std::map<Influence, Trace> elastic_;
+};
+
 }  // namespace
 
 std::unique_ptr<NipSolution> RollingSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
                                                   double nats, SheetKernels& kernels) const {
   return std::make_unique<RollingSolution>(*this, Tractions(half_length, std::move(panels), 0, false, nats),
                                            nats, kernels);
-}
-
-RollingSolution::RollingSolution(const RollingSheet& sheet, Tractions tractions, double nats,
-                                 SheetKernels& kernels)
-    : NipSolution(std::move(tractions)),
-      sheet_(sheet),
-      outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
-      nats_(nats) {
-  solve(kernels);
-}
-
-/// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
-/// b_j n_j, A^2.
-Vector RollingSolution::direct_row(const Float& x) const {
-  const Float& size = half_length();
-  const auto modes = static_cast<Index>(sheet_.inverse.size());
-  Vector row(first_memory + 2 * modes);
-  std::array<Float, 3> powers{1, x, x * x / 2};
-  for (Index j = 0; j < modes; ++j) {
-    const auto& [amplitude, rate] = sheet_.inverse[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 3; ++k)
-      powers[static_cast<std::size_t>(k)] += (amplitude * faded_power(rate, x, k)).re;
-    const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
-    row(first_memory + 2 * j) = wave.re;
-    row(first_memory + 2 * j + 1) = -wave.im;
-  }
-  row(known) = 2 * size * powers[1] - 2 * powers[2];
-  row(edge) = size * size * powers[0];
-  row(shift) = 2 * size * powers[1];
-  return row;
-}
-
-/// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
-/// rows for each memory, its real and its imaginary part.
-Matrix RollingSolution::memory_rows(SheetKernels& kernels) const {
-  const Index columns = tractions_.columns();
-  const auto count = static_cast<Index>(sheet_.memory.size());
-  Matrix result(2 * count, 2 * columns);
-  Float slowest = sheet_.memory.empty() ? Float(0) : sheet_.memory.front().rate.re;
-  for (const RollingMemory& term : sheet_.memory) slowest = std::min(slowest, term.rate.re);
-  for (const TractionPanel& panel : outside_) {
-    if (count == 0 || slowest * panel.left > nats_) break;
-    const UnitRule rule = gauss_rule(nodes_of(panel, sheet_.resolution()));
-    for (std::size_t i = 0; i < rule.size(); ++i) {
-      // Next to the end f is analytic in the root of the distance.
-      const Float& xi = rule.from_left[i];
-      const bool at_end = panel.left == 0;
-      const Float way = panel.left + panel.width * (at_end ? Float(xi * xi) : xi);
-      const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
-      const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
-      for (Index m = 0; m < count; ++m) {
-        const ComplexFloat factor = exp(-(sheet_.memory[static_cast<std::size_t>(m)].rate * way)) * weight;
-        for (Index part = 0; part < 2; ++part) {
-          const Vector& row = rows[static_cast<std::size_t>(part)];
-          for (Index k = 0; k < columns; ++k) {
-            result(2 * m, part * columns + k) += factor.re * row(k);
-            if (!factor.is_real()) result(2 * m + 1, part * columns + k) += factor.im * row(k);
-          }
-        }
-      }
-    }
-  }
-  return result;
-}
-
-/// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
-std::array<Matrix, 2> RollingSolution::bounded_parts(SheetKernels& kernels) const {
-  const std::vector<Float> points = tractions_.matching_points();
-  const auto rows = static_cast<Index>(points.size());
-  const Index beside = tractions_.columns(), sides = direct_row(0).size();
-  const Float& size = half_length();
-  Matrix even(rows, rows), odd(rows, rows), even_right(rows, sides), odd_right(rows, sides);
-  for (Index i = 0; i < rows; ++i) {
-    const Float& e = points[static_cast<std::size_t>(i)];
-    const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels);
-    for (Index k = 0; k < beside; ++k) {
-      even(i, k) = here[0](k);
-      odd(i, k) = here[1](k);
-    }
-    even(i, beside) = -size;
-    odd(i, beside) = -(size - e);
-    const Vector leading = direct_row(e), trailing = direct_row(2 * size - e);
-    even_right.row(i) = (leading + trailing).transpose() / Float(2);
-    odd_right.row(i) = (leading - trailing).transpose() / Float(2);
-  }
-  return {refined_solutions(even, even_right), refined_solutions(odd, odd_right)};
-}
-
-/// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
-/// and imaginary part; by the columns of direct_row().
-Matrix RollingSolution::conditions(const std::array<Matrix, 2>& parts, SheetKernels& kernels) const {
-  const Index columns = tractions_.columns(), sides = parts[0].cols();
-  const Float square = half_length() * half_length();
-  const Matrix rows = memory_rows(kernels);
-  const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
-                            Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
-  Matrix result(sides - 1, sides);
-  result.row(0) = parts[0].row(columns);
-  result.row(1) = parts[1].row(columns);
-  Index row = 2;
-  for (const auto& [amplitude, rate] : sheet_.inverse) {
-    result(row, row + 1) = 1;
-    result(row + 1, row + 2) = 1;
-    Index re = 0;
-    for (const auto& [its_amplitude, its_rate] : sheet_.memory) {
-      const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
-      for (Index k = 0; k < sides; ++k) {
-        result(row, k) -= factor.re * remembered(re, k) - factor.im * remembered(re + 1, k);
-        result(row + 1, k) -= factor.re * remembered(re + 1, k) + factor.im * remembered(re, k);
-      }
-      re += 2;
-    }
-    row += 2;
-  }
-  return result;
-}
-
-void RollingSolution::solve(SheetKernels& kernels) {
-  const std::array<Matrix, 2> parts = bounded_parts(kernels);
-  const Matrix zero = conditions(parts, kernels);
-  const Index unknown = zero.rows(), columns = tractions_.columns();
-  unknowns_ = static_cast<int>(2 * parts[0].rows() + unknown);
-  amplitudes_ = Vector(unknown + 1);
-  amplitudes_(known) = 1;
-  amplitudes_.bottomRows(unknown) = ref::solve<Float>(zero.rightCols(unknown), -zero.col(known));
-  edge_displacement_ = amplitudes_(edge) * half_length() * half_length();
-  offset_ = amplitudes_(shift) * half_length();
-  const Vector even = Matrix(parts[0].topRows(columns)) * amplitudes_,
-               odd = Matrix(parts[1].topRows(columns)) * amplitudes_;
-  leading_ = even + odd;
-  trailing_ = even - odd;
-  load_ = 2 * tractions_.integral().cwiseProduct(even).sum();
-  moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
-}
-
-Float RollingSolution::growth() const {
-  const Float leading = tractions_.at_root(leading_).pressure,
-              trailing = tractions_.at_root(trailing_).pressure;
-  return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
-}
-
-/// int kind p/pi with alpha = x' - x, upstream.
-Float RollingSolution::elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
-  const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
-  const Float e = leads ? x : Float(2 * half_length() - x);
-  const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels);
-  const Vector even = leading_ + trailing_, odd = leading_ - trailing_;
-  const Float of_even = rows[0].cwiseProduct(even).sum() / 2, of_odd = rows[1].cwiseProduct(odd).sum() / 2;
-  if (leads) return of_even + of_odd;
-  return is_odd ? Float(of_odd - of_even) : Float(of_even - of_odd);
-}
-
-const Trace& RollingSolution::pressure_trace() const {
-  if (!pressure_) {
-    const std::vector<TractionPanel>& own = tractions_.panels();
-    std::vector<TracePanel> panels;
-    append(panels, own, 0, true, true, own.front().terms + 1);
-    append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
-    pressure_ = Trace(
-        std::move(panels), [this](const Float& x) { return tractions(x).pressure; }, nats_);
-  }
-  return *pressure_;
-}
-
-/// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
-const Trace& RollingSolution::elastic_trace(Influence kind, SheetKernels& kernels) const {
-  const auto found = elastic_.find(kind);
-  if (found != elastic_.end()) return found->second;
-  const auto function = [this, kind, &kernels](const Float& x) -> Float {
-    if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
-      return direct_row(x).cwiseProduct(amplitudes_).sum();
-    const Float value = elastic(kind, x, kernels);
-    return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
-  };
-  // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
-  const bool has_roots = kind == Influence::normal;
-  Resolution resolution = sheet_.resolution();
-  if (!has_roots) resolution.first = 1;
-  const Fineness fineness = fineness_of_traces(nats_);
-  const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
-                                   outside =
-                                       has_roots ? outside_ : panels_of(kernels.far(), resolution, fineness);
-  std::vector<TracePanel> panels;
-  append(panels, outside, 0, false, has_roots, 0);
-  append(panels, inside, 0, true, false, 0);
-  append(panels, inside, 2 * half_length(), false, false, 0);
-  append(panels, outside, 2 * half_length(), true, has_roots, 0);
-  return elastic_.emplace(kind, Trace(std::move(panels), function, nats_)).first->second;
-}
-
-Float RollingSolution::normal(const Float& x, SheetKernels& kernels) const {
-  const Float& size = half_length();
-  if (x >= 0 && x <= 2 * size) return on_roller(x);
-  Float sum = elastic(Influence::normal, x, kernels);
-  for (const auto& [amplitude, rate] : sheet_.material.normal)
-    sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
-  return sum;
-}
-
-/// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
-Float RollingSolution::tangential(const Float& x, SheetKernels& kernels) const {
-  const RollingMaterial& material = sheet_.material;
-  const ComplexFloat at_once;
-  Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
-              (load_ / 4 - elastic(Influence::coupling, x, kernels));
-  for (const auto& [amplitude, rate] : material.theta2)
-    sum += (amplitude * pressure_trace().faded_integral(rate, x)).re;
-  for (const auto& [amplitude, rate] : material.normal) {
-    const Trace& trace = elastic_trace(Influence::coupling, kernels);
-    ComplexFloat faded = trace.faded(rate, x);
-    // Behind all that the sheet feels g stays what it is.
-    if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
-    sum -= (amplitude * faded).re;
-  }
-  return sum;
-}
-
-Float RollingSolution::strain(const Float& x, SheetKernels& kernels) const {
-  const RollingMaterial& material = sheet_.material;
-  Float sum =
-      elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * tractions(x).pressure;
-  for (const auto& [amplitude, rate] : material.theta2)
-    sum -= (amplitude * pressure_trace().faded(rate, x)).re;
-  for (const auto& [amplitude, rate] : material.normal)
-    sum += (amplitude * elastic_trace(Influence::coupling_slope, kernels).faded(rate, x)).re;
-  return sum;
 }
 
 }  // namespace nipref::ref

@@ -134,15 +134,15 @@ TEST_CASE("ref contact: more digits stay within the error, of a length and of a 
       check_meet(rough, good);
       for (const auto& [name, number] : good) CHECK(error(number) <= 1e-7 * error(rough.at(name)) + 1e-300);
       CHECK(fine.unknowns() > coarse.unknowns());
-      CHECK(fine.normal_values() > coarse.normal_values());
-      CHECK(fine.coupling_values() > coarse.coupling_values());
-      CHECK(fine.stretch_values() >= coarse.stretch_values());
+      CHECK(fine.kernel_values().normal > coarse.kernel_values().normal);
+      CHECK(fine.kernel_values().coupling > coarse.kernel_values().coupling);
+      CHECK(fine.kernel_values().stretch >= coarse.kernel_values().stretch);
     };
     check(kind.of_length(length, few), kind.of_length(length, many));
     if (kind.name == "frictionless") check(kind.of_load(load, few), kind.of_load(load, many));
   }
-  CHECK(rows[1].kind.of_length(0.75, 18).coupling_values() == 0);
-  CHECK(rows[0].kind.of_length(0.75, 16).stretch_values() > 0);
+  CHECK(rows[1].kind.of_length(0.75, 18).kernel_values().coupling == 0);
+  CHECK(rows[0].kind.of_length(0.75, 16).kernel_values().stretch > 0);
 }
 
 TEST_CASE("ref contact: bounds of 20, 30 and 40 digits meet, keep the digits and lie within fast's") {

@@ -13,7 +13,7 @@ using ref::InnerField;
 
 namespace {
 
-using Tractions = InnerField::Tractions;
+using Tractions = decltype(nipref::ref::FieldSource::tractions);
 
 double largest_difference(const FloatStresses& a, const FloatStresses& b) {
   return static_cast<double>(
@@ -70,7 +70,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
     CHECK(static_cast<double>(abs(a - b)) < error);
   };
   for (const double half_length : {0.25, 1.0}) {
-    const InnerField field(0, half_length, symmetric, {18, 1, 1});
+    const InnerField field({0, half_length, symmetric}, {18, 1, 1});
     for (const double alpha : {0.3, -3.5}) {
       CAPTURE(half_length, alpha);
       const double middle = half_length < 1 ? 0.25 : 0.0;  // far enough from the faces for forty loads
@@ -101,7 +101,7 @@ TEST_CASE("displacements are those of line loads, and their differences the stra
 TEST_CASE("it is the sum of the proven fields of its line loads, pressure and shear, on both sides") {
   const ref::WorkingDigits working(32);
   for (const double half_length : {0.25, 1.0}) {
-    const InnerField field(0, half_length, lopsided, {18, 1, 1});
+    const InnerField field({0, half_length, lopsided}, {18, 1, 1});
     for (const double alpha : {0.3, -3.5}) {
       // Far enough from the faces for forty loads.
       const double depth = half_length < 1 ? 0.25 : 0.0;
@@ -121,7 +121,7 @@ TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from t
   const auto hertz = [&](const Float& left, const Float& right) -> ref::FaceTraction {
     return {sqrt(left * right) / a, 0};
   };
-  const InnerField field(0, a, hertz, {22, 1, 1});
+  const InnerField field({0, a, hertz}, {22, 1, 1});
   // sigma_x + sigma_y = -2 Im F, F = i (Z - sqrt(Z^2 - 1)) and so on: Muskhelishvili's function of an ellipse of pressure.
   for (const double y : {0.0, 0.5, 0.9999999, 1.25, -0.75}) {
     for (const double d : {0.0, 0x1p-10, 0.75, 4.0}) {
@@ -143,7 +143,7 @@ TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from t
 
 TEST_CASE("fields of different fineness and of more digits agree, beside the ends and faces too") {
   const ref::WorkingDigits working(40);
-  const InnerField field(0.125, 0.5, lopsided, {18, 1, 1}), finer(0.125, 0.5, lopsided, {24, 1.3, 1});
+  const InnerField field({0.125, 0.5, lopsided}, {18, 1, 1}), finer({0.125, 0.5, lopsided}, {24, 1.3, 1});
   for (const double alpha : {0.625, 0.62499999999, 0.125, 40.0}) {
     for (const double depth : {1.0, 1 - 1e-13, -0.9999, 0.5, 0.0}) {
       CAPTURE(alpha, depth);
@@ -154,7 +154,7 @@ TEST_CASE("fields of different fineness and of more digits agree, beside the end
 
 TEST_CASE("on a face it has the tractions, and far away it is nothing but what the shear pulls") {
   const ref::WorkingDigits working(32);
-  const InnerField field(0, 0.5, lopsided, {18, 1, 1});
+  const InnerField field({0, 0.5, lopsided}, {18, 1, 1});
   const ref::FaceTraction there = lopsided(Float(0.75), Float(0.25));
   for (const int face : {1, -1}) {
     const FloatStresses here = field.at({0.25, face});

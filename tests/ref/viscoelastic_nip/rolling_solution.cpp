@@ -1,5 +1,5 @@
 // The rolling contact's solution: what it leaves of its equations.
-#include <nipref/ref/viscoelastic_nip/internal/rolling_solution.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
 #include "support/test.hpp"
 

@@ -1,4 +1,4 @@
-#include <nipref/ref/number/internal/refined_solution.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 
 #include "support/test.hpp"
 
