@@ -245,6 +245,44 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
   return contact;
 }
 
+/// From here downwards zones are followed from those of more friction.
+constexpr double little_friction = 5e-3;
+
+/// As friction tends to 0 zones of slip tend to those of a contact without friction, and the zones that stick between them, in
+/// proportion to friction, become too short for elements to tell. They are extrapolated linearly from step to step: as they move
+/// by about their lengths, Newton's method needs good starts.
+std::optional<ZoneContact> followed_from_more_friction(const PartialSlipTask& task) {
+  const auto with_friction = [&](double friction) {
+    PartialSlipTask other = task;
+    other.friction = friction;
+    if (other.traction) *other.traction *= friction / task.friction;
+    return other;
+  };
+  // Lengths that stick are over the friction.
+  const auto scaled = [](Zones zones, double factor) {
+    for (Zone& zone : zones)
+      if (zone.sign == 0) zone.length *= factor;
+    return zones;
+  };
+  double friction = little_friction, friction_before = 0;
+  auto contact = find_zones(with_friction(friction), rough);
+  Zones last, before;
+  while (contact && friction > task.friction) {
+    before = std::exchange(last, scaled(contact->zones(), 1 / friction));
+    const bool is_extrapolated = in_same_order(before, last);
+    const double next = std::max((is_extrapolated ? 0.5 : 0.8) * friction, task.friction);
+    Zones zones = last;
+    for (std::size_t k = 0; k < zones.size() && is_extrapolated; ++k)
+      zones[k].length +=
+          (last[k].length - before[k].length) * (next - friction) / (friction - friction_before);
+    zones = scaled(zones, next);
+    const PartialSlipTask less = with_friction(next);
+    contact = mended(less, ZoneContact::solved(less, zones, rough), zones, rough);
+    friction_before = std::exchange(friction, next);
+  }
+  return contact;
+}
+
 }  // namespace
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
@@ -269,22 +307,29 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
     auto again = ZoneContact::solved(task, zones, rough);
     return !(first && again && again->is_like(*first)) && is_found_by(std::move(again), zones);
   };
-  const ElementContact elements = element_contact(task, 60);
-  const auto by_elements = [&] {
-    return is_found_from(first_zones(task, elements)) ||
-           is_found_from(first_zones(task, element_contact(task, 120))) ||
-           is_found_from(first_zones(task, element_contact(task, 240)));
+  const auto by_following = [&] {
+    const auto contact = followed_from_more_friction(task);
+    return contact && is_found_by(contact, contact->zones());
   };
-  // From contacts that stick all along, but for their trailing ends.
-  const auto by_sticking = [&] {
-    return std::ranges::any_of(std::array{least_part, usual_part}, [&](double part) {
-      Zones zones{{elements.length(), 0}};
-      slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1, part);
-      return is_found_from(zones);
-    });
+  const auto by_search = [&] {
+    const ElementContact elements = element_contact(task, 60);
+    const auto by_elements = [&] {
+      return is_found_from(first_zones(task, elements)) ||
+             is_found_from(first_zones(task, element_contact(task, 120))) ||
+             is_found_from(first_zones(task, element_contact(task, 240)));
+    };
+    // From contacts that stick all along, but for their trailing ends.
+    const auto by_sticking = [&] {
+      return std::ranges::any_of(std::array{least_part, usual_part}, [&](double part) {
+        Zones zones{{elements.length(), 0}};
+        slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1, part);
+        return is_found_from(zones);
+      });
+    };
+    // With much friction elements may slip by turns, whatever their number, and tell little.
+    return elements.settled ? by_elements() || by_sticking() : by_sticking() || by_elements();
   };
-  // With much friction elements may slip by turns, whatever their number, and tell little.
-  const bool is_found = elements.settled ? by_elements() || by_sticking() : by_sticking() || by_elements();
+  const bool is_found = (task.friction < little_friction && by_following()) || by_search();
   // A contact that is this wrong lacks more than short zones.
   constexpr double too_wrong = 1e-3;
   if (!is_found && least > too_wrong) return std::nullopt;

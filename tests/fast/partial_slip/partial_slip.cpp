@@ -74,9 +74,24 @@ TEST_CASE("as friction goes to 0 slip turns around where Bentall and Johnson hav
   // asin(c/a) + (c/a) sqrt(1 - (c/a)^2) = pi/4, creep beta (a/R) sqrt(1 - (c/a)^2).
   const double c = 0.40397275, poisson = 0.4, beta = (1 - 2 * poisson) / (2 * (1 - poisson));
   const double load = std::numbers::pi * 1e-12;
-  const auto nip = fast::partial_slip_for_load(unit_nip(poisson, 1e-4, GivenTraction{0}), load, 1e-10);
-  CHECK(nip.zone_boundaries()[1].value == approx(c * 1e-6, 0.015));
-  CHECK(100 * nip.creep_ratio().value == approx(-2e-6 * beta * std::sqrt(1 - c * c), 1e-3));
+  const auto nip = fast::partial_slip_for_load(unit_nip(poisson, 1e-7, GivenTraction{0}), load, 1e-10);
+  CHECK(nip.zone_boundaries()[1].value == approx(c * 1e-6, 1e-4));
+  CHECK(100 * nip.creep_ratio().value == approx(-2e-6 * beta * std::sqrt(1 - c * c), 1e-5));
+}
+
+TEST_CASE("zones are found however little friction there is, and stick in proportion to it") {
+  for (const double part : {0.0, 0.9, -0.999}) {
+    CAPTURE(part);
+    std::vector<double> sticking;
+    for (const double mu : {1e-6, 1e-7}) {
+      const auto nip =
+          fast::partial_slip_for_load(unit_nip(0.1, mu, GivenTraction{part * mu * 1e-4}), 1e-4, 1e-8);
+      const std::vector<Estimate> boundaries = nip.zone_boundaries();
+      CHECK(nip.zone_signs().size() == 5);
+      sticking.push_back(boundaries[1].value - boundaries[2].value);
+    }
+    CHECK(sticking[1] == approx(0.1 * sticking[0], 0.01));
+  }
 }
 
 TEST_CASE(
