@@ -2,8 +2,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
 
@@ -283,6 +285,38 @@ std::optional<ZoneContact> followed_from_more_friction(const PartialSlipTask& ta
   return contact;
 }
 
+bool is_right(const std::optional<ZoneContact>& contact, double friction) {
+  return contact && wrongness(*contact, friction) < left_by_accuracy(rough);
+}
+
+/// With a given creep elements may slip by turns. But the creep grows with the traction, from full slip one way to the other:
+/// the traction is bisected until Newton's method finds the contact of the creep from that of the traction.
+std::optional<ZoneContact> found_by_traction(const PartialSlipTask& task) {
+  PartialSlipTask other = task;
+  other.creep.reset();
+  other.length.reset();
+  other.load = task.load ? *task.load : load_guess(*task.length);
+  const double length = 2 * half_length_guess(*other.load);
+  for (const int sign : {-1, 1})
+    if (auto slips = ZoneContact::solved(task, {{length, sign}}, rough); is_right(slips, task.friction))
+      return slips;
+  constexpr int most_tractions = 16;
+  double low = -task.friction * *other.load, high = -low;
+  for (int i = 0; i < most_tractions; ++i) {
+    other.traction = std::midpoint(low, high);
+    const auto near = find_zones(other, rough);
+    if (!near) return std::nullopt;
+    const double stretch = task.length ? *task.length / near->length() : 1;
+    Zones zones = near->zones();
+    for (Zone& zone : zones) zone.length *= stretch;
+    if (auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
+        is_right(contact, task.friction))
+      return contact;
+    (stretch * near->creep() < *task.creep ? low : high) = *other.traction;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
@@ -311,6 +345,10 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
     const auto contact = followed_from_more_friction(task);
     return contact && is_found_by(contact, contact->zones());
   };
+  const auto by_traction = [&] {
+    const auto contact = task.creep ? found_by_traction(task) : std::nullopt;
+    return contact && is_found_by(contact, contact->zones());
+  };
   const auto by_search = [&] {
     const ElementContact elements = element_contact(task, 60);
     const auto by_elements = [&] {
@@ -327,7 +365,8 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
       });
     };
     // With much friction elements may slip by turns, whatever their number, and tell little.
-    return elements.settled ? by_elements() || by_sticking() : by_sticking() || by_elements();
+    return elements.settled ? by_elements() || by_traction() || by_sticking()
+                            : by_traction() || by_sticking() || by_elements();
   };
   const bool is_found = (task.friction < little_friction && by_following()) || by_search();
   // A contact that is this wrong lacks more than short zones.

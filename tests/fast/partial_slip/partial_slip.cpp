@@ -94,6 +94,29 @@ TEST_CASE("zones are found however little friction there is, and stick in propor
   }
 }
 
+TEST_CASE("a given creep is met by zones, from full slip one way to the other") {
+  const double load = 1e-3;
+  for (const double mu : {1e-4, 0.83}) {
+    const auto free = fast::partial_slip_for_load(unit_nip(-0.2, mu, GivenTraction{0}), load, 1e-8);
+    for (const double part : {-2.0, -0.5, 0.01, 0.5, 2.0}) {
+      CAPTURE(part);
+      const double creep = free.creep_ratio().value + part * mu * free.contact_length().value / 100;
+      const auto nip = fast::partial_slip_for_load(unit_nip(-0.2, mu, GivenCreep{creep}), load, 1e-8);
+      const double traction = nip.traction().value;
+      // The traction falls as the creep grows.
+      CHECK(-part * traction > 0);
+      if (std::fabs(part) == 2 && mu == 0.83) {
+        CHECK(std::fabs(traction) == approx(mu * load, 1e-8));
+        CHECK(nip.zone_signs().size() == 1);
+      } else {
+        const auto again =
+            fast::partial_slip_for_load(unit_nip(-0.2, mu, GivenTraction{traction}), load, 1e-8);
+        CHECK(again.creep_ratio().value == approx(creep, 1e-7));
+      }
+    }
+  }
+}
+
 TEST_CASE(
     "random contacts meet all conditions of stick and slip, their energy balances, and given creep gives back traction") {
   Random random;
