@@ -17,6 +17,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double usual_part = 0.2, least_part = 0.01;
 /// Zones are looked for in contacts of so many nats first: with fewer, those next to much shorter ones are not found.
 constexpr double rough = 20;
+/// A contact that is this wrong lacks more than short zones.
+constexpr double too_wrong = 1e-3;
 
 /// A zone is taken out; its neighbours, or the only one, take its length.
 void remove(Zones& zones, std::size_t number) {
@@ -317,13 +319,8 @@ std::optional<ZoneContact> found_by_traction(const PartialSlipTask& task) {
   return std::nullopt;
 }
 
-}  // namespace
-
-std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
-  return mended(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
-}
-
-std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
+/// With rough many nats, whether or not short zones are missing.
+std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
   std::optional<ZoneContact> best;
   double least = infinity;
   const auto is_found_by = [&](std::optional<ZoneContact> first, const Zones& zones) {
@@ -369,14 +366,41 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) 
                             : by_traction() || by_sticking() || by_elements();
   };
   const bool is_found = (task.friction < little_friction && by_following()) || by_search();
-  // A contact that is this wrong lacks more than short zones.
-  constexpr double too_wrong = 1e-3;
-  if (!is_found && least > too_wrong) return std::nullopt;
+  return is_found || least <= too_wrong ? best : std::nullopt;
+}
+
+/// Where a traction leads to no zones, those of a lesser one are followed.
+std::optional<ZoneContact> followed_from_less_traction(const PartialSlipTask& task) {
+  PartialSlipTask less = task;
+  for (const double part : {0.98, 0.9}) {
+    *less.traction = part * *task.traction;
+    auto contact = found_roughly(less);
+    constexpr int steps = 4;
+    for (int i = 1; contact && i <= steps; ++i) {
+      *less.traction = std::lerp(part, 1.0, i / double{steps}) * *task.traction;
+      const Zones zones = contact->zones();
+      contact = mended(less, ZoneContact::solved(less, zones, rough), zones, rough);
+    }
+    if (contact && wrongness(*contact, task.friction) <= too_wrong) return contact;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats) {
+  return mended(task, ZoneContact::solved(task, near, nats), near.zones(), nats);
+}
+
+std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
+  auto best = found_roughly(task);
+  if (!best && task.traction && *task.traction != 0) best = followed_from_less_traction(task);
+  if (!best) return std::nullopt;
   // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;
-  for (double finer = rough + stride; finer < nats && least > left_by_accuracy(nats); finer += stride) {
+  for (double finer = rough + stride;
+       finer < nats && wrongness(*best, task.friction) > left_by_accuracy(nats); finer += stride) {
     if (auto contact = find_zones(task, *best, finer)) best = std::move(contact);
-    least = wrongness(*best, task.friction);
   }
   return nats > rough ? find_zones(task, *best, nats) : ZoneContact::solved(task, *best, nats);
 }
