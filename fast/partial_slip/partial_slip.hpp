@@ -75,7 +75,7 @@ class PartialSlipNip {
 /// The contact of length L, 1e-8 <= L/B <= 10 and L <= R; accuracy: relative, 1e-13 <= accuracy <= 0.1, of the length, the
 /// load and the creep: boundaries of zones are less sure. BadInput otherwise, for a friction coefficient that is not positive
 /// and finite, for a traction that friction cannot pass on, and where no zones of stick and slip are found that meet all
-/// conditions, as of friction below 1e-9 and of many contacts in which theta2/N times friction is above 2. With a traction
+/// conditions, as of friction below 1e-7 and of many contacts in which theta2/N times friction is above 2. With a traction
 /// several loads may have contacts of one length; this is one of them.
 PartialSlipNip partial_slip_for_length(const data::PartialSlipNip& nip, double contact_length,
                                        double accuracy);

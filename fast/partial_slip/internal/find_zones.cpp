@@ -369,15 +369,18 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
   return is_found || least <= too_wrong ? best : std::nullopt;
 }
 
-/// Where a traction leads to no zones, those of a lesser one are followed.
-std::optional<ZoneContact> followed_from_less_traction(const PartialSlipTask& task) {
-  PartialSlipTask less = task;
+/// Where no zones are found, those of a lesser traction are followed, or without one those of less friction.
+std::optional<ZoneContact> followed_from_less(const PartialSlipTask& task) {
+  const auto with_part = [&](double part) {
+    PartialSlipTask less = task;
+    (less.traction && *less.traction != 0 ? *less.traction : less.friction) *= part;
+    return less;
+  };
   for (const double part : {0.98, 0.9}) {
-    *less.traction = part * *task.traction;
-    auto contact = found_roughly(less);
+    auto contact = found_roughly(with_part(part));
     constexpr int steps = 4;
     for (int i = 1; contact && i <= steps; ++i) {
-      *less.traction = std::lerp(part, 1.0, i / double{steps}) * *task.traction;
+      const PartialSlipTask less = with_part(std::lerp(part, 1.0, i / double{steps}));
       const Zones zones = contact->zones();
       contact = mended(less, ZoneContact::solved(less, zones, rough), zones, rough);
     }
@@ -394,7 +397,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   auto best = found_roughly(task);
-  if (!best && task.traction && *task.traction != 0) best = followed_from_less_traction(task);
+  if (!best) best = followed_from_less(task);
   if (!best) return std::nullopt;
   // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;

@@ -94,6 +94,12 @@ TEST_CASE("zones are found however little friction there is, and stick in propor
   }
 }
 
+TEST_CASE("where elements tell of no zones those of less friction are followed") {
+  for (const double mu : {1.5, 1.6})
+    CHECK(fast::partial_slip_for_load(unit_nip(0.18, mu, GivenTraction{0}), 1e-6, 1e-6).zone_signs().size() ==
+          5);
+}
+
 TEST_CASE("a given creep is met by zones, from full slip one way to the other") {
   const double load = 1e-3;
   for (const double mu : {1e-4, 0.83}) {
