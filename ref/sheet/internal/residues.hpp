@@ -25,8 +25,8 @@ inline constexpr long series_remainder = 7;
 /// is about e^{-nats} where 2 pi/h >= nats/(4 pi lines) + x. Proof: the same page.
 Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, double nats);
 
-/// The part of the roots in int_x^inf e^{-rate (w - x)} I(w) dw, the memory of a kernel (I1, I3, I4 or I5), |x| >= 1, rate >= 0, with the same truncation error. Proof: ref/memory/README.md, The memory of a
-/// load from infinity.
+/// The part of the roots in int_x^inf e^{-rate (w - x)} I(w) dw, the memory of a kernel (I1, I3, I4 or I5), |x| >= 1, rate >=
+/// 0, with the same truncation error. Proof: ref/memory/README.md, The memory of a load from infinity.
 Interval fading_residue_series(Symbol symbol, const Exact& x, const Interval& rate, double nats);
 
 /// A root z and 1/cosh z.

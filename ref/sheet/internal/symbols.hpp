@@ -8,7 +8,7 @@ namespace nipref::ref {
 /// The functions G(z) whose Fourier transforms give the sheet kernels, by the kernels' names; S(z) = sinh 2z + 2z.
 ///
 /// All are real on the real axis, of one parity, and meromorphic with poles only where S = 0 (z = 0 for those
-/// marked, all others have |Im z| > 2.1) and, for I1 ("normal"), at the poles of tanh(3z/4)
+/// marked, all others have |Im z| > 2.1) and, for I1, at the poles of tanh(3z/4)
 /// (|Im z| >= 2 pi/3 > 2.09).
 ///
 ///     I1              [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf G cos(a x) dx
