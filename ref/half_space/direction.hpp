@@ -1,34 +1,38 @@
 #pragma once
-#include <functional>
+#include <cmath>
+#include <utility>
 
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 
-/// A direction in the surface of a half-space, known exactly: by two numbers proportional to its cosine and
-/// sine, or by its angle in degrees.
+/// A direction in the surface of a half-space, known exactly by its angle in degrees.
 class SurfaceDirection {
  public:
-  /// Cosine and sine may have any common factor; BadInput "direction" if both are 0.
-  SurfaceDirection(const Exact& cosine, const Exact& sine);
-  static SurfaceDirection of_degrees(const Exact& degrees);
+  static SurfaceDirection of_degrees(const Exact& degrees) { return SurfaceDirection(degrees); }
 
   struct Cosines {
     Interval cosine, sine;
   };
-  [[nodiscard]] Cosines at(mpfr_prec_t precision) const { return cosines_(precision); }
+  [[nodiscard]] Cosines at(mpfr_prec_t precision) const {
+    const Interval angle = Interval(mpq_class(degrees_.value() / 180), precision) * Interval::pi(precision);
+    return {cos(angle), sin(angle)};
+  }
 
-  /// The angle in degrees to rounding, from -180 to 180.
-  [[nodiscard]] double degrees() const;
+  /// To rounding, from -180 to 180.
+  [[nodiscard]] double degrees() const { return std::remainder(degrees_.approximate(), 360); }
 
  private:
-  explicit SurfaceDirection(std::function<Cosines(mpfr_prec_t)> cosines) : cosines_(std::move(cosines)) {}
+  explicit SurfaceDirection(Exact degrees) : degrees_(std::move(degrees)) {}
 
-  std::function<Cosines(mpfr_prec_t)> cosines_;
+  Exact degrees_;
 };
 
 /// The cosine of the angle between two directions.
-Interval cosine_between(const SurfaceDirection& a, const SurfaceDirection& b, mpfr_prec_t precision);
+inline Interval cosine_between(const SurfaceDirection& a, const SurfaceDirection& b, mpfr_prec_t precision) {
+  const auto x = a.at(precision), y = b.at(precision);
+  return x.cosine * y.cosine + x.sine * y.sine;
+}
 
 }  // namespace nipref::ref

@@ -64,15 +64,15 @@ SurfaceAnswer JointResponse::of_half_space(const Exact& depth) const {
 
 SurfaceAnswer JointResponse::answer() const {
   if (!body_) return of_half_space();
-  return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
-    const LineResponse below = surface.along(surface.half_space_, degrees, digits);
+  return [surface = *this, below = of_half_space()](const Exact& degrees, int digits) -> LineAnswer {
+    LineAnswer joint = below(degrees, digits);
     const LineResponse above = surface.along(*surface.body_, degrees, digits);
-    return {below.compliance.value + above.compliance.value,
-            below.coupling.value - above.coupling.value,
-            below.coupling_across.value - above.coupling_across.value,
-            below.in_line.value,
-            below.shear_compliance.value - above.shear_compliance.value,
-            below.shear_compliance_across.value - above.shear_compliance_across.value};
+    joint.compliance += above.compliance.value;
+    joint.coupling -= above.coupling.value;
+    joint.coupling_across -= above.coupling_across.value;
+    joint.shear_compliance -= above.shear_compliance.value;
+    joint.shear_compliance_across -= above.shear_compliance_across.value;
+    return joint;
   };
 }
 

@@ -47,10 +47,11 @@ Float creep_of(const RollingLine& line, const Float& span_over_radius) {
 
 /// int_0^1 t sqrt(1 - t^2) cos(P ln((1 - t)/(1 + t))) dt
 Float oscillating_moment(const Float& index, int digits) {
-  return unit_integral(digits, [&](const UnitNode& node) -> Float {
-    const Float& t = node.left;
-    return t * sqrt(node.right * (1 + t)) * cos(index * (node.log_right - log(1 + t)));
-  });
+  Float sum = 0;
+  const auto nodes = unit_nodes(digits);
+  for (const auto& [t, rest, weight] : *nodes)
+    sum += weight * t * sqrt(rest * (1 + t)) * cos(index * log(rest / (1 + t)));
+  return sum;
 }
 
 template <class Of>
@@ -146,17 +147,12 @@ struct RollingSphere::Implementation final : ScaledContact {
       const Float ahead = span * (1 + change) - 2 * there, behind = span * (1 + change) + 2 * there;
       if (!(ahead > Float(0) && behind > Float(0))) return 0;
       const Float phase = line.index * log(ahead / behind), slope = there / (2 * Float(radius) * lean);
-      const Float size = ldexp(lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
+      const Float size = lean * line.stiffness / (line.slowness * 2 * Float(radius));
       return size * sqrt(ahead * behind) * wave(line, sin(phase), cos(phase), slope);
     };
     return with_shifted_ends(digits, [&](const Float& change) {
       return function_of_span([&](const Float& along) { return at(change, along); });
     });
-  }
-  /// The pressure at the centre, B = sqrt(wS/wD) - P L/(2 r0) times the traction's amplitude. (brock2012 49)
-  [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
-    const Float lean = lean_of(line, span / Float(radius));
-    return ldexp(span * lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
   }
 };
 
@@ -169,12 +165,7 @@ Estimate RollingSphere::span_ratio(const Exact& degrees) const {
 Estimate RollingSphere::span(const Exact& degrees) const { return implementation_->span(degrees); }
 Estimate RollingSphere::force() const { return implementation_->force(); }
 
-Estimate RollingSphere::peak_pressure() const {
-  const WorkingDigits scope(implementation_->working);
-  const RollingLine line(implementation_->lines(), Exact(0.0));
-  return implementation_->function_of_span(
-      [&](const Float& along) { return implementation_->central_pressure(line, along); });
-}
+Estimate RollingSphere::peak_pressure() const { return pressure(Exact(0.0), Exact(0.0)); }
 
 Estimate RollingSphere::pressure(const Exact& degrees, const Exact& x) const {
   return implementation_->traction(degrees, x,

@@ -30,11 +30,7 @@ void check_friction(const Exact& friction) {
 }
 
 /// The angle of (x, y), y > 0, in half turns; the relative error is small even for the smallest angles.
-Float half_turns(const Float& y, const Float& x) {
-  Float angle;
-  mpfr_atan2(raw(angle), raw(y), raw(x), MPFR_RNDN);
-  return angle / pi();
-}
+Float half_turns(const Float& y, const Float& x) { return atan2(y, x) / pi(); }
 
 /// One line of a sliding contact. Both shares of the span have a small relative error, however small they are.
 struct SlidingLine {
@@ -148,7 +144,7 @@ struct SlidingContact::Implementation final : ScaledContact {
   }
   /// The peak pressure over the span.
   [[nodiscard]] Float steepness_of(const SlidingLine& line, const Exact& degrees) const {
-    return ldexp(curvature_of(body, degrees) * line.Q() / line.h, exponent);
+    return curvature_of(body, degrees) * line.Q() / line.h;
   }
   [[nodiscard]] Levels integrated() const override {
     return pressure_integral(
@@ -166,11 +162,9 @@ struct SlidingContact::Implementation final : ScaledContact {
       });
     };
     const Levels both = integral(true), size = integral(false);
-    const Float fine = ldexp(both.fine - size.fine, exponent),
-                coarse = ldexp(both.coarse - size.coarse, exponent);
+    const Float fine = both.fine - size.fine, coarse = both.coarse - size.coarse;
     // The two integrals may have been doubled a different number of times, so that their errors add.
-    const Float apart =
-        abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
+    const Float apart = abs(both.fine - both.coarse) + abs(size.fine - size.coarse);
     Estimate result = function_of_factor(
         [&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
     const Estimate along = function_of_span([](const Float& span) { return span; });
@@ -195,7 +189,7 @@ struct SlidingContact::Implementation final : ScaledContact {
 
   using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
   /// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
-  /// L(psi)/L(0), in the lines' unit of stress: a factor of span^(power + 2). The moments are for span 1; on a line of span L
+  /// L(psi)/L(0): a factor of span^(power + 2). The moments are for span 1; on a line of span L
   /// and curvature C the pressure is (C/h) L times theirs.
   [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
     const SlidingLine along = line_at(Exact(0.0));

@@ -6,12 +6,45 @@
 #include <vector>
 
 #include <nipref/ref/half_space/indenter.hpp>
-#include <nipref/ref/half_space/internal/crowded_directions.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/float.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
+
+/// Directions over half a turn for the trapezoidal rule, in a variable u for integrands that are functions of T =
+/// tan(psi - centre) with singularities at T = i y, smallest <= |y| <= largest: T = smallest sc(u, k), k' =
+/// smallest/largest. All these singularities have |Im u| = K(k') >= pi/2. The period 2 K(k) grows only with the
+/// logarithm of k', so that the number of directions does, too, near critical lines and for slender ellipses.
+class CrowdedDirections {
+ public:
+  /// 0 < smallest <= 1 <= largest; the centre in degrees.
+  CrowdedDirections(const Exact& centre, const Float& smallest, const Float& largest);
+
+  struct Direction {
+    Exact degrees;
+    Float cosine, sine;
+    Float weight;  ///< dpsi/du times the period: its mean over the directions is int dpsi
+  };
+  /// The i-th of `count` directions; it is the 2 i-th of 2 count directions.
+  [[nodiscard]] Direction at(long i, long count) const;
+
+ private:
+  [[nodiscard]] Float sc(const Float& u) const;  ///< 0 <= u <= K/2, to rounding
+
+  Exact centre_;
+  Float smallest_, complement_;  ///< k'
+  Float quarter_, conjugate_;    ///< K(k), K(k')
+};
+
+/// The direction, in degrees, in which the compliance is largest, and the half width of this peak at half its height,
+/// in radians and at most 1, which is about the distance of the nearest singularity. By parabolas from a scan of 1/K, which
+/// is smooth even close to the critical speed.
+struct PeakOfCompliance {
+  double degrees, width;
+};
+PeakOfCompliance peak_of_compliance(const SurfaceAnswer& surface);
 
 // The common part of the contacts of smooth rigid bodies with half-spaces. Integrals over a line use a
 // double-exponential rule, those over the directions the trapezoidal rule, with twice as many points until two
@@ -20,9 +53,7 @@ namespace nipref::ref {
 /// The surface at working digits.
 class WorkingSurface {
  public:
-  /// Stresses are in units of 2^exponent.
-  WorkingSurface(const SurfaceAnswer& answer, int digits, long exponent = 0)
-      : answer_(answer), digits_(digits), exponent_(exponent) {}
+  WorkingSurface(const SurfaceAnswer& answer, int digits) : answer_(answer), digits_(digits) {}
 
   /// BadInput "surface" where its response is not finite.
   [[nodiscard]] LineAnswer at(const Exact& degrees) const;
@@ -30,11 +61,7 @@ class WorkingSurface {
  private:
   const SurfaceAnswer& answer_;
   int digits_;
-  long exponent_;
 };
-
-/// The exponent of the unit of stress 2^exponent in which the compliance along the motion is about 1.
-long stress_exponent(const SurfaceAnswer& surface);
 
 /// 10^-digits.
 Float tolerance(int digits);
@@ -94,9 +121,8 @@ class ScaledContact {
   const SurfaceAnswer surface;
   const HalfSpaceLoad load;
   const int digits, working;
-  const long exponent;  ///< stresses of the lines are in units of 2^exponent
 
-  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
+  [[nodiscard]] WorkingSurface lines() const { return {surface, working}; }
   /// L(psi)/L(0) at the working precision.
   [[nodiscard]] virtual Float ratio(const Exact& degrees) const = 0;
   /// The factor, when it is first asked for.
@@ -111,25 +137,15 @@ class ScaledContact {
   [[nodiscard]] Estimate force() const;
 
  protected:
-  /// The factor in the unit of stress of the lines.
-  [[nodiscard]] virtual Levels integrated() const = 0;
+  [[nodiscard]] virtual Levels integrated() const = 0;  ///< the factor
 
  private:
   mutable std::optional<Levels> factor_;
 };
 
-/// A node of the double exponential rule on (0, 1).
-struct UnitNode {
-  Float left, right;  ///< distances from the ends, each exact where nodes crowd there
-  Float log_right;
-  Float weight;
-};
-
-/// The nodes and weights of unit_integral().
-std::shared_ptr<const std::vector<UnitNode>> unit_nodes(int digits);
-
-/// int_0^1 f dx for f with algebraic singularities at the ends.
-Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f);
+/// The nodes of the double exponential rule on (0, 1) for integrands with algebraic singularities at the ends. Slopes are
+/// times the step: weights.
+std::shared_ptr<const std::vector<UnitPoint>> unit_nodes(int digits);
 
 /// Evaluates at 8, 16, 32 ... directions until `settled` returns true; BadInput "digits" where 4096 are not enough.
 void double_directions(int digits, const CrowdedDirections& directions,

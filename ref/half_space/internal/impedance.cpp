@@ -1,6 +1,5 @@
 #include <vector>
 
-#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 
 namespace nipref::ref {

@@ -24,7 +24,6 @@ ExactStiffness isotropic_stiffness(const data::IsotropicSolid& solid) {
 }
 
 SurfaceDirection degrees(double angle) { return SurfaceDirection::of_degrees(Exact(angle)); }
-SurfaceDirection pair(double cosine, double sine) { return {Exact(cosine), Exact(sine)}; }
 
 data::Stiffness random_solid(std::mt19937_64& generator) {
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -58,7 +57,8 @@ TEST_CASE("a proven impedance contains the one that is known better, and is not 
   for (int sample = 0; sample < 5; ++sample) {
     const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
     const auto at = [&](mpfr_prec_t precision) {
-      return ref::surface_impedance(ref::acoustic_matrices(solid, pair(1, 3), ref::Interval(0.05, precision)))
+      return ref::surface_impedance(
+                 ref::acoustic_matrices(solid, degrees(71.5), ref::Interval(0.05, precision)))
           .value();
     };
     const auto rough = at(100);
@@ -78,10 +78,10 @@ TEST_CASE("isotropic: the limiting speed is that of shear, the surface wave is R
     const auto solid = isotropic_stiffness({4, poisson, 1});
     const auto limit = ref::limiting_speed(solid, degrees(0), degrees(0), 30);
     CHECK(abs(value(limit) - 2) <= bound(limit));
-    const auto wave = ref::surface_wave_speed(solid, pair(1, 0), pair(3, 4), 30);
+    const auto wave = ref::surface_wave_speed(solid, degrees(0), degrees(53), 30);
     REQUIRE(wave.has_value());
     const auto cubic = [&](const Float& speed) {
-      const Float x = pow(speed * Float(3) / 10, 2);  // cos(psi - theta) = 3/5
+      const Float x = pow(speed * cos(53 * ref::pi() / 180) / 2, 2);
       const Float inverse = (1 - 2 * Float(poisson)) / (2 - 2 * Float(poisson));
       return ((x - 8) * x + (24 - 16 * inverse)) * x - 16 * (1 - inverse);
     };
@@ -104,7 +104,6 @@ TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by name") 
   bad = good;
   bad.density = 0;
   CHECK_REFUSED(bad.check(), "density = 0");
-  CHECK_REFUSED(pair(0, 0), "direction = ");
   const auto solid = ref::exact_stiffness(good);
   const auto respond = [&](double speed, int digits) {
     return ref::line_response(solid, Exact(speed), degrees(0), degrees(0), digits);
@@ -113,7 +112,7 @@ TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by name") 
   CHECK_REFUSED(respond(5, 20), "speed = 5");
   CHECK_REFUSED(respond(0.1, 15), "digits = 15");
   CHECK_REFUSED(Exact(NAN, "speed"), "speed = nan");
-  CHECK_REFUSED(ref::limiting_speed(solid, pair(1, 0), pair(0, 1), 20), "psi = ");
+  CHECK_REFUSED(ref::limiting_speed(solid, degrees(0), degrees(90), 20), "psi = ");
   CHECK_REFUSED(ref::surface_wave_speed(solid, degrees(0), degrees(90), 20), "psi = ");
   CHECK_REFUSED(ref::critical_speed(solid, degrees(0), 509), "digits = 509");
 }
