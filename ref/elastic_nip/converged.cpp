@@ -4,7 +4,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
-#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 

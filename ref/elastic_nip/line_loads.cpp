@@ -7,7 +7,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
-#include <nipref/ref/number/internal/enclosed_system.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
@@ -81,47 +81,38 @@ const Interval& at(const std::vector<Interval>& values, int odd_multiple) {
   return values[static_cast<std::size_t>(std::abs(odd_multiple) / 2)];
 }
 
-/// Where the displacements are equated, 2 i a, i = 0 .. m.
-Interval place_of(const Problem& problem, const Lengths& lengths, int i) {
-  return i * lengths.interval() / (2L * problem.elements());
-}
-
-/// Unknowns: d0, then the normal loads, and further ones that are not set. Rows: the normal displacement at all i.
-NearlyKnownSystem frictionless_system(const Problem& problem, const Lengths& lengths,
-                                      const std::vector<Interval>& I1_values, int further = 0) {
+/// Unknowns: d0, then the normal loads of a side. Rows: the normal displacement at all i. With friction its shear loads, too, and
+/// v = creep Y at i = 1 .. m; the right-hand sides of creep 0 and of creep 1 on an undeformed roller.
+NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int digits) {
   const int m = problem.elements();
-  auto system = NearlyKnownSystem::of_size(m + 1 + further, further > 0 ? 2 : 1);
-  const Interval diameter = 2 * Interval(problem.nip.roller_radius, working_bits());
-  for (int i = 0; i <= m; ++i) {
-    system.set_right(i, 0, square(place_of(problem, lengths, i)) / diameter);
-    system.matrix(i, 0) = 1;
-    for (int k = 1; k <= m; ++k)
-      system.set(i, k, -(at(I1_values, 2 * (i - k) + 1) + at(I1_values, 2 * (i + k) - 1)));
-  }
-  return system;
-}
-
-/// The same with the shear loads as further unknowns and v = creep Y at i = 1 .. m as further rows; the right-hand
-/// sides of creep 0 and of creep 1 on an undeformed roller.
-NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths, int digits) {
-  const int m = problem.elements();
-  const auto tangential = evaluate(problem, lengths, PlainKernel::I6_alpha_part, digits),
-             coupling = evaluate(problem, lengths, PlainKernel::I3, digits);
+  const auto of = [&](PlainKernel kernel) { return evaluate(problem, lengths, kernel, digits); };
+  using Values = std::vector<Interval>;
+  const Values normal = of(PlainKernel::I1),
+               tangential = problem.grips() ? of(PlainKernel::I6_alpha_part) : Values(),
+               coupling = problem.grips() ? of(PlainKernel::I3) : Values();
   const Interval part = theta2_part(problem.nip);
   const auto coupling_at = [&](int multiple) {
     const Interval value = at(coupling, multiple) - part;
     return multiple > 0 ? value : -value;
   };
-  auto system = frictionless_system(problem, lengths, evaluate(problem, lengths, PlainKernel::I1, digits), m);
+  auto system =
+      problem.grips() ? NearlyKnownSystem::of_size(2 * m + 1, 2) : NearlyKnownSystem::of_size(m + 1, 1);
+  const Interval diameter = 2 * Interval(problem.nip.roller_radius, working_bits());
   for (int i = 0; i <= m; ++i) {
+    // Where the displacements are equated, 2 i a.
+    const Interval place = i * lengths.interval() / (2L * m);
+    system.set_right(i, 0, square(place) / diameter);
+    system.matrix(i, 0) = 1;
+    if (problem.grips() && i > 0) system.set_right(m + i, 1, place);
     for (int k = 1; k <= m; ++k) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
+      system.set(i, k, -(at(normal, near) + at(normal, far)));
+      if (!problem.grips()) continue;
       system.set(i, m + k, coupling_at(near) - coupling_at(far));
       if (i == 0) continue;
       system.set(m + i, k, coupling_at(near) + coupling_at(far));
       system.set(m + i, m + k, at(tangential, near) - at(tangential, far));
     }
-    if (i > 0) system.set_right(m + i, 1, place_of(problem, lengths, i));
   }
   return system;
 }
@@ -171,14 +162,9 @@ SolvedLineLoads contact_of(const Problem& problem, const Lengths& lengths, const
 
 /// Nothing if the precision does not suffice to prove a bound, or which creep is the thesis's.
 std::optional<SolvedLineLoads> solve(const Problem& problem, const Lengths& lengths, int digits) {
-  if (!problem.grips()) {
-    const auto solved = enclosed_solutions(
-        frictionless_system(problem, lengths, evaluate(problem, lengths, PlainKernel::I1, digits)));
-    if (!solved) return std::nullopt;
-    return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
-  }
-  auto solved = enclosed_solutions(gripped_system(problem, lengths, digits));
+  auto solved = enclosed_solutions(system_of(problem, lengths, digits));
   if (!solved) return std::nullopt;
+  if (!problem.grips()) return contact_of(problem, lengths, *solved, solved->unknowns.front(), digits);
   const std::vector<Interval>&at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
   const std::vector<Interval> loads_at_zero(at_zero.begin() + 1, at_zero.end()),
       loads_per_creep(per_creep.begin() + 1, per_creep.end());

@@ -21,7 +21,7 @@ struct LineLoadMethod {
 
 /// Contact length L = `contact_length`, unit of length, > 0 and at most 500 sheet thicknesses; digits 16 to 300. The
 /// doubles are taken exactly. BadInput otherwise, and where no creep meets the thesis's conditions or the
-/// reference cannot tell. The bounds are those of enclosed_system.hpp.
+/// reference cannot tell. The bounds are those of number/internal/linear_algebra.hpp.
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, int digits, const data::Grip& grip = {});
 

@@ -6,8 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/material/exact_material.hpp>
-#include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/material/internal/partial_fractions.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {

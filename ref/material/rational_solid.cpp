@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
 
 namespace nipref::ref {

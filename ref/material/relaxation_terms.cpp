@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/material/internal/partial_fractions.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/material/relaxation_terms.hpp>
 
 namespace nipref::ref {

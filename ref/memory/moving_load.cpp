@@ -7,10 +7,8 @@
 #include <tuple>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/material/internal/inverse_transform.hpp>
-#include <nipref/ref/material/internal/partial_fractions.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
-#include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>

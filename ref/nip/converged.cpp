@@ -251,12 +251,10 @@ ContactField ConvergedNip::Parts::field() const {
           digits};
 }
 
-ConvergedNip::ConvergedNip(Parts parts) : parts_(std::make_unique<const Parts>(std::move(parts))) {
+ConvergedNip::ConvergedNip(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {
   const WorkingDigits working(parts_->working_digits());
   if (!parts_->proof) (void)parts_->by_panels();
 }
-ConvergedNip::ConvergedNip(ConvergedNip&&) noexcept = default;
-ConvergedNip::~ConvergedNip() = default;
 
 Estimate ConvergedNip::contact_length() const {
   const auto formula = [](const auto& of) { return 2 * of.half_length(); };
@@ -477,7 +475,7 @@ GreatestShear ConvergedNip::greatest_shear() const {
 }
 
 int ConvergedNip::unknowns() const {
-  return parts_->solved ? parts_->solved->fine().unknowns() : parts_->proof->contact->terms();
+  return parts_->solved ? parts_->solved->unknowns() : parts_->proof->contact->terms();
 }
 
 KernelValues ConvergedNip::kernel_values() const {

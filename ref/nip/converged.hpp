@@ -19,7 +19,7 @@ namespace nipref::ref {
 /// What is proven (ref/README.md, What is proven) has Estimate::proven true and a bound of at most 10^-digits of the value
 /// for lengths, load, indentation and peaks, of the largest value for profiles, of the largest pressure for shears; where a
 /// length found for a load is not known to so much as the distance of Y from the ends, more. All else has an error that is
-/// estimated, see internal/solved_nip.hpp: about 10^-digits at most of the largest value of the result's kind.
+/// estimated, see internal/nip_solution.hpp: about 10^-digits at most of the largest value of the result's kind.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit
 /// of length; finite, for displacements within 450 sheet thicknesses of the contact; otherwise BadInput.
@@ -27,9 +27,6 @@ namespace nipref::ref {
 /// One object must not be used by two threads at once.
 class ConvergedNip {
  public:
-  ConvergedNip(ConvergedNip&&) noexcept;
-  ~ConvergedNip();
-
   [[nodiscard]] Estimate contact_length() const;         ///< L = L1 + L2, unit of length
   [[nodiscard]] Estimate leading_length() const;         ///< L1, on the entry side
   [[nodiscard]] Estimate trailing_length() const;        ///< L2, on the exit side; may be negative
@@ -64,7 +61,7 @@ class ConvergedNip {
   explicit ConvergedNip(Parts parts);
 
  private:
-  std::unique_ptr<const Parts> parts_;
+  std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace nipref::ref

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/nip/line_load_field.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/sheet/field.hpp>

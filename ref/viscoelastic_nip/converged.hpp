@@ -6,7 +6,7 @@ namespace nipref::ref {
 
 /// Contact of a viscoelastic nip in steady frictionless rolling, of the given length: L <= R, 1e-6 <= L/B <= 1000; digits:
 /// 16 to 30. What an elastic sheet would do in the contact follows from the known displacement by the inverse compliance,
-/// so that the pressure is that of an elastic contact with other right-hand sides (internal/rolling_solution.cpp). Proven:
+/// so that the pressure is that of an elastic contact with other right-hand sides (internal/rolling_sheet.cpp). Proven:
 /// ref/viscoelastic_nip/README.md, Rolling contacts.
 ///
 /// BadInput otherwise, naming "nip.material" for rates whose imaginary part is more than 10 times the real one, and for

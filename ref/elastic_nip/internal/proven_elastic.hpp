@@ -24,4 +24,26 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
 /// That a contact of given length is expanded in.
 int proven_elastic_terms(double half_length, int digits);
 
+/// The kernels that a proof takes its values from: ref's, except in tests.
+struct GrippedKernels {
+  NormalKernel normal;    ///< I1
+  NormalKernel coupling;  ///< I3
+  NormalKernel stretch;   ///< the integral of I3 from 0, with the sign changed, but for a constant
+};
+GrippedKernels gripped_kernels();
+
+/// The contact of an elastic sheet with full friction, solved and proven so that its results have the requested digits;
+/// half lengths are in half-thicknesses, beta = theta2/N. (ref/elastic_nip/README.md, Contacts with full friction)
+Proof proven_gripped(const Exact& half_length, const Exact& beta, int digits, const GrippedKernels& kernels);
+
+/// The same for a load, from a guess of the half length that may be wrong by a third. Nothing where is_allowed does not hold
+/// for a half length on the way, or where most_terms do not suffice. That no other length carries the load is not proven.
+std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
+                                             const std::function<bool(double half_length)>& is_allowed,
+                                             const Exact& beta, int digits, const GrippedKernels& kernels,
+                                             int most_terms);
+
+/// Unknowns of the expansion of a contact of given length.
+int proven_gripped_terms(double half_length, double beta, int digits);
+
 }  // namespace nipref::ref

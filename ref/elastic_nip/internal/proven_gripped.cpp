@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
 #include <nipref/ref/nip/internal/length_search.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>

@@ -2,7 +2,7 @@
 #include <variant>
 
 #include <nipref/ref/material/internal/material_compliances.hpp>
-#include <nipref/ref/material/internal/partial_fractions.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
@@ -10,12 +10,8 @@ namespace {
 
 Compliance as_given(const data::MaterialFunction& function) {
   Compliance result{function.instantaneous, {}};
-  for (const data::RelaxationTerm& term : function.terms) {
-    if (term.rate.imag() < 0) continue;
-    const int both = term.rate.imag() > 0 ? 2 : 1;
-    result.terms.push_back({ComplexFloat(term.amplitude.real(), term.amplitude.imag()) * Float(both),
-                            {term.rate.real(), term.rate.imag()}});
-  }
+  for (const auto& [amplitude, rate] : function.terms)
+    result.terms.push_back({{amplitude.real(), amplitude.imag()}, {rate.real(), rate.imag()}});
   return result;
 }
 
@@ -27,15 +23,8 @@ data::MaterialFunction in_double(const Compliance& compliance) {
   const auto rounded = [](const ComplexFloat& z) {
     return std::complex<double>(static_cast<double>(z.re), static_cast<double>(z.im));
   };
-  for (const ComplianceTerm& term : compliance.terms) {
-    const std::complex<double> amplitude = rounded(term.amplitude), rate = rounded(term.rate);
-    if (rate.imag() == 0) {
-      function.terms.push_back({amplitude.real(), rate});
-    } else {
-      function.terms.push_back({amplitude / 2.0, rate});
-      function.terms.push_back({std::conj(amplitude) / 2.0, std::conj(rate)});
-    }
-  }
+  for (const auto& [amplitude, rate] : compliance.terms)
+    function.terms.push_back({rounded(amplitude), rounded(rate)});
   return function;
 }
 
@@ -50,8 +39,9 @@ Compliance compliance_of(const ExactFunction& theta) {
          partial_fractions(fraction.numerator, fraction.denominator, 2 * working_bits())) {
       if (mpfi_has_zero(rate.im.get()) > 0) {
         result.terms.push_back({middle_of(amplitude.re), middle_of(rate.re)});
-      } else if (sign_of(rate.im) > 0) {  // that of the conjugate rate stands with it
-        result.terms.push_back({middle(amplitude) * Float(2), middle(rate)});
+      } else if (sign_of(rate.im) > 0) {
+        const ComplianceTerm term{middle(amplitude), middle(rate)};
+        result.terms.insert(result.terms.end(), {term, {conj(term.amplitude), conj(term.rate)}});
       }
     }
   }

@@ -6,15 +6,15 @@
 
 namespace nipref::ref {
 
-/// The term Re amplitude e^(-rate t).
+/// The term amplitude e^(-rate t).
 struct ComplianceTerm {
-  ComplexFloat amplitude;  ///< 1/(stress time); for a conjugate pair twice that of one term
-  ComplexFloat rate;       ///< 1/time; imaginary part >= 0; exactly 0 if the function's is
+  ComplexFloat amplitude;  ///< 1/(stress time)
+  ComplexFloat rate;       ///< 1/time; exactly 0 if the function's is
 };
 /// Whether it never fades.
 inline bool is_flow(const ComplianceTerm& term) { return term.rate.re == 0; }
 
-/// theta(t) = at_once delta(t) + sum of the terms
+/// theta(t) = at_once delta(t) + sum of the terms; those that are not real stand in conjugate pairs.
 struct Compliance {
   Float at_once;  ///< 1/stress
   std::vector<ComplianceTerm> terms;

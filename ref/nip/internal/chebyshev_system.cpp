@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
-#include <nipref/ref/number/internal/cosines.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>

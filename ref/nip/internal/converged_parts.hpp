@@ -6,9 +6,9 @@
 #include <string>
 
 #include <nipref/ref/nip/converged.hpp>
-#include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/nip/internal/inner_field.hpp>
+#include <nipref/ref/nip/internal/nip_solution.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
-#include <nipref/ref/nip/internal/solved_nip.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {

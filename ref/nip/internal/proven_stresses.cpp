@@ -1,9 +1,9 @@
 #include <utility>
 
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/nip/internal/proven_stresses.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/sheet/field.hpp>
 
 namespace nipref::ref {

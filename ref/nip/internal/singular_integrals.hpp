@@ -12,8 +12,8 @@ class SingularIntegrals {
  public:
   /// Of k < count. Without x only plain(); with x = 0 or 1 not inverse(), which is infinite, and with x = 1 logarithm() only if m
   /// is 0.
-  SingularIntegrals(const ComplexFloat& exponent, int count);
-  SingularIntegrals(const ComplexFloat& exponent, const Float& x, int count);
+  SingularIntegrals(const ComplexFloat& m, int count);
+  SingularIntegrals(const ComplexFloat& m, const Float& x, int count);
 
   [[nodiscard]] const ComplexFloat& plain(long k) const { return plain_[static_cast<std::size_t>(k)]; }
   [[nodiscard]] const ComplexFloat& logarithm(long k) const {
@@ -23,9 +23,6 @@ class SingularIntegrals {
   [[nodiscard]] const ComplexFloat& inverse(long k) const { return inverse_[static_cast<std::size_t>(k)]; }
 
  private:
-  template <class Number>
-  void compute(const Number& m, const Float& x, int count);
-
   std::vector<ComplexFloat> plain_, logarithm_, sign_, inverse_;
 };
 

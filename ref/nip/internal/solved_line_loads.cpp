@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <nipref/ref/nip/internal/solved_line_loads.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 
@@ -59,6 +60,142 @@ std::optional<LineLoadNip> solved_to(
   return solved_until(digits, extra, contact_at, [&](const SolvedLineLoads& contact) {
     return contact.error <= pow(Float(10), -(digits + spare_digits_of_loads));
   });
+}
+
+namespace {
+
+/// constant + linear x + square x^2.
+struct Quadratic {
+  Interval constant, linear, square;
+
+  [[nodiscard]] Interval at(const Interval& x) const { return constant + x * (linear + x * square); }
+};
+
+bool is_same(const Interval& x, const Interval& y) {
+  return mpfr_equal_p(x.lower(), y.lower()) != 0 && mpfr_equal_p(x.upper(), y.upper()) != 0;
+}
+
+/// Those of a condition; nothing if the intervals do not tell how many there are.
+std::optional<std::vector<Interval>> roots_of(const Quadratic& f) {
+  if (mpfi_is_zero(f.square.get()) > 0) {
+    if (sign_of(f.linear) == 0) return std::nullopt;
+    return std::vector{-(f.constant / f.linear)};
+  }
+  const Interval discriminant = square(f.linear) - 4 * (f.square * f.constant);
+  const int has_roots = sign_of(discriminant);
+  if (has_roots < 0) return std::vector<Interval>{};
+  if (has_roots == 0 || sign_of(f.square) == 0 || sign_of(f.linear) == 0) return std::nullopt;
+  const Interval root = sqrt(discriminant);
+  const Interval q = -(sign_of(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
+  return std::vector{q / f.square, f.constant / q};
+}
+
+/// A number at which the condition of that number is 0.
+struct Root {
+  Interval place;
+  std::size_t of;
+};
+
+/// The conditions f >= 0 for the creep, with shear loads that push outwards (sign 1) or inwards (-1). The creep of least
+/// magnitude that meets all is 0 or a root of one of them.
+class Conditions {
+ public:
+  Conditions(const std::vector<Interval>& at_zero, const std::vector<Interval>& per_creep, long sign) {
+    const std::size_t m = at_zero.size() / 2;
+    for (std::size_t k = 0; k < m; ++k) {
+      const Interval none(at_zero[k].precision());
+      all_.push_back({at_zero[k], per_creep[k], none});
+      all_.push_back({sign * at_zero[m + k], sign * per_creep[m + k], none});
+    }
+    // The shear over the normal load rises outwards.
+    for (std::size_t k = 0; k + 1 < m; ++k) {
+      const auto product = [&](std::size_t i, std::size_t j) -> Quadratic {
+        return {at_zero[i] * at_zero[j], at_zero[i] * per_creep[j] + per_creep[i] * at_zero[j],
+                per_creep[i] * per_creep[j]};
+      };
+      const Quadratic outer = product(m + k + 1, k), inner = product(m + k, k + 1);
+      all_.push_back({sign * (outer.constant - inner.constant), sign * (outer.linear - inner.linear),
+                      sign * (outer.square - inner.square)});
+    }
+  }
+
+  /// The creep of least magnitude, or none if there is none; nothing if the intervals do not decide.
+  [[nodiscard]] std::optional<std::optional<Interval>> least() const {
+    const Interval zero(all_.front().constant.precision());
+    const std::optional<bool> at_zero = is_met(zero, all_.size());
+    if (!at_zero) return std::nullopt;
+    if (*at_zero) return std::optional(zero);
+    const auto candidates = roots();
+    if (!candidates) return std::nullopt;
+    std::optional<Interval> best;
+    for (const auto& [root, of] : *candidates) {
+      const std::optional<bool> meets = is_met(root, of);
+      if (!meets) return std::nullopt;
+      if (!*meets) continue;
+      const int nearer = best ? sign_of(square(*best) - square(root)) : 1;
+      if (nearer == 0) return std::nullopt;
+      if (nearer > 0) best = root;
+    }
+    return best;
+  }
+
+  /// The range around `chosen`, which is least(). It ends at the nearest roots on both sides, since all roots are simple. If
+  /// `chosen` is a root itself, the range begins there.
+  [[nodiscard]] ThesisCreep around(const Interval& chosen) const {
+    ThesisCreep result{chosen};
+    const auto borders = roots();
+    if (!borders) return result;
+    for (const auto& [root, of] : *borders) {
+      if (is_same(chosen, root)) continue;
+      const int side = sign_of(root - chosen);
+      if (side == 0) return {chosen};
+      // If the intervals of two roots overlap, the bound covers both.
+      std::optional<Interval>& nearest = side < 0 ? result.lower : result.upper;
+      if (!nearest) nearest = root;
+      nearest = side < 0 ? larger_of(root, *nearest) : -larger_of(-root, -*nearest);
+    }
+    const int at = sign_of(chosen);
+    if (at != 0) (at > 0 ? result.lower : result.upper) = chosen;
+    return result;
+  }
+
+ private:
+  /// Whether all conditions are met except number `but`, of which x is a root; nothing if the intervals do not decide.
+  [[nodiscard]] std::optional<bool> is_met(const Interval& x, std::size_t but) const {
+    bool is_known = true;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (k == but) continue;
+      const int at_x = sign_of(all_[k].at(x));
+      if (at_x < 0) return false;
+      if (at_x == 0) is_known = false;
+    }
+    return is_known ? std::optional(true) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::vector<Root>> roots() const {
+    std::vector<Root> found;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const auto here = roots_of(all_[k]);
+      if (!here) return std::nullopt;
+      for (const Interval& root : *here) found.push_back({root, k});
+    }
+    return found;
+  }
+
+  std::vector<Quadratic> all_;
+};
+
+}  // namespace
+
+/// By the sign of the shear loads whose creep is nearer to 0.
+std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
+                                        const std::vector<Interval>& per_creep) {
+  const Conditions inwards(at_zero, per_creep, -1), outwards(at_zero, per_creep, 1);
+  const auto in = inwards.least(), out = outwards.least();
+  if (!in || !out || (!*in && !*out)) return std::nullopt;
+  const int nearer = !*in ? 1 : !*out ? -1 : sign_of(square(**in) - square(**out));
+  if (nearer == 0) return std::nullopt;
+  return nearer > 0 ? outwards.around(**out) : inwards.around(**in);
 }
 
 }  // namespace nipref::ref

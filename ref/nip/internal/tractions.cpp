@@ -5,7 +5,6 @@
 #include <nipref/ref/nip/internal/singular_integrals.hpp>
 #include <nipref/ref/nip/internal/tractions.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -58,32 +57,6 @@ LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
   return *this;
 }
 
-/// The nodes of all pieces: Gauss's, and on the panel at the end Chebyshev's points of 0 .. 1.
-struct Tractions::Rules {
-  UnitRule plain;
-  std::vector<Float> end;
-
-  Rules(int terms, double nats)
-      : plain(gauss_rule(static_cast<int>(nats / (2 * nats_of_degree)) + terms / 2 + 6)),
-        end(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {}
-};
-
-/// Nodes e, and w T_k times the weight: a column a node; imaginary parts where w is not real.
-struct Tractions::Nodes {
-  std::vector<Float> places;
-  Matrix real, imaginary;
-};
-
-/// The panel at the end, or a part of another one.
-struct Tractions::Piece {
-  std::size_t panel;
-  Float from, width;
-  Nodes nodes;
-  Matrix own;  ///< T_k in those of the piece's own variable, a row each; nothing where they are these
-  /// Of a panel without w, from its first piece to this one: the integrals of T_k, then those of e T_k.
-  Vector sums;
-};
-
 /// The load on this half, or its mirror image: alpha = side (e - place) of a line load at e.
 struct Tractions::Image {
   Float place;
@@ -96,24 +69,20 @@ struct Tractions::Image {
   }
 };
 
-Tractions::Tractions(Tractions&&) noexcept = default;
-Tractions& Tractions::operator=(Tractions&&) noexcept = default;
-Tractions::~Tractions() = default;
-
 Tractions::Tractions(const Float& half_length, std::vector<TractionPanel> panels, const Float& epsilon,
                      bool has_shear, double nats)
     : half_length_(half_length),
       epsilon_(epsilon),
       panels_(std::move(panels)),
       has_shear_(has_shear),
-      nats_(nats),
-      first_columns_{0} {
+      first_columns_{0},
+      end_points_(chebyshev_points(static_cast<int>(nats / nats_of_degree) + 6)) {
   int most = 0;
   for (const TractionPanel& panel : panels_) {
     first_columns_.push_back(first_columns_.back() + (has_shear_ ? 2 : 1) * panel.terms);
     most = std::max(most, panel.terms);
   }
-  rules_ = std::make_unique<Rules>(most, nats_);
+  rule_ = gauss_rule(static_cast<int>(nats / (2 * nats_of_degree)) + most / 2 + 6);
   add_end_piece();
   for (std::size_t p = 1; p < panels_.size(); ++p) {
     const TractionPanel& panel = panels_[p];
@@ -126,7 +95,7 @@ void Tractions::add_end_piece() {
   const TractionPanel& panel = panels_.front();
   const Matrix weights = end_weights();
   Nodes nodes;
-  for (const Float& x : rules_->end) nodes.places.push_back(panel.width * x);
+  for (const Float& x : end_points_) nodes.places.push_back(panel.width * x);
   nodes.real = weights.leftCols(panel.terms).transpose();
   if (epsilon_ != 0) nodes.imaginary = weights.rightCols(panel.terms).transpose();
   pieces_.push_back({0, 0, panel.width, std::move(nodes), {}, {}});
@@ -134,19 +103,17 @@ void Tractions::add_end_piece() {
 
 void Tractions::add_piece(std::size_t number, const Float& from, const Float& width) {
   const TractionPanel& panel = panels_[number];
-  const UnitRule& rule = rules_->plain;
   Piece piece{number, from,
-              width,  {{}, Matrix(panel.terms, static_cast<Index>(rule.size())), {}},
+              width,  {{}, Matrix(panel.terms, static_cast<Index>(rule_.size())), {}},
               {},     Vector(2 * panel.terms)};
   Nodes& nodes = piece.nodes;
-  if (pieces_.back().panel == number) piece.sums = pieces_.back().sums;
   std::vector<Float> values(static_cast<std::size_t>(panel.terms));
-  for (std::size_t j = 0; j < rule.size(); ++j) {
-    nodes.places.push_back(from + width * rule.from_left[j]);
+  for (std::size_t j = 0; j < rule_.size(); ++j) {
+    nodes.places.push_back(from + width * rule_.from_left[j]);
     chebyshev_values(2 * (nodes.places[j] - panel.left) / panel.width - 1, values);
     for (Index k = 0; k < panel.terms; ++k) {
       Float& here = nodes.real(k, static_cast<Index>(j));
-      here = width * rule.weight[j] * values[static_cast<std::size_t>(k)];
+      here = width * rule_.weight[j] * values[static_cast<std::size_t>(k)];
       piece.sums(k) += here;
       piece.sums(panel.terms + k) += here * nodes.places[j];
     }
@@ -162,7 +129,7 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
 
 /// The weights at Chebyshev's points with which w T_k times a polynomial is integrated: real parts, then imaginary ones.
 Matrix Tractions::end_weights() const {
-  const auto nodes = static_cast<Index>(rules_->end.size());
+  const auto nodes = static_cast<Index>(end_points_.size());
   const int terms = panels_.front().terms;
   const SingularIntegrals moments(exponent(0), terms + static_cast<int>(nodes));
   Matrix products(nodes, 2 * terms);
@@ -173,7 +140,7 @@ Matrix Tractions::end_weights() const {
       products(l, terms + k) = product.im;
     }
   }
-  return panels_.front().width / 2 * (coefficients_by(rules_->end) * products);
+  return panels_.front().width / 2 * (coefficients_by(end_points_) * products);
 }
 
 bool Tractions::is_near(const Piece& piece, const Image& image) {
@@ -240,42 +207,27 @@ void Tractions::add_singular(const Piece& piece, const Image& image,
   add(Influence::normal_slope, [&](Index k) { return own.inverse(k) * Float(image.side); });
 }
 
-/// Adds the pieces that only the sign and its integrals reach: on each side of the place these are lines, c_0 + c_1 e.
-void Tractions::add_far(const Image& image, const std::vector<LineFunctional>& functionals,
-                        SheetKernels& kernels, std::vector<Vector>& rows) const {
-  const Float quarter = pi() / 4, level = kernels.stretch(kernels.far()) + quarter * kernels.far();
-  for (const int side : {-1, 1}) {
-    const auto is_far = [&](const Piece& piece) {
-      return side > 0 ? piece.from - image.place >= kernels.far()
-                      : image.place - piece.from - piece.width >= kernels.far();
-    };
-    const int sign = image.side * side;
-    const auto line = [&](const std::array<Float, influences>& on) {
-      const auto at = [&](Influence kind) { return on[static_cast<std::size_t>(kind)]; };
-      const Float stretch = at(Influence::stretch);
-      return std::pair<Float, Float>(sign * (at(Influence::sign) + quarter * at(Influence::coupling)) +
-                                         stretch * (level + side * quarter * image.place),
-                                     -side * quarter * stretch);
-    };
-    for (std::size_t i = 1; i < pieces_.size(); ++i) {
-      // The last far piece of a panel before the place, and all of it after, less what is not far.
-      const Piece& piece = pieces_[i];
-      const bool next_is_same = i + 1 < pieces_.size() && pieces_[i + 1].panel == piece.panel;
-      const bool adds = is_far(piece) && !(next_is_same && is_far(pieces_[i + 1]));
-      const bool subtracts = !is_far(piece) && next_is_same && is_far(pieces_[i + 1]);
-      if (!adds && !subtracts) continue;
-      const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
-      for (std::size_t f = 0; f < functionals.size(); ++f) {
-        const auto add = [&](const std::pair<Float, Float>& here, int parity, int column) {
-          const int factor = adds ? parity : -parity;
-          rows[f].middleRows(column, terms) += Float(factor) * (here.first * piece.sums.topRows(terms) +
-                                                                here.second * piece.sums.bottomRows(terms));
-        };
-        add(line(functionals[f].on_pressure), image.parity_of_pressure(functionals[f]), first);
-        if (has_shear_)
-          add(line(functionals[f].on_shear), image.parity_of_shear(functionals[f]), first + terms);
-      }
-    }
+/// Adds a piece that only the sign and its integrals reach: on each side of the place these are lines, constant + slope e.
+void Tractions::add_far(const Piece& piece, const Image& image,
+                        const std::vector<LineFunctional>& functionals, const Float& level,
+                        std::vector<Vector>& rows) const {
+  const Float quarter = pi() / 4;
+  const int side = piece.from > image.place ? 1 : -1, sign = image.side * side;
+  const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
+  const auto add = [&](Vector& row, const std::array<Float, influences>& on, int parity, int column) {
+    const auto at = [&](Influence kind) -> const Float& { return on[static_cast<std::size_t>(kind)]; };
+    const Float& stretch = at(Influence::stretch);
+    const Float constant = sign * (at(Influence::sign) + quarter * at(Influence::coupling)) +
+                           stretch * (level + side * quarter * image.place),
+                slope = -side * quarter * stretch;
+    if (constant == 0 && slope == 0) return;
+    row.middleRows(column, terms) +=
+        Float(parity) * (constant * piece.sums.topRows(terms) + slope * piece.sums.bottomRows(terms));
+  };
+  for (std::size_t f = 0; f < functionals.size(); ++f) {
+    add(rows[f], functionals[f].on_pressure, image.parity_of_pressure(functionals[f]), first);
+    if (has_shear_)
+      add(rows[f], functionals[f].on_shear, image.parity_of_shear(functionals[f]), first + terms);
   }
 }
 
@@ -313,19 +265,25 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
                                     SheetKernels& kernels) const {
   std::vector<Vector> rows(functionals.size(), Vector(columns()));
   const std::array<Image, 2> images{Image{e, 1}, Image{2 * half_length_ - e, -1}};
+  // Of what the stretch is far away.
+  const Float level = any_has(functionals, Influence::stretch)
+                          ? Float(kernels.stretch(kernels.far()) + pi() / 4 * kernels.far())
+                          : Float(0);
   for (const Piece& piece : pieces_) {
     // Those that the kernels reach, which on the panel at the end are all.
     std::vector<Image> here;
     for (const Image& image : images) {
       const Float gap =
           std::max(Float(piece.from - image.place), Float(image.place - piece.from - piece.width));
-      if (piece.panel == 0 || gap < kernels.far()) here.push_back(image);
+      if (piece.panel == 0 || gap < kernels.far())
+        here.push_back(image);
+      else
+        add_far(piece, image, functionals, level, rows);
     }
     if (!here.empty()) add_nodes(piece, here, functionals, kernels, rows);
     for (const Image& image : images)
       if (is_near(piece, image)) add_singular(piece, image, functionals, rows);
   }
-  for (const Image& image : images) add_far(image, functionals, kernels, rows);
   return rows;
 }
 

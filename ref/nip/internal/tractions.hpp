@@ -1,12 +1,12 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 
@@ -49,10 +49,6 @@ class Tractions {
   /// Integrals are good to about e^-nats.
   Tractions(const Float& half_length, std::vector<TractionPanel> panels, const Float& epsilon, bool has_shear,
             double nats);
-  Tractions(Tractions&&) noexcept;
-  Tractions& operator=(Tractions&&) noexcept;
-  ~Tractions();
-
   [[nodiscard]] const Float& half_length() const { return half_length_; }
   [[nodiscard]] const std::vector<TractionPanel>& panels() const { return panels_; }
   /// Coefficients: for each panel its a_k, then its b_k.
@@ -71,9 +67,19 @@ class Tractions {
   [[nodiscard]] Vector moment() const;
 
  private:
-  struct Nodes;
-  struct Piece;
-  struct Rules;
+  /// Nodes e, and w T_k times the weight: a column a node; imaginary parts where w is not real.
+  struct Nodes {
+    std::vector<Float> places;
+    Matrix real, imaginary;
+  };
+  /// The panel at the end, or a part of another one.
+  struct Piece {
+    std::size_t panel;
+    Float from, width;
+    Nodes nodes;
+    Matrix own;   ///< T_k in those of the piece's own variable, a row each; nothing where they are these
+    Vector sums;  ///< of a panel without w: the integrals of T_k, then those of e T_k
+  };
   struct Image;
 
   void add_end_piece();
@@ -86,8 +92,8 @@ class Tractions {
                  std::vector<Vector>& rows) const;
   /// int_0^A p factor(e) de as a row: sums over the nodes of a piece are the integrals over it.
   [[nodiscard]] Vector weighted(const std::function<Float(const Float& e)>& factor) const;
-  void add_far(const Image& image, const std::vector<LineFunctional>& functionals, SheetKernels& kernels,
-               std::vector<Vector>& rows) const;
+  void add_far(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
+               const Float& level, std::vector<Vector>& rows) const;
   /// Whether the nodes of a piece do not integrate what is singular at the place.
   [[nodiscard]] static bool is_near(const Piece& piece, const Image& image);
   void add_singular(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
@@ -100,9 +106,9 @@ class Tractions {
   Float half_length_, epsilon_;
   std::vector<TractionPanel> panels_;
   bool has_shear_;
-  double nats_;
   std::vector<int> first_columns_;
-  std::unique_ptr<Rules> rules_;
+  UnitRule rule_;                  ///< of all pieces, but on the panel at the end
+  std::vector<Float> end_points_;  ///< Chebyshev's points of 0 .. 1, its nodes
   std::vector<Piece> pieces_;
 };
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
-#include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {

@@ -5,7 +5,7 @@
 
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/ref/number/float.hpp>
-#include <nipref/ref/number/internal/cosines.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 

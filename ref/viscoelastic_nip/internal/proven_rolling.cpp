@@ -7,8 +7,8 @@
 #include <nipref/ref/material/exact_material.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
 #include <nipref/ref/nip/internal/length_search.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/proven_rolling.hpp>

@@ -1,12 +1,18 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/material/internal/polynomial.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/trace.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -26,21 +32,6 @@ void add_term(Terms& terms, const RollingMemory& term) {
 
 /// Widths at an end over those without memory, times the largest rate.
 constexpr double widest_of_memory = 1.5;
-
-Terms with_conjugates(const Terms& terms) {
-  Terms all;
-  for (const RollingMemory& term : terms) {
-    if (abs(term.amplitude) == 0) continue;
-    if (term.rate.is_real()) {
-      all.push_back({ComplexFloat(term.amplitude.re), term.rate});
-      continue;
-    }
-    const ComplexFloat half = term.amplitude / Float(2);
-    all.push_back({half, term.rate});
-    all.push_back({ComplexFloat(half.re, -half.im), ComplexFloat(term.rate.re, -term.rate.im)});
-  }
-  return all;
-}
 
 /// The zeros of C(-s), as those of C(-s) prod (r_i - s). They start beside the real axis, as real steps find no complex zeros.
 std::vector<ComplexFloat> zeros_of(const Terms& terms) {
@@ -75,14 +66,14 @@ RollingMaterial rolling_material(const data::ViscoelasticNip& nip) {
   add_rolled(result.theta2, theta2.terms);
   add_rolled(result.normal, theta1.terms);
   add_rolled(result.normal, theta2.terms);
+  std::erase_if(result.normal, [](const RollingMemory& term) { return abs(term.amplitude) == 0; });
   return result;
 }
 
-RollingSheet::RollingSheet(RollingMaterial the_material)
-    : material(std::move(the_material)), memory(with_conjugates(material.normal)) {
-  for (const ComplexFloat& s : zeros_of(memory)) {
+RollingSheet::RollingSheet(RollingMaterial the_material) : material(std::move(the_material)) {
+  for (const ComplexFloat& s : zeros_of(material.normal)) {
     ComplexFloat sum;
-    for (const RollingMemory& term : memory) {
+    for (const RollingMemory& term : material.normal) {
       const ComplexFloat distance = term.rate - s;
       sum = sum - term.amplitude / (distance * distance);
     }
@@ -92,7 +83,7 @@ RollingSheet::RollingSheet(RollingMaterial the_material)
 
 Resolution RollingSheet::resolution() const {
   Resolution resolution{std::numbers::pi, {}, 1};
-  for (const auto* terms : {&memory, &inverse}) {
+  for (const auto* terms : {&material.normal, &inverse}) {
     for (const RollingMemory& term : *terms) {
       resolution.rates.emplace_back(static_cast<double>(term.rate.re), static_cast<double>(term.rate.im));
       resolution.first = std::min(resolution.first, widest_of_memory / std::abs(resolution.rates.back()));
@@ -120,10 +111,311 @@ void RollingSheet::check(double half_length) const {
 
 int RollingSheet::lost_digits() const {
   double softness = 1;
-  for (const RollingMemory& term : memory)
+  for (const RollingMemory& term : material.normal)
     softness +=
         static_cast<double>(is_flow(term) ? abs(term.amplitude) : abs(term.amplitude) / abs(term.rate));
   return static_cast<int>(std::log10(softness));
+}
+
+namespace {
+
+using Index = Matrix::Index;
+
+/// The columns of direct_row(): what is known, edge_displacement, the offset, then real and imaginary part of each n_j.
+constexpr Index known = 0, edge = 1, shift = 2, first_memory = 3;
+
+/// int kind p/pi of an even and of an odd pressure.
+std::vector<LineFunctional> both_parts(Influence kind) {
+  std::vector<LineFunctional> parts(2);
+  for (LineFunctional& part : parts) part.pressure(kind, 1 / pi());
+  parts[1].parity = -1;
+  return parts;
+}
+
+Fineness fineness_of_traces(double nats) { return {1.5, 2, nats}; }
+
+/// Panels outside that begin as narrow as the first one in the contact.
+std::vector<TractionPanel> outside_panels(const Float& far, const Resolution& resolution,
+                                          const TractionPanel& inside, double nats) {
+  Fineness fineness = fineness_of_traces(nats);
+  fineness.first = static_cast<double>(inside.width) / resolution.first;
+  return panels_of(far, resolution, fineness);
+}
+
+/// Panels that grow from a place on, downstream or upstream, there with a root or without.
+void append(std::vector<TracePanel>& panels, const std::vector<TractionPanel>& growing, const Float& place,
+            bool downstream, bool has_root, int extra_terms) {
+  using Root = TracePanel::Root;
+  std::vector<TracePanel> added;
+  for (const TractionPanel& panel : growing) {
+    const Float left = downstream ? Float(place + panel.left) : Float(place - panel.left - panel.width);
+    const bool root = has_root && panel.left == 0;
+    added.push_back({left, panel.width,
+                     !root        ? Root::none
+                     : downstream ? Root::left
+                                  : Root::right,
+                     panel.terms + (root ? extra_terms : 0)});
+  }
+  if (!downstream) std::ranges::reverse(added);
+  panels.insert(panels.end(), added.begin(), added.end());
+}
+
+/// Nodes with which f times e^(-rate w) is integrated on a panel outside; n are exact for 2n coefficients. On the ellipse by
+/// which the panel's terms are counted, with semi-axes of 3 and 2.8 half widths, a real memory is at most 1, and one that
+/// oscillates e^(1.4 |Im rate| width), which takes 0.8 |Im rate| width more coefficients.
+int nodes_of(const TractionPanel& panel, const Resolution& resolution) {
+  double turn = 0;
+  for (const std::complex<double>& rate : resolution.rates)
+    turn = std::max(turn, std::fabs(rate.imag()) * static_cast<double>(panel.width));
+  return panel.terms / 2 + static_cast<int>(0.4 * std::min(turn, 2.0 * panel.terms)) + 4;
+}
+
+/// The solutions for all columns.
+Matrix refined_solutions(const Matrix& matrix, const Matrix& right) {
+  Matrix solution(right.rows(), right.cols());
+  for (Index k = 0; k < right.cols(); ++k) solution.col(k) = refined_solution(matrix, Vector(right.col(k)));
+  return solution;
+}
+
+/// The contact of a steadily rolling viscoelastic sheet as a sum of elastic ones, whose right-hand sides are what the inverse of
+/// its compliance makes of the displacement: ref/viscoelastic_nip/README.md, Rolling contacts. n_j is what of the memory j comes
+/// from ahead of the contact.
+class RollingSolution : public NipSolution {
+ public:
+  /// Integrals are good to about e^-nats.
+  RollingSolution(const RollingSheet& sheet, Tractions tractions, double nats, SheetKernels& kernels)
+      : NipSolution(std::move(tractions)),
+        sheet_(sheet),
+        outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
+        nats_(nats) {
+    const std::array<Matrix, 2> parts = bounded_parts(kernels);
+    const Matrix zero = conditions(parts, kernels);
+    const Index unknown = zero.rows(), columns = tractions_.columns();
+    amplitudes_ = Vector(unknown + 1);
+    amplitudes_(known) = 1;
+    amplitudes_.bottomRows(unknown) = ref::solve<Float>(zero.rightCols(unknown), -zero.col(known));
+    edge_displacement_ = amplitudes_(edge) * half_length() * half_length();
+    offset_ = amplitudes_(shift) * half_length();
+    const Vector even = Matrix(parts[0].topRows(columns)) * amplitudes_,
+                 odd = Matrix(parts[1].topRows(columns)) * amplitudes_;
+    leading_ = even + odd;
+    trailing_ = even - odd;
+    load_ = 2 * tractions_.integral().cwiseProduct(even).sum();
+    moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
+  }
+
+  /// The contact that rolls the other way has the same load and the ends exchanged.
+  [[nodiscard]] Float growth() const override {
+    const Float leading = tractions_.at_root(leading_).pressure,
+                trailing = tractions_.at_root(trailing_).pressure;
+    return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
+  }
+
+  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override {
+    const Float& size = half_length();
+    if (x >= 0 && x <= 2 * size) return on_roller(x);
+    Float sum = elastic(Influence::normal, x, kernels);
+    for (const auto& [amplitude, rate] : sheet_.material.normal)
+      sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
+    return sum;
+  }
+
+  /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
+  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override {
+    const RollingMaterial& material = sheet_.material;
+    const ComplexFloat at_once;
+    Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
+                (load_ / 4 - elastic(Influence::coupling, x, kernels));
+    for (const auto& [amplitude, rate] : material.theta2)
+      sum += (amplitude * pressure_trace().faded_integral(rate, x)).re;
+    for (const auto& [amplitude, rate] : material.normal) {
+      const Trace& trace = elastic_trace(Influence::coupling, kernels);
+      ComplexFloat faded = trace.faded(rate, x);
+      // Behind all that the sheet feels g stays what it is.
+      if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
+      sum -= (amplitude * faded).re;
+    }
+    return sum;
+  }
+
+  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override {
+    const RollingMaterial& material = sheet_.material;
+    Float sum =
+        elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * tractions(x).pressure;
+    for (const auto& [amplitude, rate] : material.theta2)
+      sum -= (amplitude * pressure_trace().faded(rate, x)).re;
+    for (const auto& [amplitude, rate] : material.normal)
+      sum += (amplitude * elastic_trace(Influence::coupling_slope, kernels).faded(rate, x)).re;
+    return sum;
+  }
+
+ private:
+  /// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
+  /// b_j n_j, A^2.
+  [[nodiscard]] Vector direct_row(const Float& x) const {
+    const Float& size = half_length();
+    const auto modes = static_cast<Index>(sheet_.inverse.size());
+    Vector row(first_memory + 2 * modes);
+    std::array<Float, 3> powers{1, x, x * x / 2};
+    for (Index j = 0; j < modes; ++j) {
+      const auto& [amplitude, rate] = sheet_.inverse[static_cast<std::size_t>(j)];
+      for (int k = 0; k < 3; ++k)
+        powers[static_cast<std::size_t>(k)] += (amplitude * faded_power(rate, x, k)).re;
+      const ComplexFloat wave = exp(-(rate * x)) * Float(size * size);
+      row(first_memory + 2 * j) = wave.re;
+      row(first_memory + 2 * j + 1) = -wave.im;
+    }
+    row(known) = 2 * size * powers[1] - 2 * powers[2];
+    row(edge) = size * size * powers[0];
+    row(shift) = 2 * size * powers[1];
+    return row;
+  }
+
+  /// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
+  /// rows for each memory, its real and its imaginary part.
+  [[nodiscard]] Matrix memory_rows(SheetKernels& kernels) const {
+    const Index columns = tractions_.columns();
+    const auto count = static_cast<Index>(sheet_.material.normal.size());
+    Matrix result(2 * count, 2 * columns);
+    Float slowest = sheet_.material.normal.empty() ? Float(0) : sheet_.material.normal.front().rate.re;
+    for (const RollingMemory& term : sheet_.material.normal) slowest = std::min(slowest, term.rate.re);
+    for (const TractionPanel& panel : outside_) {
+      if (count == 0 || slowest * panel.left > nats_) break;
+      const UnitRule rule = gauss_rule(nodes_of(panel, sheet_.resolution()));
+      for (std::size_t i = 0; i < rule.size(); ++i) {
+        // Next to the end f is analytic in the root of the distance.
+        const Float& xi = rule.from_left[i];
+        const bool at_end = panel.left == 0;
+        const Float way = panel.left + panel.width * (at_end ? Float(xi * xi) : xi);
+        const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
+        const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
+        for (Index m = 0; m < count; ++m) {
+          const ComplexFloat factor =
+              exp(-(sheet_.material.normal[static_cast<std::size_t>(m)].rate * way)) * weight;
+          for (Index part = 0; part < 2; ++part) {
+            const Vector& row = rows[static_cast<std::size_t>(part)];
+            result.row(2 * m).middleCols(part * columns, columns) += factor.re * row.transpose();
+            if (!factor.is_real())
+              result.row(2 * m + 1).middleCols(part * columns, columns) += factor.im * row.transpose();
+          }
+        }
+      }
+    }
+    return result;
+  }
+
+  /// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
+  [[nodiscard]] std::array<Matrix, 2> bounded_parts(SheetKernels& kernels) const {
+    const std::vector<Float> points = tractions_.matching_points();
+    const auto rows = static_cast<Index>(points.size());
+    const Index beside = tractions_.columns(), sides = direct_row(0).size();
+    const Float& size = half_length();
+    Matrix even(rows, rows), odd(rows, rows), even_right(rows, sides), odd_right(rows, sides);
+    for (Index i = 0; i < rows; ++i) {
+      const Float& e = points[static_cast<std::size_t>(i)];
+      const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels);
+      even.row(i).leftCols(beside) = here[0].transpose();
+      odd.row(i).leftCols(beside) = here[1].transpose();
+      even(i, beside) = -size;
+      odd(i, beside) = -(size - e);
+      const Vector leading = direct_row(e), trailing = direct_row(2 * size - e);
+      even_right.row(i) = (leading + trailing).transpose() / Float(2);
+      odd_right.row(i) = (leading - trailing).transpose() / Float(2);
+    }
+    return {refined_solutions(even, even_right), refined_solutions(odd, odd_right)};
+  }
+
+  /// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
+  /// and imaginary part; by the columns of direct_row().
+  [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts, SheetKernels& kernels) const {
+    const Index columns = tractions_.columns(), sides = parts[0].cols();
+    const Float square = half_length() * half_length();
+    const Matrix rows = memory_rows(kernels);
+    const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
+                              Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
+    Matrix result(sides - 1, sides);
+    result.row(0) = parts[0].row(columns);
+    result.row(1) = parts[1].row(columns);
+    Index row = 2;
+    for (const auto& [amplitude, rate] : sheet_.inverse) {
+      result(row, row + 1) = 1;
+      result(row + 1, row + 2) = 1;
+      Index re = 0;
+      for (const auto& [its_amplitude, its_rate] : sheet_.material.normal) {
+        const ComplexFloat factor = amplitude * its_amplitude / (rate - its_rate) / square;
+        result.row(row) -= factor.re * remembered.row(re) - factor.im * remembered.row(re + 1);
+        result.row(row + 1) -= factor.re * remembered.row(re + 1) + factor.im * remembered.row(re);
+        re += 2;
+      }
+      row += 2;
+    }
+    return result;
+  }
+
+  /// int kind p/pi with alpha = x' - x, upstream.
+  [[nodiscard]] Float elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
+    const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
+    const Float e = leads ? x : Float(2 * half_length() - x);
+    const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels);
+    const Vector even = leading_ + trailing_, odd = leading_ - trailing_;
+    const Float of_even = rows[0].cwiseProduct(even).sum() / 2, of_odd = rows[1].cwiseProduct(odd).sum() / 2;
+    if (leads) return of_even + of_odd;
+    return is_odd ? Float(of_odd - of_even) : Float(of_even - of_odd);
+  }
+
+  [[nodiscard]] const Trace& pressure_trace() const {
+    if (!pressure_) {
+      const std::vector<TractionPanel>& own = tractions_.panels();
+      std::vector<TracePanel> panels;
+      append(panels, own, 0, true, true, own.front().terms + 1);
+      append(panels, own, 2 * half_length(), false, true, own.front().terms + 1);
+      pressure_ = Trace(
+          std::move(panels), [this](const Float& x) { return tractions(x).pressure; }, nats_);
+    }
+    return *pressure_;
+  }
+
+  /// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
+  [[nodiscard]] const Trace& elastic_trace(Influence kind, SheetKernels& kernels) const {
+    const auto found = elastic_.find(kind);
+    if (found != elastic_.end()) return found->second;
+    const auto function = [this, kind, &kernels](const Float& x) -> Float {
+      if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
+        return direct_row(x).cwiseProduct(amplitudes_).sum();
+      const Float value = elastic(kind, x, kernels);
+      return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
+    };
+    // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
+    const bool has_roots = kind == Influence::normal;
+    Resolution resolution = sheet_.resolution();
+    if (!has_roots) resolution.first = 1;
+    const Fineness fineness = fineness_of_traces(nats_);
+    const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
+                                     outside = has_roots ? outside_
+                                                         : panels_of(kernels.far(), resolution, fineness);
+    std::vector<TracePanel> panels;
+    append(panels, outside, 0, false, has_roots, 0);
+    append(panels, inside, 0, true, false, 0);
+    append(panels, inside, 2 * half_length(), false, false, 0);
+    append(panels, outside, 2 * half_length(), true, has_roots, 0);
+    return elastic_.emplace(kind, Trace(std::move(panels), function, nats_)).first->second;
+  }
+
+  const RollingSheet& sheet_;
+  std::vector<TractionPanel>
+      outside_;  ///< panels from an end outwards, to where the elastic sheet moves no more
+  double nats_;
+  Vector amplitudes_;  ///< of the columns of direct_row()
+  mutable std::optional<Trace> pressure_;
+  mutable std::map<Influence, Trace> elastic_;
+};
+
+}  // namespace
+
+std::unique_ptr<NipSolution> RollingSheet::solved(const Float& half_length, std::vector<TractionPanel> panels,
+                                                  double nats, SheetKernels& kernels) const {
+  return std::make_unique<RollingSolution>(*this, Tractions(half_length, std::move(panels), 0, false, nats),
+                                           nats, kernels);
 }
 
 }  // namespace nipref::ref

@@ -14,7 +14,7 @@ using RollingMemory = ComplianceTerm;
 /// The compliances of a steadily rolling sheet.
 struct RollingMaterial {
   Float compliance;                   ///< N at once, 1/stress
-  std::vector<RollingMemory> normal;  ///< of N, beside 1
+  std::vector<RollingMemory> normal;  ///< of N, beside 1; none is 0
   Float theta2_at_once;               ///< over that of N
   std::vector<RollingMemory> theta2;
 };
@@ -22,11 +22,11 @@ struct RollingMaterial {
 /// Errors as of material_compliances().
 RollingMaterial rolling_material(const data::ViscoelasticNip& nip);
 
-/// A steadily rolling sheet, its `memory` a_i, r_i and that of its inverse compliance, b_j, s_j, as in
-/// ref/viscoelastic_nip/README.md, Rolling contacts. Both lists have both terms of a pair of conjugate ones.
+/// A steadily rolling sheet, whose N has the memory a_i, r_i, and that of its inverse compliance, b_j, s_j, as in
+/// ref/viscoelastic_nip/README.md, Rolling contacts.
 struct RollingSheet : NipSheet {
   RollingMaterial material;
-  std::vector<RollingMemory> memory, inverse;
+  std::vector<RollingMemory> inverse;
 
   explicit RollingSheet(RollingMaterial the_material);
   /// On panels on which all r_i and s_j change little at an end.

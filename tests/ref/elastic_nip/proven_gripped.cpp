@@ -1,8 +1,8 @@
 // The proof of the contact with full friction: that its bounds hold, that it notices what is wrong, and what it rests on.
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/internal/proven_gripped.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 #include "support/intervals.hpp"

@@ -3,7 +3,7 @@
 
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
 #include <nipref/ref/nip/internal/chebyshev_system.hpp>
-#include <nipref/ref/nip/internal/contact_bounds.hpp>
+#include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 

@@ -3,7 +3,7 @@
 #include "support/symbol_sizes.hpp"
 #include "support/test.hpp"
 
-// Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
+// Proves the constants of ref/sheet/internal/symbols.hpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
 // symbol_sizes.hpp has the symbols times e^{r z} but for normal, [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z with u = e^{-3z/2}.
 // The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80} and all factors but the leading constants are 1

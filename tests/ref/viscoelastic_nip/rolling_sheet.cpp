@@ -28,26 +28,19 @@ TEST_CASE("ref: a rolling sheet's compliance times its inverse is 1, whatever th
        {ComplexFloat(1e-6), ComplexFloat(2.001)},
        {ComplexFloat(0.3), ComplexFloat(1e5)}},
       {{ComplexFloat(5), ComplexFloat()}, {one, ComplexFloat(0.1)}},
-      {{ComplexFloat(0.4, -0.2), ComplexFloat(1, 3)}, {one, ComplexFloat(0.5)}, {{}, ComplexFloat(7)}},
+      {{ComplexFloat(0.2, -0.1), ComplexFloat(1, 3)},
+       {ComplexFloat(0.2, 0.1), ComplexFloat(1, -3)},
+       {one, ComplexFloat(0.5)}},
   };
   for (const auto& terms : materials) {
     const RollingSheet sheet(material_of(terms));
-    CHECK(sheet.memory.size() == sheet.inverse.size());
+    CHECK(terms.size() == sheet.inverse.size());
     for (const ComplexFloat& D : {ComplexFloat(0.7), ComplexFloat(3, -2), ComplexFloat(1e4)}) {
-      const ComplexFloat product = response(sheet.memory, D) * response(sheet.inverse, D);
+      const ComplexFloat product = response(terms, D) * response(sheet.inverse, D);
       CHECK(abs(product - one) < 1e-30);
     }
     for (const RollingMemory& term : sheet.inverse) CHECK(term.rate.re > 0);
   }
-}
-
-TEST_CASE("ref: a pair of conjugate rates that stands as one term is both, one without amplitude none") {
-  const WorkingDigits working(30);
-  const RollingSheet sheet(material_of({{ComplexFloat(2, 1), ComplexFloat(1, 3)}, {{}, ComplexFloat(7)}}));
-  REQUIRE(sheet.memory.size() == 2);
-  CHECK(sheet.memory[0].amplitude.re == 1);
-  CHECK(sheet.memory[1].amplitude.im == -sheet.memory[0].amplitude.im);
-  CHECK(sheet.memory[1].rate.im == -3);
 }
 
 TEST_CASE("ref: panels are as narrow as memories are short, and digits are lost as they soften") {

@@ -59,17 +59,19 @@ TEST_CASE("rolling material: an elastic one is by its constants, and functions a
   }
 }
 
-TEST_CASE("rolling material: of two conjugate terms the one with twice the amplitude stands for both") {
+TEST_CASE("rolling material: both of two conjugate terms stand, and none without amplitude") {
   const WorkingDigits working(40);
   const auto pair = [](double size) -> data::MaterialFunction {
     const std::complex<double> amplitude{size / 16, size / 8};
-    return {size, {{amplitude, {1, 2}}, {std::conj(amplitude), {1, -2}}}};
+    return {size, {{amplitude, {1, 2}}, {std::conj(amplitude), {1, -2}}, {0, 7}}};
   };
   const auto material = rolled({pair(1), pair(0.25)});
-  REQUIRE(material.normal.size() == 1);
+  REQUIRE(material.normal.size() == 2);
   CHECK(material.normal[0].rate.im == 0.5);
-  CHECK(material.normal[0].amplitude.re == 2.0 / 16 / 4);
-  CHECK(material.normal[0].amplitude.im == 2.0 / 8 / 4);
-  REQUIRE(material.theta2.size() == 1);
+  CHECK(material.normal[0].amplitude.re == 1.0 / 16 / 4);
+  CHECK(material.normal[0].amplitude.im == 1.0 / 8 / 4);
+  CHECK(material.normal[1].rate.im == -0.5);
+  CHECK(material.normal[1].amplitude.im == -1.0 / 8 / 4);
+  REQUIRE(material.theta2.size() == 3);
   CHECK(abs(material.theta2[0].amplitude.re * 5 - material.normal[0].amplitude.re) < 1e-38);
 }

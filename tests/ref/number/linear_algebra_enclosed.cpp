@@ -1,4 +1,4 @@
-#include <nipref/ref/number/internal/enclosed_system.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 
 #include "support/test.hpp"
 

@@ -15,7 +15,8 @@ const RollingSheet& sheet_here() {
   static const RollingSheet sheet(RollingMaterial{1,
                                                   {{ComplexFloat(1), ComplexFloat(1)},
                                                    {ComplexFloat(3), ComplexFloat(20)},
-                                                   {ComplexFloat(0.4, -0.2), ComplexFloat(1, 3)}},
+                                                   {ComplexFloat(0.2, -0.1), ComplexFloat(1, 3)},
+                                                   {ComplexFloat(0.2, 0.1), ComplexFloat(1, -3)}},
                                                   Float(1) / 4,
                                                   {{ComplexFloat(0.2), ComplexFloat(1)}}});
   return sheet;

@@ -10,8 +10,76 @@
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/field_integral.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 
 namespace nipref::ref {
+namespace {
+
+/// The N for which the truncation error is below about e^{-nats}.
+long field_terms_needed(double alpha, double nats) {
+  double terms = 1;
+  for (int pass = 0; pass < 3; ++pass) {
+    terms = (nats + std::log(static_cast<double>(field_series_remainder)) + 2 * std::log(terms + 1)) /
+                (std::numbers::pi * alpha) -
+            0.5;
+    terms = std::max(terms, 1.0);
+  }
+  return static_cast<long>(std::ceil(terms));
+}
+
+/// sum of factor c e^{i alpha z} over the terms, c without its 1/2.
+ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at, const SheetPole& pole) {
+  const mpfr_prec_t precision = pole.z.re.precision();
+  const Interval alpha(at.alpha, precision), s(at.depth, precision);
+  const Interval size = exp(-(alpha * pole.z.im)), angle = alpha * pole.z.re;
+  const Interval a = s * pole.z.re, b = s * pole.z.im;
+  const ComplexInterval grows{cosh(a) * cos(b), sinh(a) * sin(b)}, rises{sinh(a) * cos(b), cosh(a) * sin(b)};
+  const ComplexInterval cubed = pole.sech * pole.sech * pole.sech;
+  const ComplexInterval of_sinh = -(pole.z * cubed);
+  ComplexInterval sum{Interval(precision), Interval(precision)};
+  for (const FieldTerm& term : integrand.terms) {
+    ComplexInterval next =
+        (term.symbol == FieldSymbol::sinh_over_S ? of_sinh : pole.sech) * (term.sinh ? rises : grows);
+    if (term.power > 0) next = next * pole.z;
+    if (term.power < 0) next = next * inverse(pole.z);
+    sum = sum + Interval(term.factor, precision) * next;
+  }
+  return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
+}
+
+/// The residue of a term at 0 over pi/4, the part that does not decay.
+mpq_class at_origin(const FieldTerm& term, const FieldPoint& at) {
+  const int order = term.power + (term.sinh ? 1 : 0) - (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
+  if (order == -1) return term.sinh ? mpq_class(term.factor * at.depth.value()) : term.factor;
+  return order == -2 ? mpq_class(-term.factor * at.alpha.value()) : mpq_class(0);
+}
+
+}  // namespace
+
+Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats) {
+  const double alpha = at.alpha.approximate();
+  const long terms = field_terms_needed(alpha, nats);
+  Interval sum(mpfr_prec_t{64});
+  for (long n = terms; n >= 1; --n) {
+    const auto pole = sheet_pole(n, term_precision(n, alpha, nats));
+    const ComplexInterval next = pole_term(integrand, at, *pole);
+    sum = integrand.sine ? sum + next.re : sum - next.im;
+  }
+  mpq_class quarters = 0;
+  for (const FieldTerm& term : integrand.terms) quarters += at_origin(term, at);
+  Interval value = sum;
+  if (quarters != 0) {
+    const mpfr_prec_t precision = std::max(sum.precision(), working_precision(nats, alpha));
+    value = Interval(mpq_class(quarters / 4), precision) + sum;
+  }
+  const long count = terms + 1;
+  Interval tail =
+      field_series_remainder *
+      (count * (count * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(at.alpha, 64)) / 2))));
+  if (integrand.odd_in_depth) tail = Interval(at.depth, 64) * tail;
+  return value.widened(tail);
+}
+
 namespace {
 
 /// In the addition theorems this many successive nodes share a base.
@@ -22,7 +90,7 @@ struct FieldNode {
   Interval z, of_sinh, of_cosh;
 };
 
-/// Nodes z = j step, j = 1 .. nodes.size(), for which aliasing and truncation are below about e^{-nats} at any depth.
+/// Nodes z = (j + 1/2) step, j < nodes.size(), for which aliasing and truncation are below about e^{-nats} at any depth.
 /// Only a few values of `nats` occur, so that many points share the nodes.
 struct FieldNodes {
   double step;  ///< with few bits, so that multiples are exact
@@ -42,7 +110,7 @@ double field_end(double depth, double nats) {
 
 /// The number of nodes, a multiple of `stride`.
 long field_count(double end, double step) {
-  return stride * static_cast<long>(std::ceil((end / step + 1) / stride));
+  return stride * static_cast<long>(std::ceil((end / step + 0.5) / stride));
 }
 
 FieldNodes make_field_nodes(const long& nats) {
@@ -53,8 +121,8 @@ FieldNodes make_field_nodes(const long& nats) {
   const long count = field_count(field_end(1, wanted), made.step);
   const Interval fall_in_step = exp(-Interval(made.step, made.precision));
   Interval e1(1L, made.precision);
-  for (long j = 1; j <= count; ++j) {
-    const Interval z(static_cast<double>(j) * made.step, made.precision);
+  for (long j = 0; j < count; ++j) {
+    const Interval z((static_cast<double>(j) + 0.5) * made.step, made.precision);
     e1 = j % stride == 0 ? exp(-z) : e1 * fall_in_step;
     const Interval e2 = square(e1), fall = 1 - e2;
     const Interval common = -(8 * z * (e1 * e2)) / (fall * (e2 + 1) + 4 * z * e2);
@@ -104,24 +172,23 @@ class Summation {
     for (const FieldTerm& term : integrand.terms) factors_.emplace_back(Exact(term.factor), nodes.precision);
   }
 
-  /// step times the sum over all nodes, half the one at 0.
+  /// step times the sum over all nodes.
   [[nodiscard]] Interval value() const {
     std::vector<Waves> offsets;
-    for (long k = 0; k < stride; ++k) offsets.push_back(waves(k));
-    Interval sum = at_zero() / 2;
+    for (long k = 0; k < stride; ++k) offsets.push_back(waves(static_cast<double>(k)));
+    Interval sum(nodes_.precision);
     for (long base = 0; base < count_; base += stride) {
-      const Waves start = waves(base);
-      for (long k = base == 0 ? 1 : 0; k < stride; ++k) {
-        sum = sum + integrand_at(nodes_.nodes[static_cast<std::size_t>(base + k - 1)],
+      const Waves start = waves(static_cast<double>(base) + 0.5);
+      for (long k = 0; k < stride; ++k)
+        sum = sum + integrand_at(nodes_.nodes[static_cast<std::size_t>(base + k)],
                                  Waves(start, offsets[static_cast<std::size_t>(k)]));
-      }
     }
     return Interval(nodes_.step, nodes_.precision) * sum;
   }
 
  private:
-  [[nodiscard]] Waves waves(long j) const {
-    const Interval z(static_cast<double>(j) * nodes_.step, nodes_.precision);
+  [[nodiscard]] Waves waves(double steps) const {
+    const Interval z(steps * nodes_.step, nodes_.precision);
     return {alpha_ * z, depth_ * z};
   }
 
@@ -136,26 +203,6 @@ class Summation {
       if (term.power > 0) next = next * node.z;
       if (term.power < 0) next = next / node.z;
       sum = sum + next;
-    }
-    return sum;
-  }
-
-  /// The value at 0, where both symbols are -1/2 z^k with k = 0 and -1.
-  [[nodiscard]] Interval at_zero() const {
-    Interval sum(nodes_.precision);
-    for (std::size_t i = 0; i < factors_.size(); ++i) {
-      const FieldTerm& term = integrand_.terms[i];
-      if (has_twofold_pole(term)) {
-        sum = sum + factors_[i] * (square(alpha_) - square(depth_)) / 4;
-        continue;
-      }
-      const int order = term.power + (term.sinh ? 1 : 0) + (integrand_.sine ? 1 : 0) -
-                        (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
-      if (order > 0) continue;
-      Interval next = factors_[i] / 2;
-      if (term.sinh) next = next * depth_;
-      if (integrand_.sine) next = next * alpha_;
-      sum = sum - next;
     }
     return sum;
   }
@@ -252,7 +299,7 @@ Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& a
   const Interval aliasing = Interval(4 * field_line_integral, precision) *
                             exp(Interval(field_line, precision) * Interval(at.alpha, precision)) /
                             expm1(rate);
-  const Interval end = Interval(static_cast<double>(count - 1) * nodes->step, precision);
+  const Interval end((static_cast<double>(count) - 0.5) * nodes->step, precision);
   const Interval truncation =
       field_sum_remainder * square(square(end)) * exp(-((3 - Interval(at.depth, precision)) * end));
   Interval error = aliasing + truncation;
