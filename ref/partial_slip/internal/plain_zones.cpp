@@ -119,7 +119,7 @@ Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, dou
   }
   Row<SlipZone> zones;
   for (int sign : signs) add_zone(zones, sign, length / elements);
-  if (zones.back().sign == 0) {
+  if (zones.back().sign == 0 && !problem.may_stick_all_along(zones)) {
     zones.back().length -= length / (2 * elements);
     zones.push_back({trailing, length / (2 * elements)});
   }

@@ -86,7 +86,7 @@ void SlipContact::add_conditions() {
     conditions_.push_back({none, *problem().length - panels_.length()});
   else
     add_resultant(pressure_part, problem().load);
-  if (!problem().creep) add_resultant(shear_part, problem().shear);
+  if (!problem().creep && !problem().may_stick_all_along(zones_)) add_resultant(shear_part, problem().shear);
 }
 
 void SlipContact::set(const Vector& unknowns) {

@@ -165,10 +165,11 @@ Zones corrected(const SlipField& field) {
   return without_short(zones, nats);
 }
 
-/// At the trailing end no sheet sticks. Where slip there is wrong up to the end, or vanishes, it turns around.
-void turn_around(Zones& zones, const Zones& before) {
+/// At the trailing end no sheet sticks, unless it does all along. Where slip there is wrong up to the end, or vanishes, it turns
+/// around.
+void turn_around(Zones& zones, const Zones& before, const SlipProblem& problem) {
   const auto& [sign, length] = before.back();
-  if (zones.back().sign != 0 || sign == 0) return;
+  if (zones.back().sign != 0 || sign == 0 || problem.may_stick_all_along(zones)) return;
   const Float part = std::min(length, zones.back().length) / 3;
   zones.back().length -= part;
   zones.push_back({-sign, part});
@@ -187,7 +188,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     const bool converges = newton.converges();
     if (converges) field = std::make_unique<SlipField>(newton.result());
     Zones better = converges ? corrected(*field) : newton.zones();
-    turn_around(better, zones);
+    turn_around(better, zones, problem);
     const bool is_same = are_alike(better, zones);
     zones = converges && is_same ? newton.zones() : better;
     if (is_same) return converges ? std::move(field) : nullptr;

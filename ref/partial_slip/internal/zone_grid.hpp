@@ -58,6 +58,10 @@ struct SlipProblem {
   Float shear = 0;              ///< int q de
   Float unit = 1;  ///< about the length of the contact, which is the size of tractions and creeps too
 
+  /// Whether the zones are one that sticks, which only a traction of 0 allows. That traction is then one by symmetry, no condition.
+  [[nodiscard]] bool may_stick_all_along(const Row<SlipZone>& zones) const {
+    return zones.count() == 1 && zones.back().sign == 0 && !creep && shear == 0;
+  }
   /// arctan(beta sign friction)/pi.
   [[nodiscard]] Float shift(int sign) const { return atan(Float(beta * friction * sign)) / pi(); }
 };

@@ -1,5 +1,6 @@
 // The contact with partial slip in multiprecision: against closed limits, its own inequalities and balances.
 #include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/partial_slip/partial_slip.hpp>
 
@@ -108,6 +109,19 @@ TEST_CASE(
     CHECK(abs(nip.shear(end.to_double()).value) < highest.value + highest.error);
   CHECK(abs(abs(nip.shear(place.to_double()).value) - highest.value) < 1e-9 * highest.value);
   CHECK(place.error < 1e-14 * nip.contact_length().value);
+}
+
+TEST_CASE(
+    "ref partial slip: a contact that rolls freely and sticks all along is the one with full friction") {
+  const auto nip = slipping_nip(0.4921875, 0.5, GivenTraction{0});
+  const PartialSlipNip stuck = partial_slip_for_length(nip, 1.5, 16);
+  const ref::ConvergedNip gripped = ref::converged_for_length(nip, data::Friction::full, 1.5, 20);
+  CHECK(stuck.zone_signs() == std::vector<int>{0});
+  CHECK(abs(stuck.traction().value) <= stuck.traction().error);
+  CHECK(meet(stuck.load(), gripped.load()));
+  CHECK(meet(stuck.creep_ratio(), gripped.creep_ratio()));
+  CHECK(meet(stuck.peak_shear(), gripped.peak_shear()));
+  for (double y : {0., 0.3, -0.7}) CHECK(meet(stuck.shear(y), gripped.shear(y)));
 }
 
 TEST_CASE("ref partial slip: what is no contact with partial slip is refused") {
