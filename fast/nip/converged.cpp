@@ -382,9 +382,7 @@ ConvergedNip converged_nip(const NipShape& shape, double compliance,
     internal::check_positive("load", *given.load);
     load = *given.load / units.load;
   }
-  const double half_length =
-      load ? half_length_guess(*load * equations->softening_over(half_length_guess(*load)))
-           : *given.length / shape.sheet_thickness;
+  const double half_length = load ? equations->half_length_of(*load) : *given.length / shape.sheet_thickness;
   if (!load) equations->check(half_length);
   SolvedNip solved(equations, half_length, load, accuracy);
   if (load) {

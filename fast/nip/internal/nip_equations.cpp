@@ -1,9 +1,18 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <utility>
 
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/nip/internal/nip_equations.hpp>
 
 namespace nipref::fast {
+namespace {
+
+/// A contact carries about what an elastic one does whose sheet is as soft as this one over such a part of the half length.
+constexpr double part_that_softens = 0.47;
+
+}  // namespace
 
 ContactPlace ContactPlace::in(const Solution& solution) const {
   if (e <= solution.half_length()) return *this;
@@ -27,6 +36,24 @@ Functional NipEquations::eccentricity(const Solution& solution) const {
       solution.moment().on_tractions / load - from_middle * (solution.load().on_tractions / load);
   result.constant = from_middle;
   return result;
+}
+
+/// A load grows at least like the square of the length and softening at most like the length, so that each step halves the error.
+double NipEquations::half_length_of(double load) const {
+  constexpr int most_steps = 5;
+  double half_length = 0, softening = 0;
+  for (int i = 0; i < most_steps; ++i) {
+    const double before = std::exchange(softening, softening_over(part_that_softens * half_length));
+    if (softening == before) break;
+    half_length = half_length_guess(load * softening);
+  }
+  return half_length;
+}
+
+double NipEquations::load_exponent_at(double half_length) const {
+  constexpr double longer = 1.01;
+  const double softening = softening_over(longer * half_length) / softening_over(half_length);
+  return load_exponent(half_length) - std::log(softening) / std::log(longer);
 }
 
 Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels) {

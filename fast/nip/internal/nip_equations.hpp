@@ -50,6 +50,9 @@ class NipEquations {
   [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
   /// The compliance with which a contact acts over its whole length, over what acts at once: about.
   [[nodiscard]] virtual double softening_over(double /*half_length*/) const { return 1; }
+  /// About the half length of a load, some per cent off, and about d ln load/d ln length there.
+  [[nodiscard]] double half_length_of(double load) const;
+  [[nodiscard]] double load_exponent_at(double half_length) const;
   /// BadInput for a half length at which the contact is out of reach.
   virtual void check(double /*half_length*/) const {}
 

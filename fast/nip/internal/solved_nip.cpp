@@ -53,12 +53,13 @@ void SolvedNip::solve_to(double nats) {
   solution_ = solve(sought_);
 }
 
-/// Each contact with its own layout, up to the one from which a secant leads to nearly the length.
+/// Each contact with its own layout, up to the one from which a secant leads to nearly the length: the load that is left is then
+/// a hundredth of this one, and after the first step of meet_load() a ten thousandth of that.
 void SolvedNip::search_roughly() {
-  constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 2e-2;
+  constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 5e-2;
   Resolution few_terms = equations_->resolution(few_nats);
   few_terms.checking_terms = 0;
-  LengthSearch search(*load_, near_, {tolerance, longest_sought}, load_exponent(near_));
+  LengthSearch search(*load_, near_, {tolerance, longest_sought}, equations_->load_exponent_at(near_));
   bool settled = false;
   while (!settled && search.residual() > near_enough) {
     near_ = search.length();

@@ -61,7 +61,7 @@ std::complex<double> ein_and_log(std::complex<double> z, std::complex<double> lo
 
 }  // namespace
 
-double phi1(double x) { return x < 1e-17 ? 1 : -std::expm1(-x) / x; }
+double phi1(double x) { return std::fabs(x) < 1e-17 ? 1 : -std::expm1(-x) / x; }
 
 std::complex<double> phi1(std::complex<double> z) {
   if (std::abs(z) < 0.5) {

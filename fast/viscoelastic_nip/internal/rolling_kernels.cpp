@@ -177,13 +177,17 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
     for (std::size_t i = 0; i < alpha.size(); ++i) {
       auto column = factor.col(static_cast<Eigen::Index>(i));
       for (std::size_t k = 0; k < fades_.size(); ++k) {
-        const Complex rate = sheet_.normal.terms[k].rate;
-        if (rate.imag() < 0) continue;
-        const Complex memory = alpha[i] * internal::phi1(-rate * alpha[i]) / pi,
-                      slope = std::exp(rate * alpha[i]) / pi;
-        const auto row = 2 * static_cast<Eigen::Index>(k);
-        column.segment<2>(row) << memory.real(), memory.imag();
-        if (whole) column.segment<2>(of_terms + row) << slope.real(), slope.imag();
+        const auto set = [&](auto rate) {
+          const auto set_at = [&](Eigen::Index row, Complex value) {
+            column.segment<2>(row + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
+          };
+          set_at(0, alpha[i] * internal::phi1(-rate * alpha[i]) / pi);
+          if (whole) set_at(of_terms, std::exp(rate * alpha[i]) / pi);
+        };
+        if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
+          set(rate.real());
+        else if (rate.imag() > 0)
+          set(rate);
       }
       if (whole) column(2 * of_terms) = -1 / pi;
     }
