@@ -177,7 +177,7 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
     for (std::size_t i = 0; i < alpha.size(); ++i) {
       auto column = factor.col(static_cast<Eigen::Index>(i));
       for (std::size_t k = 0; k < fades_.size(); ++k) {
-        const auto set = [&](auto rate) {
+        const auto set_factor = [&](auto rate) {
           const auto set_at = [&](Eigen::Index row, Complex value) {
             column.segment<2>(row + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
           };
@@ -185,9 +185,9 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
           if (whole) set_at(of_terms, std::exp(rate * alpha[i]) / pi);
         };
         if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
-          set(rate.real());
+          set_factor(rate.real());
         else if (rate.imag() > 0)
-          set(rate);
+          set_factor(rate);
       }
       if (whole) column(2 * of_terms) = -1 / pi;
     }
