@@ -234,14 +234,6 @@ Enclosure critical_speed_along(const ExactStiffness& solid, const SurfaceDirecti
   return wave ? *std::move(wave) : limiting_speed(solid, motion, psi, digits);
 }
 
-/// The vertex of the parabola through three values at -1, 0, 1, and their second difference.
-struct Parabola {
-  Float vertex, curvature;
-
-  Parabola(const Float& left, const Float& centre, const Float& right)
-      : vertex((left - right) / (2 * (left - 2 * centre + right))), curvature(left - 2 * centre + right) {}
-};
-
 double unit_of_speed(const ExactStiffness& solid) {
   return std::sqrt(Exact(mpq_class(solid.voigt[2][2] / solid.density)).approximate());
 }
@@ -422,9 +414,9 @@ CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion
     };
     Float curvature = 0, vertex = widths_of_error;
     for (int attempt = 0; !(abs(vertex) < widths_of_error); ++attempt) {
-      const Parabola parabola(f(psi - width), f(psi), f(psi + width));
-      curvature = parabola.curvature;
-      vertex = parabola.vertex;
+      const Float left = f(psi - width), centre = f(psi), right = f(psi + width);
+      curvature = left - 2 * centre + right;
+      vertex = (left - right) / (2 * curvature);
       if (!(curvature > 0 && abs(vertex) < farthest_vertex && attempt < most_parabolas))
         refuse_motion(motion);
       psi += vertex * width;

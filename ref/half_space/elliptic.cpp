@@ -304,7 +304,7 @@ SmoothLines::Line SmoothLines::at(const Float& v) const {
 /// the integrand has its peaks or no derivative; the error is the sum of the differences between the last two levels of
 /// the rule and that between both pressures. Derivation: ref/half_space/README.md, Displacements.
 Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, const SmoothLines& lines,
-                             const PlaceInside& place, int digits) {
+                             const PlaceInside& place, const std::vector<UnitPoint>& nodes, int digits) {
   Displaced result{};
   const auto add_line = [&](Moved& sum, const Float& v, const Float& dv, bool is_first_level) {
     const std::vector<FallingPart> parts = parts_of(lines.at(v));
@@ -316,14 +316,13 @@ Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, c
   };
   // The steps are 32, 16, ... 1 of those between these nodes. The nodes left out are so near the ends of 7 stretches that all of
   // them together are less than a rounding, 10^-(digits + 6).
-  const auto nodes = unit_nodes(8 * working_digits(digits));
   constexpr std::size_t widest = 32;
   const auto halve_step = [&](Stretch& on, std::size_t step) {
     const bool is_first = step == widest;
     const Float length = on.right - on.left;
     Moved added;
-    for (std::size_t i = is_first ? 0 : step; i < nodes->size(); i += is_first ? step : 2 * step) {
-      const auto& [left, right, weight] = (*nodes)[i];
+    for (std::size_t i = is_first ? 0 : step; i < nodes.size(); i += is_first ? step : 2 * step) {
+      const auto& [left, right, weight] = nodes[i];
       if (weight < tolerance(digits + 8)) continue;
       add_line(added, left < right ? Float(on.left + length * left) : Float(on.right - length * right),
                length * weight * step, is_first);
@@ -627,7 +626,8 @@ EllipticContact::Displacement EllipticContact::displacement(const SurfaceAnswer&
   const auto lines =
       std::make_shared<const SmoothLines>(surface, peak, depth.sign() > 0, implementation_->digits + 7);
   const Float largest = surface.at(Exact(peak.degrees)).compliance;
-  return [contact = implementation_, lines, largest, depth](const Exact& degrees, const Exact& x) {
+  const auto nodes = std::make_shared<const std::vector<UnitPoint>>(unit_nodes(8 * implementation_->working));
+  return [contact = implementation_, lines, nodes, largest, depth](const Exact& degrees, const Exact& x) {
     const WorkingDigits working(contact->working);
     const auto pressed = [&](const Level& level) -> EllipticPressure {
       const Float scale = contact->scale(level), root = exp(Float(level.ellipse.eta() / 2));
@@ -636,8 +636,8 @@ EllipticContact::Displacement EllipticContact::displacement(const SurfaceAnswer&
     };
     const EllipticPressure fine = pressed(contact->levels.fine), coarse = pressed(contact->levels.coarse);
     const Float psi = to_float(degrees) * pi() / 180;
-    const Displaced found =
-        displacement_under({fine, coarse}, *lines, {psi, to_float(x), to_float(depth)}, contact->digits);
+    const Displaced found = displacement_under({fine, coarse}, *lines, {psi, to_float(x), to_float(depth)},
+                                               *nodes, contact->digits);
     // The rounding, what is left out as it is narrower than a rounding of the angle, and a tenth as much by the polynomials:
     // of the size of all lines together.
     const Float rounding = tolerance(contact->digits + 6) * fine.peak * fine.a * largest;

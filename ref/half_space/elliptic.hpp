@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 
-#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimate.hpp>
 

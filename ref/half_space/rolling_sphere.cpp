@@ -46,10 +46,9 @@ Float creep_of(const RollingLine& line, const Float& span_over_radius) {
 }
 
 /// int_0^1 t sqrt(1 - t^2) cos(P ln((1 - t)/(1 + t))) dt
-Float oscillating_moment(const Float& index, int digits) {
+Float oscillating_moment(const Float& index, const std::vector<UnitPoint>& nodes) {
   Float sum = 0;
-  const auto nodes = unit_nodes(digits);
-  for (const auto& [t, rest, weight] : *nodes)
+  for (const auto& [t, rest, weight] : nodes)
     sum += weight * t * sqrt(rest * (1 + t)) * cos(index * log(rest / (1 + t)));
   return sum;
 }
@@ -123,12 +122,13 @@ struct RollingSphere::Implementation final : ScaledContact {
   /// (brock2012 54)
   [[nodiscard]] Levels integrated() const override {
     const auto [peak, width] = peak_of_compliance(surface);
+    const std::vector<UnitPoint> nodes = unit_nodes(working);
     const Float along = RollingLine(lines(), Exact(0.0)).stiffness, unit = along / (4 * Float(radius));
     const auto [fine, coarse] =
         half_turn_integral(digits, {Exact(peak), width, 1}, [&](const Exact& degrees) -> Float {
           const RollingLine line(lines(), degrees);
           const Float share = along / line.stiffness;
-          return share * share * oscillating_moment(line.index, working);
+          return share * share * oscillating_moment(line.index, nodes);
         });
     if (std::holds_alternative<data::GivenNormalForce>(load) && !(fine > Float(0)))
       throw data::BadInput("speed", "(near the Rayleigh speed)",

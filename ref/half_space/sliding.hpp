@@ -1,7 +1,6 @@
 #pragma once
 #include <memory>
 
-#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimate.hpp>
 

@@ -2,8 +2,10 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <variant>
 
 #include <nipref/data/material/stiffness.hpp>
+#include <nipref/data/problem/half_space.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
@@ -42,5 +44,19 @@ ExactStiffness exact_stiffness(const ExactTransverse& solid, data::SymmetryAxis 
 /// otherwise set the limiting speed, although they do not contribute to the normal response. `across` of its response
 /// is not that of the solid, and its strain energy may be indefinite. (brock2013 sec. 3)
 ExactStiffness sagittal_stiffness(const ExactTransverse& solid);
+
+/// A smooth rigid body at the point where it touches the plane, known exactly: its curvatures along the motion
+/// and across it, 1/length, > 0.
+struct Indenter {
+  Exact along, across;
+
+  /// A body given by its radii of curvature, > 0.
+  static Indenter of_radii(double radius_along, double radius_across) {
+    return {Exact(mpq_class(1 / mpq_class(radius_along))), Exact(mpq_class(1 / mpq_class(radius_across)))};
+  }
+};
+
+/// The load on a contact; its doubles are taken as exact numbers.
+using HalfSpaceLoad = std::variant<data::GivenNormalForce, data::GivenSpan>;
 
 }  // namespace nipref::ref

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
+#include <nipref/ref/nip/internal/sheet_kernels.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
@@ -23,14 +24,6 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
 
 /// That a contact of given length is expanded in.
 int proven_elastic_terms(double half_length, int digits);
-
-/// The kernels that a proof takes its values from: ref's, except in tests.
-struct GrippedKernels {
-  NormalKernel normal;    ///< I1
-  NormalKernel coupling;  ///< I3
-  NormalKernel stretch;   ///< the integral of I3 from 0, with the sign changed, but for a constant
-};
-GrippedKernels gripped_kernels();
 
 /// The contact of an elastic sheet with full friction, solved and proven so that its results have the requested digits;
 /// half lengths are in half-thicknesses, beta = theta2/N. (ref/elastic_nip/README.md, Contacts with full friction)

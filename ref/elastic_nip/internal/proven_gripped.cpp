@@ -204,9 +204,8 @@ GrippedPlan plan_of(double half_length, double beta, int digits) {
 
 class GrippedContact final : public ProvenResults {
  public:
-  using Kernels = std::vector<SmoothKernel>;
-
-  GrippedContact(const Interval& half_length, const Exact& beta, long size, std::shared_ptr<Kernels> kernels)
+  GrippedContact(const Interval& half_length, const Exact& beta, long size,
+                 std::shared_ptr<SheetKernels> kernels)
       : size_(size),
         A_(half_length),
         beta_(beta, working_bits()),
@@ -241,10 +240,7 @@ class GrippedContact final : public ProvenResults {
   [[nodiscard]] std::optional<Interval> peak_pressure() const override { return peak(false); }
   [[nodiscard]] std::optional<Interval> peak_shear() const override { return peak(true); }
   [[nodiscard]] int terms() const override { return static_cast<int>(size_); }
-  [[nodiscard]] KernelValues kernel_values() const override {
-    const Kernels& all = *kernels_;
-    return {all[0].kernel_values(), all[1].kernel_values(), all[2].kernel_values()};
-  }
+  [[nodiscard]] KernelValues kernel_values() const override { return kernels_->values(); }
 
  private:
   [[nodiscard]] GrippedSystem<Interval> assembled() {
@@ -261,11 +257,9 @@ class GrippedContact final : public ProvenResults {
     for (long i = 0; i < N / 2; ++i) {
       for (long j = 0; j < N; ++j) {
         const Float alpha = places[at(i)] - places[at(j)];
-        const Float normal = (*kernels_)[0](alpha), coupling = (*kernels_)[1](alpha);
-        system.normal.push_back(interval_of(normal));
-        system.coupling.push_back(i == j ? Interval(bits)
-                                         : interval_of(alpha < 0 ? Float(-coupling) : coupling));
-        system.along.push_back(system.normal.back() + interval_of((*kernels_)[2](alpha)));
+        system.normal.push_back(interval_of(kernels_->smooth_normal(alpha)));
+        system.coupling.push_back(i == j ? Interval(bits) : interval_of(kernels_->coupling(alpha)));
+        system.along.push_back(system.normal.back() + interval_of(kernels_->stretch(alpha)));
       }
     }
     return system;
@@ -308,8 +302,8 @@ class GrippedContact final : public ProvenResults {
     }
     // What the values of the kernels miss: by themselves, by their rounded arguments, and as A is an interval.
     const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
-    Interval entry_error = 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
-    for (const SmoothKernel& kernel : *kernels_) entry_error = entry_error + interval_of(kernel.error());
+    const Interval entry_error =
+        kernels_->error() + 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
     const Interval node_sum =
         sum_of_magnitudes(system.slopes(sines, 1)) + sum_of_magnitudes(system.slopes(sines, 2));
     const EntryBounds decay = gripped_bounds(A_, N);
@@ -418,30 +412,20 @@ class GrippedContact final : public ProvenResults {
 
   long size_;
   Interval A_, beta_, epsilon_, offset_;
-  std::shared_ptr<Kernels> kernels_;  ///< I1, I3 and what I6 has beside I1
-  std::vector<Interval> alpha_;       ///< of g = w sum_k alpha_k i^k T_k
+  std::shared_ptr<SheetKernels> kernels_;
+  std::vector<Interval> alpha_;  ///< of g = w sum_k alpha_k i^k T_k
   Interval first_{working_bits()}, creep_{working_bits()}, edge_displacement_{working_bits()};
   Interval energy_error_{working_bits()}, slope_error_{working_bits()}, creep_error_{working_bits()};
 };
 
-std::shared_ptr<GrippedContact::Kernels> smooth_kernels(const GrippedKernels& kernels,
-                                                        const GrippedPlan& plan) {
-  GrippedContact::Kernels smooth;
-  smooth.emplace_back(kernels.normal, plan.kernel_digits, I1_shape);
-  smooth.emplace_back(kernels.coupling, plan.kernel_digits, I3_shape);
-  smooth.emplace_back(kernels.stretch, plan.kernel_digits, I3_integral_shape);
-  return std::make_shared<GrippedContact::Kernels>(std::move(smooth));
-}
-
 }  // namespace
-
-GrippedKernels gripped_kernels() { return {I1_interval, I3_interval, stretch_interval}; }
 
 Proof proven_gripped(const Exact& half_length, const Exact& beta, int digits, const GrippedKernels& kernels) {
   const GrippedPlan plan = plan_of(half_length.approximate(), beta.approximate(), digits);
   const WorkingDigits working(plan.working_digits);
   const Interval known(half_length, working_bits());
-  return {std::make_shared<const GrippedContact>(known, beta, plan.size, smooth_kernels(kernels, plan)),
+  return {std::make_shared<const GrippedContact>(known, beta, plan.size,
+                                                 std::make_shared<SheetKernels>(plan.kernel_digits, kernels)),
           plan.working_digits};
 }
 
@@ -454,7 +438,7 @@ std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
   const GrippedPlan plan = plan_of(1.5 * guess, beta.approximate(), known);
   if (plan.size > most_terms) return std::nullopt;
   const WorkingDigits working(plan.working_digits);
-  const auto smooth = smooth_kernels(kernels, plan);
+  const auto smooth = std::make_shared<SheetKernels>(plan.kernel_digits, kernels);
   LengthSearch search{load, Float(guess)};
   const auto contact = search.contact_carrying(
       known, [&](const Lengths& half_lengths) -> std::shared_ptr<const GrippedContact> {

@@ -7,8 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
-#include <nipref/ref/number/internal/cache.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -120,30 +119,20 @@ Float number(const Float& real) {
   return at_working_precision(real);
 }
 
-/// Digits and the working precision, to which the nodes are made.
-using UnitKey = std::pair<int, mpfr_prec_t>;
-using UnitNodes = std::vector<UnitPoint>;
+}  // namespace
 
-UnitNodes made_nodes(const UnitKey& key) {
-  const int digits = key.first;
+std::vector<UnitPoint> unit_nodes(int digits) {
   const Float step = Float(1) / (digits + 20) * 2;
   // The last node: from here on the weights are below 10^-digits even times an algebraic singularity at the end.
   const int last =
       static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
-  UnitNodes nodes;
+  std::vector<UnitPoint> nodes;
   for (int i = -last; i <= last; ++i) {
     nodes.emplace_back(i * step);
     nodes.back().slope *= step;
   }
   return nodes;
 }
-
-std::size_t size_of_nodes(const UnitNodes& nodes) {
-  const std::size_t bits = nodes.empty() ? 0 : static_cast<std::size_t>(bits_of(nodes[0].from_left));
-  return nodes.size() * (sizeof(UnitPoint) + 3 * (bits / 8 + 16));
-}
-
-}  // namespace
 
 LineAnswer WorkingSurface::at(const Exact& degrees) const {
   LineAnswer line = answer_(degrees, digits_);
@@ -231,11 +220,6 @@ Estimate ScaledContact::span(const Exact& degrees) const {
 
 Estimate ScaledContact::force() const {
   return function_of_factor([&](const Float& found) { return force_of(load, found); });
-}
-
-std::shared_ptr<const UnitNodes> unit_nodes(int digits) {
-  static Cache<UnitKey, UnitNodes> kept(made_nodes, size_of_nodes, std::size_t{1} << 26);
-  return kept.at({digits, working_bits()});
 }
 
 Levels half_turn_integral(int digits, const CrowdedDirections& directions,

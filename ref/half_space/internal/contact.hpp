@@ -5,11 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/float.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 
 namespace nipref::ref {
 
@@ -145,7 +144,7 @@ class ScaledContact {
 
 /// The nodes of the double exponential rule on (0, 1) for integrands with algebraic singularities at the ends. Slopes are
 /// times the step: weights.
-std::shared_ptr<const std::vector<UnitPoint>> unit_nodes(int digits);
+std::vector<UnitPoint> unit_nodes(int digits);
 
 /// Evaluates at 8, 16, 32 ... directions until `settled` returns true; BadInput "digits" where 4096 are not enough.
 void double_directions(int digits, const CrowdedDirections& directions,

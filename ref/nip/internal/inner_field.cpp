@@ -34,7 +34,7 @@ struct InnerField::FacePoint {
   FloatShares shares;
 
   /// Adds half of pi times the displacements of a traction at |alpha - alpha'| = `gap`, times a weight.
-  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
+  void add(const PressureAndShear& here, const Float& gap, Side side, const Float& weight,
            Displacements& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance, part = shares.theta1 * distance / square;
@@ -43,7 +43,8 @@ struct InnerField::FacePoint {
     sum[1] += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
   }
   /// Adds the stresses of a traction at |alpha - alpha'| = `gap`, times a weight.
-  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight, Stresses& sum) const {
+  void add(const PressureAndShear& here, const Float& gap, Side side, const Float& weight,
+           Stresses& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance;
     const Float along = (distance * here.pressure + u * here.shear) * weight / (square * square);
@@ -135,7 +136,7 @@ void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShare
   if (near > 0) {
     add_segment({0, near, true, true, point.from_left - near, point.from_right - near}, point, sum);
     if (Parts == 3 && point.distance == 0) {
-      const FaceTraction here = source_.tractions(point.from_left, point.from_right);
+      const PressureAndShear here = source_.tractions(point.from_left, point.from_right);
       sum[0] -= here.pressure;
       sum[1] -= here.pressure;
       sum.back() += face * here.shear;
@@ -157,7 +158,7 @@ const std::vector<InnerField::Charge>& InnerField::charges() const {
   for (int i = -half; i <= half; ++i) {
     const UnitPoint at(Float(step) * i);
     const Float length = 2 * source_.half_length, weight = length * at.slope * step;
-    const FaceTraction here = source_.tractions(length * at.from_left, length * at.from_right);
+    const PressureAndShear here = source_.tractions(length * at.from_left, length * at.from_right);
     charges_.push_back({source_.half_length * (at.from_left - at.from_right),
                         {weight * here.pressure, weight * here.shear}});
   }
@@ -224,7 +225,7 @@ void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, 
       b[i] = wave.cosh_part * depth[i] - planes[i];
     }
     const SineAndCosine at(z * (alpha - source_.middle));
-    const FaceTraction &c = wave.cosine, &i = wave.sine;
+    const PressureAndShear &c = wave.cosine, &i = wave.sine;
     for (std::size_t part = 0; part < Parts; ++part) {
       const auto& [sine, odd_in_depth, first_pressure, first_shear, second, third] = forms[part];
       const std::size_t C = odd_in_depth ? 1 : 0, E = 1 - C;

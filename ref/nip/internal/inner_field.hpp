@@ -8,7 +8,7 @@
 
 #include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/nip/internal/tractions.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 
 namespace nipref::ref {
 
@@ -16,9 +16,6 @@ namespace nipref::ref {
 struct SheetPoint {
   Float alpha, depth;
 };
-
-/// The pressure, and the shear traction along the sheet.
-using FaceTraction = PressureAndShear;
 
 /// sigma_x across the sheet, sigma_y along it, tau_xy, tension positive.
 struct FloatStresses {
@@ -39,7 +36,7 @@ struct FloatDisplacements {
 struct FieldSource {
   Float middle, half_length;
   /// 0 at the ends and analytic between them, as functions of the distances from the left and the right end, > 0.
-  std::function<FaceTraction(const Float& from_left, const Float& from_right)> tractions;
+  std::function<PressureAndShear(const Float& from_left, const Float& from_right)> tractions;
 };
 
 /// The accuracy of a field: the error of its stresses is about 10^-digits of `scale`. Fields with a different
@@ -72,13 +69,13 @@ class InnerField {
   struct Segment;
   struct Charge {
     Float from_middle;
-    FaceTraction weighted;
+    PressureAndShear weighted;
   };
   /// One node of Gauss's rule: z, its weight over pi, 2 sinh z/D and 2 cosh z/D with D = sinh 2z + 2z, e^-z and the
   /// tractions' integrals with cos and sin.
   struct Wave {
     Float z, weight, sinh_part, cosh_part, fall;
-    FaceTraction cosine, sine;
+    PressureAndShear cosine, sine;
   };
   /// The form of a stress or a displacement.
   struct Form;

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
-#include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
 namespace nipref::ref {
@@ -19,12 +19,12 @@ Interval stretch_interval(const Exact& alpha, double nats) {
   return finite_part - Interval::pi(precision) / 4 * Interval(alpha, precision);
 }
 
-SheetKernels::SheetKernels(int digits)
+SheetKernels::SheetKernels(int digits, GrippedKernels from)
     : nats_(digits * std::numbers::ln10),
       far_(std::ceil(nats_ / 2.1) + 2),
-      normal_(I1_interval, digits + digits_of_slope, I1_shape),
-      coupling_(I3_interval, digits + digits_of_slope, I3_shape),
-      stretch_(stretch_interval, digits + digits_of_slope, I3_integral_shape) {}
+      normal_(std::move(from.normal), digits + digits_of_slope, I1_shape),
+      coupling_(std::move(from.coupling), digits + digits_of_slope, I3_shape),
+      stretch_(std::move(from.stretch), digits + digits_of_slope, I3_integral_shape) {}
 
 Float SheetKernels::normal(const Float& alpha) {
   const Float distance = abs(alpha);

@@ -1,4 +1,5 @@
 #pragma once
+#include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
@@ -6,11 +7,16 @@ namespace nipref::ref {
 /// The integral of I3 from 0, with the sign changed, up to a constant: what I6 has of alpha beside I1.
 Interval stretch_interval(const Exact& alpha, double nats);
 
+/// What the kernels of a nip are taken from: ref's own, except in tests.
+struct GrippedKernels {
+  NormalKernel normal = I1_interval, coupling = I3_interval, stretch = stretch_interval;
+};
+
 /// The kernels of a nip at any distance alpha in half-thicknesses, and their analytic parts.
 class SheetKernels {
  public:
   /// Errors are about 10^-digits; the working precision has to be a few digits more.
-  explicit SheetKernels(int digits);
+  explicit SheetKernels(int digits, GrippedKernels from = {});
 
   /// I1(alpha), alpha not 0, and I1(alpha) + ln|alpha|.
   [[nodiscard]] Float normal(const Float& alpha);
@@ -26,6 +32,10 @@ class SheetKernels {
   /// From here on I1 is 0 and I3 its limit to the digits of the kernels: they approach these like e^(-2.1 |alpha|).
   [[nodiscard]] const Float& far() const { return far_; }
   [[nodiscard]] double nats() const { return nats_; }
+  /// Of the three smooth parts together, so far.
+  [[nodiscard]] Interval error() const {
+    return interval_of(normal_.error()) + interval_of(coupling_.error()) + interval_of(stretch_.error());
+  }
   [[nodiscard]] KernelValues values() const {
     return {normal_.kernel_values(), coupling_.kernel_values(), stretch_.kernel_values()};
   }

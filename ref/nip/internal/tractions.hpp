@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 

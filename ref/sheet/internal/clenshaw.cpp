@@ -23,6 +23,13 @@ Limbs fraction(const Float& kappa, std::size_t limbs) {
   return result;
 }
 
+/// An integer in units of 2^-fraction_bits, exactly.
+Float scaled(const mpz_class& integer, long fraction_bits) {
+  Float result = zero_of_bits(static_cast<mpfr_prec_t>(mpz_sizeinbase(integer.get_mpz_t(), 2)) + 1);
+  mpfr_set_z_2exp(raw(result), integer.get_mpz_t(), -fraction_bits, MPFR_RNDN);
+  return result;
+}
+
 /// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb
 /// whenever the nodes are.
 class Recurrence {
@@ -53,8 +60,10 @@ class Recurrence {
   }
 
   /// 4 b_{j+1} and b_{j+1} - b_{j+2}.
-  [[nodiscard]] Float fourfold(long fraction_bits) const { return number(fourfold_, fraction_bits); }
-  [[nodiscard]] Float difference(long fraction_bits) const { return number(difference_, fraction_bits); }
+  [[nodiscard]] Float fourfold(long fraction_bits) const { return scaled(integer(fourfold_), fraction_bits); }
+  [[nodiscard]] Float difference(long fraction_bits) const {
+    return scaled(integer(difference_), fraction_bits);
+  }
 
   /// Throws if 4 b_{j+1}, in units of 2^-F, has more than `bits` bits.
   void check_size(long bits) const {
@@ -76,12 +85,6 @@ class Recurrence {
   }
 
   [[nodiscard]] mpz_class integer(const Limbs& x) const { return signed_integer(x.data(), limbs_); }
-
-  [[nodiscard]] Float number(const Limbs& x, long fraction_bits) const {
-    Float result = zero_of_bits(static_cast<mpfr_prec_t>(limbs_) * GMP_NUMB_BITS);
-    mpfr_set_z_2exp(raw(result), integer(x).get_mpz_t(), -fraction_bits, MPFR_RNDN);
-    return result;
-  }
 
   Limbs kappa_;
   Limbs fourfold_;
@@ -105,16 +108,11 @@ Recurrence recur(const Nodes& nodes, const Angle& angle) {
 
 }  // namespace
 
-Angle::Angle(const mpq_class& theta, mpfr_prec_t precision)
-    : sine(zero_of_bits(precision)), half_sine_square(sine) {
-  Float half = zero_of_bits(precision);
-  Float cosine = zero_of_bits(precision);
-  mpfr_set_q(raw(half), theta.get_mpq_t(), MPFR_RNDN);
-  mpfr_div_2ui(raw(half), raw(half), 1, MPFR_RNDN);
-  mpfr_sin_cos(raw(half), raw(cosine), raw(half), MPFR_RNDN);
-  mpfr_sqr(raw(half_sine_square), raw(half), MPFR_RNDN);
-  mpfr_mul(raw(sine), raw(half), raw(cosine), MPFR_RNDN);
-  mpfr_mul_2ui(raw(sine), raw(sine), 1, MPFR_RNDN);
+Angle::Angle(const mpq_class& theta, mpfr_prec_t precision) {
+  const WorkingDigits working(digits_of(precision));
+  const Float half = to_float(theta) / 2, sine_of_half = sin(half);
+  half_sine_square = sine_of_half * sine_of_half;
+  sine = 2 * sine_of_half * cos(half);
 }
 
 mpfr_prec_t angle_precision(const Nodes& nodes) {
@@ -124,26 +122,19 @@ mpfr_prec_t angle_precision(const Nodes& nodes) {
 Float cosine_sum(const Nodes& nodes, const Angle& angle) {
   const long bits = nodes.key.fraction_bits;
   const Recurrence recurrence = recur(nodes, angle);
-  // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
-  Float sum = zero_of_bits(bits_of(angle.sine));
-  mpfr_mul(raw(sum), raw(angle.half_sine_square), raw(recurrence.fourfold(bits)), MPFR_RNDN);
-  mpfr_div_2ui(raw(sum), raw(sum), 1, MPFR_RNDN);
-  mpfr_sub(raw(sum), raw(recurrence.difference(bits)), raw(sum), MPFR_RNDN);
   const NodeBlock& block = nodes.blocks.front();
-  const mpz_class first = signed_integer(block.values.data(), block.limbs);
-  Float first_node = zero_of_bits(bits_of(sum));
-  mpfr_set_z_2exp(raw(first_node), first.get_mpz_t(), -bits, MPFR_RNDN);
-  mpfr_add(raw(sum), raw(sum), raw(first_node), MPFR_RNDN);
-  return sum;
+  const Float first = scaled(signed_integer(block.values.data(), block.limbs), bits),
+              fourfold = recurrence.fourfold(bits), difference = recurrence.difference(bits);
+  // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
+  const WorkingDigits working(digits_of(bits_of(angle.sine)));
+  return first + (difference - angle.half_sine_square * fourfold / 2);
 }
 
 // sin(theta) b_1
 Float sine_sum(const Nodes& nodes, const Angle& angle) {
-  Float result = zero_of_bits(bits_of(angle.sine));
   const Float fourfold = recur(nodes, angle).fourfold(nodes.key.fraction_bits);
-  mpfr_mul(raw(result), raw(fourfold), raw(angle.sine), MPFR_RNDN);
-  mpfr_div_2ui(raw(result), raw(result), 2, MPFR_RNDN);
-  return result;
+  const WorkingDigits working(digits_of(bits_of(angle.sine)));
+  return fourfold * angle.sine / 4;
 }
 
 }  // namespace nipref::ref

@@ -2,8 +2,8 @@
 #include <functional>
 #include <vector>
 
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 

@@ -31,7 +31,7 @@ std::vector<Interval> results_of_gripped(const ref::Proof& proof) {
 }
 
 std::vector<Interval> gripped(double half_length, const Exact& beta, int digits,
-                              const ref::GrippedKernels& kernels = ref::gripped_kernels()) {
+                              const ref::GrippedKernels& kernels = ref::GrippedKernels()) {
   return results_of_gripped(ref::proven_gripped(Exact(half_length), beta, digits, kernels));
 }
 
@@ -40,7 +40,7 @@ std::vector<Interval> gripped(double half_length, const Exact& beta, int digits,
 TEST_CASE("ref gripped contact: an error of 1e-25 in a kernel or Poisson's ratio is noticed or widens") {
   const ref::WorkingDigits working(60);
   const Interval error(1e-25, 64);
-  const ref::GrippedKernels right = ref::gripped_kernels();
+  const ref::GrippedKernels right = ref::GrippedKernels();
   for (const double half_length : {0.5, 1.5}) {
     CAPTURE(half_length);
     const auto truth = gripped(half_length, Exact(mpq_class(1, 3)), 30);
@@ -84,7 +84,7 @@ TEST_CASE("ref gripped contact: an interval of lengths has the contacts of each"
   const Exact beta(0.25);
   const auto is_allowed = [](double) { return true; };
   const auto all =
-      ref::proven_gripped_for_load(Exact(1.5), 0.6, is_allowed, beta, 20, ref::gripped_kernels(), 500);
+      ref::proven_gripped_for_load(Exact(1.5), 0.6, is_allowed, beta, 20, ref::GrippedKernels(), 500);
   REQUIRE(all);
   const ref::WorkingDigits working(all->working_digits);
   const Interval& known = all->contact->half_length();
@@ -96,7 +96,7 @@ TEST_CASE("ref gripped contact: an interval of lengths has the contacts of each"
     mpq_class place;
     mpfr_get_q(place.get_mpq_t(), end);
     const auto one = results_of_gripped(
-        ref::proven_gripped(Exact(place), beta, all->working_digits - 12, ref::gripped_kernels()));
+        ref::proven_gripped(Exact(place), beta, all->working_digits - 12, ref::GrippedKernels()));
     for (std::size_t k = 0; k < one.size(); ++k) CHECK(is_inside(one[k], wide[k]));
   }
 }

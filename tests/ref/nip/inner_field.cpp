@@ -1,7 +1,7 @@
 // The stresses inside the sheet by quadrature and Fourier transforms of the tractions: against line loads' proven fields
 // summed over the contact, a half-plane in closed form, and the resultants.
 #include <nipref/ref/nip/internal/inner_field.hpp>
-#include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/sheet/field.hpp>
 
 #include "support/test.hpp"
@@ -21,7 +21,7 @@ double largest_difference(const FloatStresses& a, const FloatStresses& b) {
 }
 
 /// (left right)^(1/2) times polynomials that are neither even nor odd, the shear's force not 0.
-ref::FaceTraction lopsided(const Float& left, const Float& right) {
+ref::PressureAndShear lopsided(const Float& left, const Float& right) {
   const Float root = sqrt(left * right);
   return {root * (1 + left / 3), root * (left - right / 5)};
 }
@@ -38,7 +38,7 @@ struct Summed {
       const Float angle = ref::pi() * rule.from_left[i], half = sin(angle / 2), other = cos(angle / 2);
       const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
       const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
-      const ref::FaceTraction here = tractions(left, right);
+      const ref::PressureAndShear here = tractions(left, right);
       const ref::Exact from = ref::to_exact(alpha + half_length - left);
       for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
         const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
@@ -56,7 +56,7 @@ struct Summed {
 };
 
 /// A pressure that is even and a shear that is odd.
-ref::FaceTraction symmetric(const Float& left, const Float& right) {
+ref::PressureAndShear symmetric(const Float& left, const Float& right) {
   const Float root = sqrt(left * right);
   return {root, root * (left - right)};
 }
@@ -118,7 +118,7 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
 TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from the face to deep") {
   const ref::WorkingDigits working(40);
   const double a = 0x1p-56;  // the other face sees a load of this size
-  const auto hertz = [&](const Float& left, const Float& right) -> ref::FaceTraction {
+  const auto hertz = [&](const Float& left, const Float& right) -> ref::PressureAndShear {
     return {sqrt(left * right) / a, 0};
   };
   const InnerField field({0, a, hertz}, {22, 1, 1});
@@ -155,7 +155,7 @@ TEST_CASE("fields of different fineness and of more digits agree, beside the end
 TEST_CASE("on a face it has the tractions, and far away it is nothing but what the shear pulls") {
   const ref::WorkingDigits working(32);
   const InnerField field({0, 0.5, lopsided}, {18, 1, 1});
-  const ref::FaceTraction there = lopsided(Float(0.75), Float(0.25));
+  const ref::PressureAndShear there = lopsided(Float(0.75), Float(0.25));
   for (const int face : {1, -1}) {
     const FloatStresses here = field.at({0.25, face});
     CHECK(static_cast<double>(abs(here.across + there.pressure)) < 1e-17);
