@@ -14,7 +14,7 @@ ElasticNip read_nip(const TomlTable& file) {
   const TomlTable roller = file.table("roller", SceneKind::nip);
   const TomlTable sheet = file.table("sheet", SceneKind::nip);
   const TomlTable material = file.table("material");
-  material.allow(SceneKind::nip, KeyOwner::elastic_solid);
+  material.allow(SceneKind::nip, "elastic-solid");
   return {roller.number("radius"),
           sheet.number("thickness"),
           {material.number("young"), material.number("poisson")}};
@@ -43,13 +43,13 @@ bool is_converged(const TomlTable& method) {
 
 std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow(SceneKind::nip, KeyOwner::elastic_line_loads);
+  method.allow(SceneKind::nip, "elastic-line-loads");
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
 Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
-  traction.allow(SceneKind::nip, KeyOwner::partial_slip);
+  traction.allow(SceneKind::nip, "partial-slip");
   if (traction.has("force_per_length") == traction.has("creep_ratio"))
     origin.refuse("traction", "(its keys)", "must have force_per_length or creep_ratio, one of the two");
   if (traction.has("creep_ratio")) return GivenCreep{traction.number("creep_ratio")};
@@ -64,7 +64,7 @@ void read_places(auto& problem, const TomlTable& file, const SceneOrigin& origin
 
 PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& origin) {
   const TomlTable friction = file.table("friction");
-  friction.allow(SceneKind::nip, KeyOwner::partial_slip);
+  friction.allow(SceneKind::nip, "partial-slip");
   PartialSlipProblem problem{
       .nip = {read_nip(file), friction.number("coefficient"), read_drive(file.table("traction"), origin)},
       .given = read_given(file, origin)};
@@ -77,7 +77,7 @@ PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& o
 ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
   const TomlTable friction = file.table("friction");
-  friction.allow(SceneKind::nip, KeyOwner::elastic_nip);
+  friction.allow(SceneKind::nip, "elastic-nip");
   if (friction.choice("model", SceneKind::nip) == "full") problem.friction = Friction::full;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
   problem.method = read_method(file.table("method"));
@@ -87,7 +87,7 @@ ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& ori
 
 std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow(SceneKind::nip, KeyOwner::rolling_line_loads);
+  method.allow(SceneKind::nip, "rolling-line-loads");
   ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
                               .trailing_elements = {},
                               .approach_lengths = method.number("approach_lengths")};

@@ -9,25 +9,11 @@ constexpr std::string_view table_of_keys =
 #include <nipref_scene_keys.inc>
     ;
 
-// In the order of KeyType and KeyOwner.
+// In the order of KeyType.
 constexpr std::array<std::string_view, 6> types{"text", "texts", "choice", "number", "numbers", "whole"};
 constexpr std::array<std::string_view, 6> allowed_types{
     "must be a text in quotes", "must be a list of texts in quotes", "must be a text in quotes",
     "must be a number",         "must be a list of numbers",         "must be a whole number"};
-constexpr std::array<std::string_view, 14> owners{"nip",
-                                                  "elastic-nip",
-                                                  "partial-slip",
-                                                  "elastic-solid",
-                                                  "one-relaxation-time",
-                                                  "six-constants",
-                                                  "prony",
-                                                  "operators",
-                                                  "elastic-line-loads",
-                                                  "rolling-line-loads",
-                                                  "half-space",
-                                                  "isotropic",
-                                                  "transversely-isotropic",
-                                                  "anisotropic"};
 
 void set_unit(SceneKey& key, std::string_view unit) {
   for (const std::string_view factor : words_in(unit)) {
@@ -74,8 +60,11 @@ SceneKey key_of(const std::vector<std::string_view>& fields) {
   key.type = named<KeyType>(types, fields[1]);
   set_unit(key, fields[2]);
   set_domain(key, fields[3]);
-  for (const std::string_view owner : words_in(fields[4]))
-    key.owners.push_back(named<KeyOwner>(owners, owner));
+  key.models = words_in(fields[4]);
+  if (!key.models.empty()) {
+    key.kind = named<SceneKind>(scene_kinds, key.models.front());
+    key.models.erase(key.models.begin());
+  }
   return key;
 }
 
@@ -98,13 +87,8 @@ std::string_view SceneKey::table() const {
 
 std::string_view SceneKey::last() const { return name.substr(name.find('.') + 1); }
 
-bool SceneKey::is_of(SceneKind kind) const {
-  const bool is_half_space = kind == SceneKind::half_space;
-  return owners.empty() || (owners.front() >= KeyOwner::half_space) == is_half_space;
-}
-
-const std::vector<std::string_view>& SceneKey::choices_of(SceneKind kind) const {
-  return choices[kind == SceneKind::half_space ? 1 : 0];
+const std::vector<std::string_view>& SceneKey::choices_of(SceneKind scene) const {
+  return choices[scene == SceneKind::half_space ? 1 : 0];
 }
 
 std::string_view SceneKey::allowed_type() const { return allowed_types[static_cast<std::size_t>(type)]; }
@@ -130,18 +114,14 @@ const SceneKey* find_scene_key(std::string_view name) {
   return found == scene_keys().end() ? nullptr : &*found;
 }
 
-std::vector<std::string_view> names_in_table(std::string_view table, SceneKind kind,
-                                             std::optional<KeyOwner> owner) {
-  const auto has = [&](KeyOwner one) {
-    return one == KeyOwner::nip || one == KeyOwner::half_space || one == owner;
-  };
+std::vector<std::string_view> names_in_table(std::string_view table, SceneKind kind, std::string_view model) {
   std::vector<std::string_view> names;
   for (const SceneKey& key : scene_keys()) {
-    if (!key.is_of(kind)) continue;
+    if (key.kind.value_or(kind) != kind) continue;
     if (table.empty()) {
       const std::string_view name = key.table().empty() ? key.name : key.table();
       if (names.empty() || names.back() != name) names.push_back(name);
-    } else if (key.table() == table && (key.owners.empty() || std::ranges::any_of(key.owners, has))) {
+    } else if (key.table() == table && (key.models.empty() || std::ranges::count(key.models, model) > 0)) {
       names.push_back(key.last());
     }
   }

@@ -19,24 +19,6 @@ struct Dimension {
 /// The type of a key's value.
 enum class KeyType { text, texts, choice, number, numbers, whole };
 
-/// Who has a key: a kind of scene, or a model or method of it.
-enum class KeyOwner {
-  nip,
-  elastic_nip,
-  partial_slip,
-  elastic_solid,
-  one_relaxation_time,
-  six_constants,
-  prony,
-  operators,
-  elastic_line_loads,
-  rolling_line_loads,
-  half_space,
-  isotropic,
-  transversely_isotropic,
-  anisotropic,
-};
-
 /// A key of a scene's TOML file, from keys.table.
 struct SceneKey {
   std::string_view name;  ///< "TABLE.KEY", or "KEY" above all tables
@@ -49,12 +31,12 @@ struct SceneKey {
          most = -least;                           ///< ends of the domain of its numbers
   std::string allowed = {};                       ///< what a number must be; empty for a magnitude
   std::vector<std::string_view> choices[2] = {};  ///< of a nip, and of a half-space
-  std::vector<KeyOwner> owners = {};              ///< none: every scene
+  std::optional<SceneKind> kind = {};             ///< of the scenes that have it; none: all
+  std::vector<std::string_view> models = {};      ///< or methods that have it; none: all
 
   [[nodiscard]] std::string_view table() const;  ///< empty above all tables
   [[nodiscard]] std::string_view last() const;   ///< the name without its table
-  [[nodiscard]] bool is_of(SceneKind kind) const;
-  [[nodiscard]] const std::vector<std::string_view>& choices_of(SceneKind kind) const;
+  [[nodiscard]] const std::vector<std::string_view>& choices_of(SceneKind scene) const;
   /// The requirement that a value of another type is refused with, and a number outside the domain; the latter is empty
   /// for a number in the domain.
   [[nodiscard]] std::string_view allowed_type() const;
@@ -67,8 +49,9 @@ struct SceneKey {
 /// Null if no key has this name. An element of a list, "wanted[1]", is found by its list.
 [[nodiscard]] const SceneKey* find_scene_key(std::string_view name);
 
-/// The names that a table may hold in such a scene; above all tables (`table` empty) these include the tables.
+/// The names that a table may hold in such a scene, of this model or method; above all tables (`table` empty) these
+/// include the tables.
 [[nodiscard]] std::vector<std::string_view> names_in_table(std::string_view table, SceneKind kind,
-                                                           std::optional<KeyOwner> owner = {});
+                                                           std::string_view model = {});
 
 }  // namespace nipref::data

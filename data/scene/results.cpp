@@ -12,9 +12,8 @@ constexpr std::string_view table_of_scales =
 #include <nipref_scene_scales.inc>
     ;
 
-// In the order of Shape, SceneKind and Needs.
+// In the order of Shape and Needs.
 constexpr std::array<std::string_view, 4> shapes{"number", "list", "profile", "field"};
-constexpr std::array<std::string_view, 2> scene_kinds{"nip", "half-space"};
 constexpr std::array<std::string_view, 9> needs{
     "",      "converged",       "inside",       "inside-elastic", "inside-all",
     "shear", "line-load-creep", "partial-slip", "slip-heat"};

@@ -35,98 +35,18 @@ enum class Shape {
 /// accuracy, and a result that may be 0 has no relative error: the accuracy is met where the error is at most the
 /// accuracy times the larger of the result's magnitude and this size. A traction grows from an end of the contact like a
 /// square root: next to an end its size is so much larger that the accuracy allows what moving that end by the accuracy times
-/// L/2 changes. text() has what each is.
+/// L/2 changes. An enumerator for each row of scales.table; text() has what it is.
 enum class Scale {
-  itself,
-  half_contact,
-  load,
-  half_contact_times_load,
-  hundred_half_contacts,
-  roller_rise,
-  creep,
-  creep_next_to_end,
-  distance_times_creep,
-  pressure,
-  shear,
-  tenth_of_pressure,
-  tenth_of_pressure_times_creep,
-  flat_maximum_depth,
-  flat_maximum,
-  rounding_of_slope,
-  rolling_resistance,
-  radian,
-  span_along,
-  compliance,
+#include <nipref/scene_scales.inc>
 };
 
 /// In words, L the contact's length, R the roller's radius. The pressure in the middle of a contact on a half-space is the
 /// largest.
 [[nodiscard]] std::string_view text(Scale scale);
 
-/// Everything that a scene can want, in the order of scene_results(), called there what it is called here.
+/// Everything that a scene can want: an enumerator for each row of results.table.
 enum class ResultId {
-  contact_length,
-  leading_length,
-  trailing_length,
-  load,
-  indentation,
-  edge_displacement,
-  trailing_displacement,
-  rolling_resistance,
-  eccentricity,
-  resistance_force,
-  power_loss,
-  leading_moment,
-  trailing_moment,
-  creep_ratio,
-  traction,
-  dissipation,
-  zone_boundaries,
-  zone_signs,
-  creep_range,
-  peak_pressure,
-  peak_pressure_position,
-  peak_shear,
-  peak_shear_position,
-  shear_zeros,
-  span_along,
-  span_across,
-  span_ratio,
-  axis_ratio,
-  orientation,
-  approach,
-  normal_force,
-  friction_force,
-  centre_along,
-  centre_across,
-  critical_speed,
-  greatest_shear,
-  greatest_shear_position,
-  greatest_shear_depth,
-  stress_across,
-  stress_along,
-  stress_shear,
-  highest_stress,
-  lowest_stress,
-  maximum_shear,
-  displacement_across,
-  displacement_along,
-  pressure,
-  shear,
-  normal_displacement,
-  tangential_displacement,
-  transverse_displacement,
-  surface_strain,
-  slip,
-  heat,
-  span,
-  leading_end,
-  trailing_end,
-  peak_on_line,
-  creep,
-  compressed_radius,
-  compliance,
-  coupling,
+#include <nipref/scene_results.inc>
 };
 
 /// A row of results.table.

@@ -34,23 +34,6 @@ struct LineLoadKernels {
   Eigen::RowVectorXd I1, coupling, I6;
 };
 
-/// `coupling` is I3 alone.
-LineLoadKernels from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
-  LineLoadKernels values;
-  const auto provided = [&](bool is_wanted, std::size_t kernel,
-                            Eigen::RowVectorXd& room) -> std::span<double> {
-    if (!is_wanted) return {};
-    room.resize(static_cast<Eigen::Index>(alpha.size()));
-    work.kernel_evaluations[kernel - 1] += alpha.size();
-    work.terms += alpha.size() * static_cast<std::uint64_t>(terms);
-    return {room.data(), alpha.size()};
-  };
-  plain_series(alpha, terms,
-               {provided(wanted.I1, 1, values.I1), provided(wanted.coupling, 3, values.coupling),
-                provided(wanted.I6, 6, values.I6)});
-  return values;
-}
-
 /// The kernels at each alpha, finite and nonzero, as `method` computes them; counted into `work`.
 LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const LineLoadMethod& method,
                                   std::span<const double> alpha, WantedKernels wanted, Work& work) {
@@ -61,7 +44,16 @@ LineLoadKernels line_load_kernels(const data::ElasticMaterial& material, const L
     if (wanted.coupling) kernels.coupling = of_library.I3(alpha);
     if (wanted.I6) kernels.I6 = of_library.I6(alpha);
   } else {
-    kernels = from_residues(method.residue_terms, alpha, wanted, work);
+    const auto room = [&](bool is_wanted, std::size_t kernel, Eigen::RowVectorXd& values) {
+      const std::size_t count = is_wanted ? alpha.size() : 0;
+      values.resize(static_cast<Eigen::Index>(count));
+      work.kernel_evaluations[kernel - 1] += count;
+      work.terms += count * static_cast<std::uint64_t>(method.residue_terms);
+      return std::span(values.data(), count);
+    };
+    plain_series(alpha, method.residue_terms,
+                 {room(wanted.I1, 1, kernels.I1), room(wanted.coupling, 3, kernels.coupling),
+                  room(wanted.I6, 6, kernels.I6)});
   }
   const double part = material.theta2() / material.normal_compliance();
   for (Eigen::Index i = 0; i < kernels.coupling.size(); ++i)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory/convolutions.hpp>
@@ -10,6 +11,7 @@ namespace {
 
 using internal::Two;
 using Extended = long double;
+using Wave = std::complex<Extended>;
 
 constexpr double largest = 1e150;
 
@@ -24,16 +26,10 @@ void check_times(double lambda, double t, double T) {
   check("T", T, -largest);
 }
 
-struct Wave {
-  Extended cosine, sine;
-};
-
 /// e^(i b u). The phase b u has two words: from 10 radians on its rounding to one word would show in the result.
 Wave wave(double b, Two u) {
   const Two phase = Two{b, 0} * u;
-  const Extended c = std::cos(Extended{phase.high}), s = std::sin(Extended{phase.high});
-  const Extended dc = std::cos(Extended{phase.low}), ds = std::sin(Extended{phase.low});
-  return {c * dc - s * ds, s * dc + c * ds};
+  return std::polar(Extended{1}, Extended{phase.high}) * std::polar(Extended{1}, Extended{phase.low});
 }
 
 Extended fading(double rate, Two time) {
@@ -51,29 +47,20 @@ Wave integral(Extended decay, double b, Two length) {
   const Extended y = b * m;
   if (x + y < 1) {
     // The power series sum (i y - x)^k/(k+1)!, as the closed form loses the sine's first order in y by cancellation.
-    Wave sum{0, 0};
-    for (int k = 20; k >= 0; --k) {
-      sum = {1 + (-x * sum.cosine - y * sum.sine) / (k + 2), (y * sum.cosine - x * sum.sine) / (k + 2)};
-    }
-    return {m * sum.cosine, m * sum.sine};
+    Wave sum = 0;
+    for (int k = 20; k >= 0; --k) sum = Extended{1} + Wave(-x, y) * sum / static_cast<Extended>(k + 2);
+    return m * sum;
   }
-  const Extended faded = std::exp(-x);
-  const Wave end = wave(b, length);
-  const Wave half = wave(b / 2, length);
-  const Extended rise = -std::expm1(-x) + 2 * faded * half.sine * half.sine;  // 1 - e^(-x) cos y
-  const Extended slant = faded * end.sine;
-  const Extended square = decay * decay + Extended{b} * b;
-  return {(rise * decay + slant * b) / square, (rise * b - slant * decay) / square};
+  const Extended faded = std::exp(-x), sine_of_half = wave(b / 2, length).imag();
+  const Extended rise = -std::expm1(-x) + 2 * faded * sine_of_half * sine_of_half;  // 1 - e^(-x) cos y
+  return Wave(rise, -faded * wave(b, length).imag()) * Wave(decay, b) / (decay * decay + Extended{b} * b);
 }
 
 /// The integrals with the cosine and with the sine, as real and imaginary part of the one with e^(i b |T - tau|).
 /// Nothing cancels: each part is a sum of two products, neither of which exceeds the scale.
 Wave convolution(Extended amplitude, Extended rate, double b, Two start, Two length) {
-  if (amplitude == 0 || length.high == 0) return {0, 0};
-  const Wave w = wave(b, start);
-  const Wave z = integral(rate, b, length);
-  return {amplitude * (w.cosine * z.cosine - w.sine * z.sine),
-          amplitude * (w.sine * z.cosine + w.cosine * z.sine)};
+  if (amplitude == 0 || length.high == 0) return 0;
+  return amplitude * (wave(b, start) * integral(rate, b, length));
 }
 
 /// J2 + i J1, the load's approach. The integral runs backwards from tau = min(t, T), so that both exponentials decay.
@@ -81,7 +68,7 @@ Wave approaching(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);
   check("b", b, 0);
-  if (T <= 0) return {0, 0};
+  if (T <= 0) return 0;
   if (T >= t) {
     const Two ahead = internal::two_sum(T, -t);
     return convolution(fading(a, ahead), Extended{lambda} + a, b, ahead, {t, 0});
@@ -96,14 +83,13 @@ Wave receding(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);
   check("b", b, 0);
-  if (T >= t) return {0, 0};
+  if (T >= t) return 0;
   const double first = std::max(0.0, T);
   const Two length = internal::two_sum(t, -first);
   if (lambda >= a) {
     const Two behind = internal::two_sum(t, -T);
     // Backwards the distance decreases: e^(i b (behind - s)) is the conjugate of e^(i b (s - behind)).
-    const Wave back = convolution(fading(a, behind), Extended{lambda} - a, b, -behind, length);
-    return {back.cosine, -back.sine};
+    return std::conj(convolution(fading(a, behind), Extended{lambda} - a, b, -behind, length));
   }
   const Two behind = T < 0 ? Two{-T, 0} : Two{0, 0};
   const Extended amplitude = fading(a, behind) * fading(lambda, length);
@@ -119,19 +105,19 @@ Extended faded_time(double lambda, double t, double first, double last) {
 }  // namespace
 
 double J1(double lambda, double a, double b, double t, double T) {
-  return static_cast<double>(approaching(lambda, a, b, t, T).sine);
+  return static_cast<double>(approaching(lambda, a, b, t, T).imag());
 }
 
 double J2(double lambda, double a, double b, double t, double T) {
-  return static_cast<double>(approaching(lambda, a, b, t, T).cosine);
+  return static_cast<double>(approaching(lambda, a, b, t, T).real());
 }
 
 double J3(double lambda, double a, double b, double t, double T) {
-  return static_cast<double>(-receding(lambda, a, b, t, T).sine);
+  return static_cast<double>(-receding(lambda, a, b, t, T).imag());
 }
 
 double J4(double lambda, double a, double b, double t, double T) {
-  return static_cast<double>(receding(lambda, a, b, t, T).cosine);
+  return static_cast<double>(receding(lambda, a, b, t, T).real());
 }
 
 double J5(double gamma0, double gamma, double lambda, double t, double T) {

@@ -19,7 +19,7 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
 
 /// The upper triangle of Voigt's matrix, row by row.
 Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
-  table.allow(SceneKind::half_space, KeyOwner::anisotropic);
+  table.allow(SceneKind::half_space, "anisotropic");
   const std::vector<double> upper = table.numbers("stiffness");
   if (upper.size() != upper_triangle.size()) {
     origin.refuse("half_space.stiffness", std::to_string(upper.size()) + " numbers",
@@ -33,11 +33,11 @@ Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
 HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
   const std::string model = table.choice("model", SceneKind::half_space);
   if (model == "isotropic") {
-    table.allow(SceneKind::half_space, KeyOwner::isotropic);
+    table.allow(SceneKind::half_space, "isotropic");
     return read_isotropic(table);
   }
   if (model == "anisotropic") return read_stiffness(table, origin);
-  table.allow(SceneKind::half_space, KeyOwner::transversely_isotropic);
+  table.allow(SceneKind::half_space, "transversely-isotropic");
   const bool is_normal = table.choice("axis", SceneKind::half_space) == "normal";
   return TransverselyIsotropicBody{{table.number("c11"), table.number("c33"), table.number("c13"),
                                     table.number("c44"), table.number("c66"), table.number("density")},

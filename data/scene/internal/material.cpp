@@ -10,7 +10,7 @@ namespace {
 using Build = std::function<ViscoelasticMaterial()>;
 
 Build read_elastic(const TomlTable& material) {
-  material.allow(SceneKind::nip, KeyOwner::elastic_solid);
+  material.allow(SceneKind::nip, "elastic-solid");
   const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
   return [=] { return elastic_solid(elastic); };
 }
@@ -18,12 +18,12 @@ Build read_elastic(const TomlTable& material) {
 /// The solid is given by its one relaxation time or by all six constants.
 Build read_standard_linear(const TomlTable& material) {
   if (material.has("relaxation_time")) {
-    material.allow(SceneKind::nip, KeyOwner::one_relaxation_time);
+    material.allow(SceneKind::nip, "one-relaxation-time");
     const double bulk = material.number("bulk"), shear = material.number("shear");
     const double relaxation_time = material.number("relaxation_time");
     return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time); };
   }
-  material.allow(SceneKind::nip, KeyOwner::six_constants);
+  material.allow(SceneKind::nip, "six-constants");
   const StandardLinearSolid solid{material.number("shear_1"),         material.number("shear_2"),
                                   material.number("bulk_1"),          material.number("bulk_2"),
                                   material.number("shear_viscosity"), material.number("bulk_viscosity")};
@@ -31,7 +31,7 @@ Build read_standard_linear(const TomlTable& material) {
 }
 
 Build read_thesis_misprint(const TomlTable& material) {
-  material.allow(SceneKind::nip, KeyOwner::one_relaxation_time);
+  material.allow(SceneKind::nip, "one-relaxation-time");
   const double bulk = material.number("bulk");
   const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
   const double relaxation_time = material.number("relaxation_time");
@@ -44,14 +44,14 @@ PronyList read_prony_list(const TomlTable& material, const std::string& name) {
 }
 
 Build read_prony(const TomlTable& material) {
-  material.allow(SceneKind::nip, KeyOwner::prony);
+  material.allow(SceneKind::nip, "prony");
   return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
     return prony_solid(theta1, theta2);
   };
 }
 
 Build read_operators(const TomlTable& material) {
-  material.allow(SceneKind::nip, KeyOwner::operators);
+  material.allow(SceneKind::nip, "operators");
   const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
                                         material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
   return [=] { return operator_solid(operators); };

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ namespace nipref::data {
 
 /// The rows of a table, each with so many fields.
 [[nodiscard]] std::vector<std::vector<std::string_view>> rows_of(std::string_view table, std::size_t fields);
+
+/// What they call a SceneKind.
+inline constexpr std::array<std::string_view, 2> scene_kinds{"nip", "half-space"};
 
 /// The enumerator with a name, where `names` are in the order of the enumeration.
 template <class Enum>

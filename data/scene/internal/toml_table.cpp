@@ -149,8 +149,8 @@ std::string TomlTable::full_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-void TomlTable::allow(SceneKind kind, std::optional<KeyOwner> owner) const {
-  const std::vector<std::string_view> known = names_in_table(name_, kind, owner);
+void TomlTable::allow(SceneKind kind, std::string_view model) const {
+  const std::vector<std::string_view> known = names_in_table(name_, kind, model);
   for (const auto& [key, node] : *contents_->table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
     const std::string name = full_name(key.str());

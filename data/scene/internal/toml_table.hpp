@@ -20,8 +20,8 @@ class TomlTable {
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
-  /// Refuses all keys but those that scene_keys() has for such scenes, in a table of models those of the owner.
-  void allow(SceneKind kind, std::optional<KeyOwner> owner = {}) const;
+  /// Refuses all keys but those that scene_keys() has for such scenes, of this model or method.
+  void allow(SceneKind kind, std::string_view model = {}) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool has_table(std::string_view key) const;

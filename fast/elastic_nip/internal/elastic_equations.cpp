@@ -112,8 +112,7 @@ Functional ElasticEquations::end_displacement(const Solution& solution, bool /*t
 
 /// The rows of a kernel's functionals at a place of the half on which it is not mirrored.
 static MatrixXd acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
-  const double at[] = {place.in(solution).e};
-  return solution.tractions().rows(at, false, kernel, quadrature_tolerance);
+  return solution.tractions().rows(place.in(solution).e, false, kernel, quadrature_tolerance);
 }
 
 double ElasticEquations::cancelling_sides(const Solution& solution) const {

@@ -34,8 +34,7 @@ Tractions::Kernel kernel_of(const Field& field, bool grips, const auto& numbers_
 
 std::vector<Functional> functionals_of(const Solution& solution, const ContactPlace& place,
                                        const Tractions::Kernel& kernel, double tolerance, double size) {
-  const double at[] = {place.e};
-  const Eigen::MatrixXd rows = solution.tractions().rows(at, place.trailing, kernel, tolerance);
+  const Eigen::MatrixXd rows = solution.tractions().rows(place.e, place.trailing, kernel, tolerance);
   std::vector<Functional> result;
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     result.push_back(solution.of_tractions(rows.row(i)));

@@ -1,6 +1,7 @@
 #pragma once
 #include <complex>
 #include <memory>
+#include <vector>
 
 namespace nipref::fast {
 
@@ -16,8 +17,7 @@ class LayerPressure {
 
  private:
   std::complex<double> rate_, root_;
-  struct DawsonOnRay;
-  std::shared_ptr<const DawsonOnRay> ray_;
+  std::shared_ptr<const std::vector<std::vector<std::complex<double>>>> ray_;  ///< D(z)/z by z^2, in pieces
 };
 
 }  // namespace nipref::fast

@@ -440,15 +440,9 @@ bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eig
   return true;
 }
 
-Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, const Kernel& kernel,
-                                double tolerance) const {
-  const Sums sums(*this, kernel, tolerance);
-  Eigen::MatrixXd result =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
-  for (Eigen::Index row = 0; const double e : places) {
-    sums.add_place({e, trailing}, panels_.size(), result.middleRows(row, kernel.functionals));
-    row += kernel.functionals;
-  }
+Eigen::MatrixXd Tractions::rows(double e, bool trailing, const Kernel& kernel, double tolerance) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(kernel.functionals, columns_);
+  Sums(*this, kernel, tolerance).add_place({e, trailing}, panels_.size(), result);
   return result;
 }
 

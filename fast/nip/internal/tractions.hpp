@@ -78,10 +78,9 @@ class Tractions {
     Eigen::MatrixX2d logarithm, jump;
     decltype(Kernel::at) regular;
   };
-  /// One row for each place and functional, those of a place together; one column for each of columns(). Places: e <= A,
-  /// negative ones outside the contact. `trailing`: the places are on the other half, -y.
-  [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
-                                     double tolerance) const;
+  /// One row for each functional at a place, one column for each of columns(). e <= A, negative outside the contact.
+  /// `trailing`: the place is on the other half, -y.
+  [[nodiscard]] Eigen::MatrixXd rows(double e, bool trailing, const Kernel& kernel, double tolerance) const;
   /// The columns of the layers alone, at places on the trailing half, 0 <= e <= A.
   [[nodiscard]] Eigen::MatrixXd rows_of_layers_behind(std::span<const double> places, const Kernel& kernel,
                                                       double tolerance) const;

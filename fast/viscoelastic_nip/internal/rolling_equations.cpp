@@ -164,16 +164,7 @@ void RollingEquations::add_middle_displacement(double half_length, const Eigen::
   equations.right(row) = half_length * half_length * scale;
 }
 
-/// The coefficient of a layer is that of its exponential.
-void RollingEquations::add_layers(const std::vector<Mode>& modes, Equations& equations) const {
-  for (const Mode& mode : modes) {
-    if (mode.layer < 0) continue;
-    for (int c = 0; c < mode.columns; ++c)
-      equations.layers(2 * mode.layer + c, mode.unknown + c) = mode.columns;
-  }
-}
-
-/// The rows that determine the coefficients of the exponentials.
+/// The rows that determine the coefficients of the exponentials. That of a layer is the exponential's.
 void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_length,
                                    const Eigen::MatrixXd& ahead, Equations& equations) const {
   const std::vector<Memory>& terms = sheet_.normal.terms;
@@ -204,6 +195,7 @@ void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_l
       const Eigen::Index row = first + mode.unknown + c;
       equations.on_unknowns(row, mode.unknown + c) = 1;
       if (!is_layer(mode)) continue;
+      equations.layers(2 * mode.layer + c, mode.unknown + c) = mode.columns;
       const Complex of_offset = 2.0 * (mode.memory.amplitude / mode.memory.rate) / mode.memory.rate;
       const Complex constant = of_offset * (half_length + 1.0 / mode.memory.rate);
       equations.on_unknowns(row, offset) = -(c == 0 ? of_offset.real() : of_offset.imag());
@@ -249,11 +241,9 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
     }
     add_matching(modes, half_length, points[i], row, equations);
   }
-  add_layers(modes, equations);
   if (!modes.empty()) {
-    const double leading_end[] = {0.0};
     const Eigen::MatrixXd ahead_of_end =
-        tractions.rows(leading_end, false, kernels_.ahead(has_layers(modes)), tolerance);
+        tractions.rows(0, false, kernels_.ahead(has_layers(modes)), tolerance);
     add_closure(modes, half_length, ahead_of_end, equations);
     if (has_layers(modes)) add_middle_displacement(half_length, ahead_of_end, equations);
   }
@@ -309,8 +299,7 @@ namespace {
 std::vector<Functional> acting(const Solution& solution, const Tractions::Kernel& kernel,
                                const ContactPlace& place) {
   const auto [trailing, e] = place.in(solution);
-  const double at[] = {e};
-  const Eigen::MatrixXd rows = solution.tractions().rows(at, trailing, kernel, quadrature_tolerance);
+  const Eigen::MatrixXd rows = solution.tractions().rows(e, trailing, kernel, quadrature_tolerance);
   std::vector<Functional> result;
   for (Eigen::Index i = 0; i < rows.rows(); i += 2) {
     result.push_back(solution.of_tractions(rows.row(i)));

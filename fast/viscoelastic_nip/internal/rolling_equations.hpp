@@ -98,7 +98,6 @@ class RollingEquations : public NipEquations {
   [[nodiscard]] Response fading_response(const std::vector<Mode>& modes, double half_length, double x) const;
   void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
                     Equations& equations) const;
-  void add_layers(const std::vector<Mode>& modes, Equations& equations) const;
   /// `ahead`: the rows of RollingKernels::ahead at the leading end.
   void add_middle_displacement(double half_length, const Eigen::MatrixXd& ahead, Equations& equations) const;
   void add_closure(const std::vector<Mode>& modes, double half_length, const Eigen::MatrixXd& ahead,

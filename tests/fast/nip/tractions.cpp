@@ -64,11 +64,11 @@ TEST_CASE("rows are the integrals of a kernel with the tractions, however near i
     for (const double distance : {1e-3, 0.04, 0.4}) {
       for (const double part : {1e-3, 0.06, 0.5, 0.9}) {
         CAPTURE(half_length, distance, part);
-        const double at[] = {part * half_length};
+        const double at = part * half_length;
         const Eigen::RowVectorXd row = tractions.rows(at, false, poisson_kernel(distance), 1e-16);
         // The other half is mirrored.
         const Eigen::RowVectorXd expected =
-            by_pieces(tractions, at[0], distance) + by_pieces(tractions, 2 * half_length - at[0], distance);
+            by_pieces(tractions, at, distance) + by_pieces(tractions, 2 * half_length - at, distance);
         CHECK((row - expected).cwiseAbs().maxCoeff() < 2e-14);
       }
     }
