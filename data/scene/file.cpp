@@ -11,10 +11,9 @@ namespace {
 constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
 
 ElasticNip read_nip(const TomlTable& file) {
-  const TomlTable roller = file.table("roller", SceneKind::nip);
-  const TomlTable sheet = file.table("sheet", SceneKind::nip);
-  const TomlTable material = file.table("material");
-  material.allow(SceneKind::nip, "elastic-solid");
+  const TomlTable roller = file.table("roller");
+  const TomlTable sheet = file.table("sheet");
+  const TomlTable material = file.table("material", "elastic-solid");
   return {roller.number("radius"),
           sheet.number("thickness"),
           {material.number("young"), material.number("poisson")}};
@@ -25,31 +24,29 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
     const TomlTable contact = file.table("contact");
     if (file.has("load"))
       origin.refuse("contact", "(beside load)", "must be left out, or load: one of the two");
-    contact.allow(SceneKind::nip);
     return GivenLength{contact.number("length")};
   }
   if (!file.has("load")) {
     origin.refuse("load", "(missing)", "must be given, or contact in its place: one of the two");
   }
-  return GivenLoad{file.table("load", SceneKind::nip).number("per_length")};
+  return GivenLoad{file.table("load").number("per_length")};
 }
 
 /// The converged method has no other keys.
 bool is_converged(const TomlTable& method) {
-  if (method.choice("kind", SceneKind::nip) != "converged") return false;
-  method.allow(SceneKind::nip);
+  if (method.choice("kind") != "converged") return false;
+  method.allow();
   return true;
 }
 
 std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow(SceneKind::nip, "elastic-line-loads");
+  method.allow("elastic-line-loads");
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
 Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
-  traction.allow(SceneKind::nip, "partial-slip");
   if (traction.has("force_per_length") == traction.has("creep_ratio"))
     origin.refuse("traction", "(its keys)", "must have force_per_length or creep_ratio, one of the two");
   if (traction.has("creep_ratio")) return GivenCreep{traction.number("creep_ratio")};
@@ -57,37 +54,35 @@ Drive read_drive(const TomlTable& traction, const SceneOrigin& origin) {
 }
 
 void read_places(auto& problem, const TomlTable& file, const SceneOrigin& origin) {
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
   if constexpr (requires { problem.field; })
-    if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
+    if (file.has("field")) problem.field = read_field(file.table("field"));
 }
 
 PartialSlipProblem read_partial_slip(const TomlTable& file, const SceneOrigin& origin) {
-  const TomlTable friction = file.table("friction");
-  friction.allow(SceneKind::nip, "partial-slip");
-  PartialSlipProblem problem{
-      .nip = {read_nip(file), friction.number("coefficient"), read_drive(file.table("traction"), origin)},
-      .given = read_given(file, origin)};
+  const TomlTable friction = file.table("friction", "partial-slip");
+  PartialSlipProblem problem{.nip = {read_nip(file), friction.number("coefficient"),
+                                     read_drive(file.table("traction", "partial-slip"), origin)},
+                             .given = read_given(file, origin)};
   if (file.has("field")) origin.refuse("field", "(its keys)", "must be left out with Coulomb's friction");
-  problem.method = read_method(file.table("method"));
+  problem.method = read_method(file.any_table("method"));
   read_places(problem, file, origin);
   return problem;
 }
 
 ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file), .given = read_given(file, origin)};
-  const TomlTable friction = file.table("friction");
-  friction.allow(SceneKind::nip, "elastic-nip");
-  if (friction.choice("model", SceneKind::nip) == "full") problem.friction = Friction::full;
+  const TomlTable friction = file.table("friction", "elastic-nip");
+  if (friction.choice("model") == "full") problem.friction = Friction::full;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
-  problem.method = read_method(file.table("method"));
+  problem.method = read_method(file.any_table("method"));
   read_places(problem, file, origin);
   return problem;
 }
 
 std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow(SceneKind::nip, "rolling-line-loads");
+  method.allow("rolling-line-loads");
   ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
                               .trailing_elements = {},
                               .approach_lengths = method.number("approach_lengths")};
@@ -97,30 +92,29 @@ std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(co
 }
 
 ViscoelasticNipProblem read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
-  const TomlTable roller = file.table("roller", SceneKind::nip);
-  const TomlTable sheet = file.table("sheet", SceneKind::nip);
-  const TomlTable rolling = file.table("rolling", SceneKind::nip);
+  const TomlTable roller = file.table("roller");
+  const TomlTable sheet = file.table("sheet");
+  const TomlTable rolling = file.table("rolling");
   ViscoelasticNipProblem problem{
       .nip = {roller.number("radius"), sheet.number("thickness"),
-              read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")},
+              read_viscoelastic_material(file.any_table("material"), origin), rolling.number("speed")},
       .given = read_given(file, origin)};
-  const std::string friction = file.table("friction", SceneKind::nip).choice("model", SceneKind::nip);
+  const std::string friction = file.table("friction").choice("model");
   if (friction != "none")
     origin.refuse("friction.model", friction,
                   "must be none: the rolling nip is solved without friction only");
-  problem.method = read_viscoelastic_method(file.table("method"));
+  problem.method = read_viscoelastic_method(file.any_table("method"));
   read_places(problem, file, origin);
   return problem;
 }
 
 /// A rolling sheet is solved as a viscoelastic one, also if its material is elastic.
 decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
+  file.allow();
   if (file.has("half_space")) return read_half_space_problem(file, origin);
-  file.allow(SceneKind::nip);
-  const bool is_elastic = material_model(file.table("material")) == "elastic";
+  const bool is_elastic = material_model(file.any_table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_nip(file, origin);
-  if (file.table("friction").choice("model", SceneKind::nip) == "coulomb")
-    return read_partial_slip(file, origin);
+  if (file.any_table("friction").choice("model") == "coulomb") return read_partial_slip(file, origin);
   return read_elastic_nip(file, origin);
 }
 

@@ -9,7 +9,7 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
     if (above.empty() && key == "points") {
       sweep.points = table.whole(key);
     } else if (table.has_table(key)) {
-      read_keys(table.table(key), above + key + ".", sweep);
+      read_keys(table.any_table(key), above + key + ".", sweep);
     } else {
       sweep.keys.emplace_back(above + key, table.text_or_list(key));
     }
@@ -20,7 +20,7 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
 
 SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
   SceneSweep sweep;
-  if (file.has("sweep")) read_keys(file.table("sweep"), "", sweep);
+  if (file.has("sweep")) read_keys(file.any_table("sweep"), "", sweep);
   if (sweep.points) origin.check_domain("sweep.points", *sweep.points);
   return sweep;
 }

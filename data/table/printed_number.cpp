@@ -6,22 +6,9 @@ namespace {
 
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
-/// digits * 10^exponent as the nearest double.
-std::optional<double> scaled(const std::string& digits, long exponent) {
-  return read_exact_number(digits + "e" + std::to_string(exponent));
-}
-
-/// `digits` minus 5, for a string of decimal digits that ends in 0: half a unit of the last printed digit,
-/// which stands before that guard digit. Below zero only for zero itself, "-5".
-std::string half_unit_below(std::string digits) {
-  if (std::all_of(digits.begin(), digits.end(), [](char digit) { return digit == '0'; })) return "-5";
-  digits.back() = '5';
-  std::size_t place = digits.size() - 1;
-  do {
-    --place;
-    digits[place] = digits[place] == '0' ? '9' : static_cast<char>(digits[place] - 1);
-  } while (digits[place] == '9');
-  return digits;
+/// number * 10^exponent as the nearest double.
+std::optional<double> scaled(std::int64_t number, long exponent) {
+  return read_exact_number(fmt::format("{}e{}", number, exponent));
 }
 
 /// A number with lost digits: from the one with 0 for all of them to the one with 9.
@@ -59,11 +46,14 @@ std::optional<PrintedNumber> read_printed_number(std::string_view text, int scal
                      std::all_of(digits.begin(), digits.end(), is_digit);
   if (!plain) return std::nullopt;
 
-  // One guard digit makes the half unit a whole number of units.
+  // With a guard digit half a unit of the last printed one is 5.
+  digits += '0';
+  std::int64_t number = 0;
+  if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ec != std::errc{})
+    return std::nullopt;
   const long exponent = -static_cast<long>(decimals.size()) - scale_exponent - 1;
-  const auto value = scaled(digits + "0", exponent);
-  const auto inner = scaled(half_unit_below(digits + "0"), exponent);
-  const auto outer = scaled(digits + "5", exponent);
+  const auto value = scaled(number, exponent), inner = scaled(number - 5, exponent),
+             outer = scaled(number + 5, exponent);
   if (!value || !inner || !outer) return std::nullopt;
   if (negative) return PrintedNumber{-*value, {-*outer, -*inner}};
   return PrintedNumber{*value, {*inner, *outer}};

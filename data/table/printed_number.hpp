@@ -38,8 +38,8 @@ struct PrintedNumber {
 /// Reads a plain decimal: optional sign, digits, optional point and digits; no exponent, no blanks.
 /// `scale_exponent` is s of the column's printed scale 10^s, so the value is text * 10^-s and the rounding
 /// interval is (text -+ half a unit of the last printed digit) * 10^-s. Value and ends are correctly rounded
-/// (formed in decimal, converted once). Anything that is not a plain decimal, or leaves the range of double,
-/// gives nullopt. A lost digit is a '?': the interval is that of all digits, the value its middle.
+/// (formed in decimal, converted once). Anything that is not a plain decimal, has more than 18 digits or leaves
+/// the range of double gives nullopt. A lost digit is a '?': the interval is that of all digits, the value its middle.
 [[nodiscard]] std::optional<PrintedNumber> read_printed_number(std::string_view text, int scale_exponent);
 
 /// Reads a whole field as one finite number, exponent allowed (1e-3); nullopt if anything else is there.

@@ -19,7 +19,7 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
 
 /// The upper triangle of Voigt's matrix, row by row.
 Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
-  table.allow(SceneKind::half_space, "anisotropic");
+  table.allow("anisotropic");
   const std::vector<double> upper = table.numbers("stiffness");
   if (upper.size() != upper_triangle.size()) {
     origin.refuse("half_space.stiffness", std::to_string(upper.size()) + " numbers",
@@ -31,14 +31,14 @@ Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
 }
 
 HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
-  const std::string model = table.choice("model", SceneKind::half_space);
+  const std::string model = table.choice("model");
   if (model == "isotropic") {
-    table.allow(SceneKind::half_space, "isotropic");
+    table.allow("isotropic");
     return read_isotropic(table);
   }
   if (model == "anisotropic") return read_stiffness(table, origin);
-  table.allow(SceneKind::half_space, "transversely-isotropic");
-  const bool is_normal = table.choice("axis", SceneKind::half_space) == "normal";
+  table.allow("transversely-isotropic");
+  const bool is_normal = table.choice("axis") == "normal";
   return TransverselyIsotropicBody{{table.number("c11"), table.number("c33"), table.number("c13"),
                                     table.number("c44"), table.number("c66"), table.number("density")},
                                    is_normal ? SymmetryAxis::normal : SymmetryAxis::in_plane};
@@ -51,23 +51,23 @@ Body read_body(const TomlTable& file, const SceneOrigin& origin) {
                   "there must be one of die, rolling_sphere and sphere");
   }
   if (file.has("die")) {
-    const TomlTable die = file.table("die", SceneKind::half_space);
+    const TomlTable die = file.table("die");
     return RigidDie{die.number("radius_along"), die.number("radius_across")};
   }
   if (file.has("rolling_sphere")) {
-    return RigidRollingSphere{file.table("rolling_sphere", SceneKind::half_space).number("radius")};
+    return RigidRollingSphere{file.table("rolling_sphere").number("radius")};
   }
-  const TomlTable sphere = file.table("sphere", SceneKind::half_space);
-  const bool moving = sphere.has("patch") && sphere.choice("patch", SceneKind::half_space) == "moving";
+  const TomlTable sphere = file.table("sphere");
+  const bool moving = sphere.has("patch") && sphere.choice("patch") == "moving";
   return ElasticSphere{sphere.number("radius"), read_isotropic(sphere), moving};
 }
 
 void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
   if (rolls(problem)) {
-    problem.speed = file.table("rolling", SceneKind::half_space).number("speed");
+    problem.speed = file.table("rolling").number("speed");
     return;
   }
-  const TomlTable sliding = file.table("sliding", SceneKind::half_space);
+  const TomlTable sliding = file.table("sliding");
   problem.speed = sliding.number("speed");
   if (sliding.has("direction")) problem.direction = sliding.number("direction");
   if (sliding.has("friction")) problem.friction = sliding.number("friction");
@@ -79,14 +79,14 @@ void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProbl
                   "there must be either [load] normal_force or [contact] span_along");
   }
   if (file.has("load")) {
-    problem.given = GivenNormalForce{file.table("load", SceneKind::half_space).number("normal_force")};
+    problem.given = GivenNormalForce{file.table("load").number("normal_force")};
   } else {
-    problem.given = GivenSpan{file.table("contact", SceneKind::half_space).number("span_along")};
+    problem.given = GivenSpan{file.table("contact").number("span_along")};
   }
 }
 
 ContourRule read_rule(const TomlTable& method) {
-  const std::string kind = method.choice("kind", SceneKind::half_space);
+  const std::string kind = method.choice("kind");
   if (kind == "exact") return ContourRule::exact;
   return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
 }
@@ -142,16 +142,15 @@ void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 }  // namespace
 
 HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
-  file.allow(SceneKind::half_space);
   HalfSpaceProblem problem{.body = read_body(file, origin),
-                           .half_space = read_half_space(file.table("half_space"), origin),
+                           .half_space = read_half_space(file.any_table("half_space"), origin),
                            .given = {}};
   read_motion(file, problem);
   read_given(file, origin, problem);
-  problem.rule = read_rule(file.table("method", SceneKind::half_space));
+  problem.rule = read_rule(file.table("method"));
   if (file.has("profile")) {
     const TomlTable profile = file.table("profile");
-    problem.profile = read_profile(profile, origin, SceneKind::half_space);
+    problem.profile = read_profile(profile, origin);
     if (profile.has("direction")) problem.line = profile.number("direction");
     if (profile.has("depth")) problem.depth = profile.number("depth");
   }

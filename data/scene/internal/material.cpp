@@ -10,7 +10,7 @@ namespace {
 using Build = std::function<ViscoelasticMaterial()>;
 
 Build read_elastic(const TomlTable& material) {
-  material.allow(SceneKind::nip, "elastic-solid");
+  material.allow("elastic-solid");
   const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
   return [=] { return elastic_solid(elastic); };
 }
@@ -18,12 +18,12 @@ Build read_elastic(const TomlTable& material) {
 /// The solid is given by its one relaxation time or by all six constants.
 Build read_standard_linear(const TomlTable& material) {
   if (material.has("relaxation_time")) {
-    material.allow(SceneKind::nip, "one-relaxation-time");
+    material.allow("one-relaxation-time");
     const double bulk = material.number("bulk"), shear = material.number("shear");
     const double relaxation_time = material.number("relaxation_time");
     return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time); };
   }
-  material.allow(SceneKind::nip, "six-constants");
+  material.allow("six-constants");
   const StandardLinearSolid solid{material.number("shear_1"),         material.number("shear_2"),
                                   material.number("bulk_1"),          material.number("bulk_2"),
                                   material.number("shear_viscosity"), material.number("bulk_viscosity")};
@@ -31,7 +31,7 @@ Build read_standard_linear(const TomlTable& material) {
 }
 
 Build read_thesis_misprint(const TomlTable& material) {
-  material.allow(SceneKind::nip, "one-relaxation-time");
+  material.allow("one-relaxation-time");
   const double bulk = material.number("bulk");
   const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
   const double relaxation_time = material.number("relaxation_time");
@@ -44,14 +44,14 @@ PronyList read_prony_list(const TomlTable& material, const std::string& name) {
 }
 
 Build read_prony(const TomlTable& material) {
-  material.allow(SceneKind::nip, "prony");
+  material.allow("prony");
   return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
     return prony_solid(theta1, theta2);
   };
 }
 
 Build read_operators(const TomlTable& material) {
-  material.allow(SceneKind::nip, "operators");
+  material.allow("operators");
   const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
                                         material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
   return [=] { return operator_solid(operators); };
@@ -68,7 +68,7 @@ Build read_model(const TomlTable& material) {
 
 }  // namespace
 
-std::string material_model(const TomlTable& material) { return material.choice("model", SceneKind::nip); }
+std::string material_model(const TomlTable& material) { return material.choice("model"); }
 
 ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const SceneOrigin& origin) {
   const Build build = read_model(material);

@@ -4,8 +4,7 @@
 
 namespace nipref::data {
 
-Profile read_profile(const TomlTable& profile, const SceneOrigin& origin, SceneKind kind) {
-  profile.allow(kind);
+Profile read_profile(const TomlTable& profile, const SceneOrigin& origin) {
   if (profile.has("points") == profile.has("positions")) {
     origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
                   "must hold points or positions, one of the two");

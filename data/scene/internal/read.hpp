@@ -17,7 +17,7 @@ namespace nipref::data {
 /// Of a whole file about a half-space.
 [[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
 
-[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin, SceneKind kind);
+[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);
 [[nodiscard]] FieldPlaces read_field(const TomlTable& field);
 /// The table [sweep] of a whole file, if it has one.
 [[nodiscard]] SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin);

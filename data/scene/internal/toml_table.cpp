@@ -14,6 +14,10 @@ namespace nipref::data {
 struct TomlTable::Contents {
   std::shared_ptr<const toml::table> file;  ///< owns all tables
   const toml::table* table;
+
+  [[nodiscard]] SceneKind kind() const {
+    return file->contains("half_space") ? SceneKind::half_space : SceneKind::nip;
+  }
 };
 
 /// A value with the key that refusals name.
@@ -149,8 +153,8 @@ std::string TomlTable::full_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-void TomlTable::allow(SceneKind kind, std::string_view model) const {
-  const std::vector<std::string_view> known = names_in_table(name_, kind, model);
+void TomlTable::allow(std::string_view model) const {
+  const std::vector<std::string_view> known = names_in_table(name_, contents_->kind(), model);
   for (const auto& [key, node] : *contents_->table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
     const std::string name = full_name(key.str());
@@ -195,16 +199,16 @@ std::vector<TomlTable::Item> TomlTable::items(std::string_view key, std::string_
   return elements;
 }
 
-TomlTable TomlTable::table(std::string_view key) const {
+TomlTable TomlTable::any_table(std::string_view key) const {
   const Item found = item(key, "must be a table");
   const toml::table* const inner = found.node->as_table();
   if (inner == nullptr) found.refuse();
   return {std::make_shared<const Contents>(Contents{contents_->file, inner}), found.name, *origin_};
 }
 
-TomlTable TomlTable::table(std::string_view key, SceneKind kind) const {
-  TomlTable inner = table(key);
-  inner.allow(kind);
+TomlTable TomlTable::table(std::string_view key, std::string_view model) const {
+  TomlTable inner = any_table(key);
+  inner.allow(model);
   return inner;
 }
 
@@ -260,9 +264,10 @@ std::string TomlTable::text_or_list(std::string_view key) const {
   return all;
 }
 
-std::string TomlTable::choice(std::string_view key, SceneKind kind) const {
+std::string TomlTable::choice(std::string_view key) const {
   const std::string chosen = item(key, allowed_type(key, KeyType::choice)).as<std::string>();
-  const std::vector<std::string_view>& choices = find_scene_key(full_name(key))->choices_of(kind);
+  const std::vector<std::string_view>& choices =
+      find_scene_key(full_name(key))->choices_of(contents_->kind());
   if (std::ranges::find(choices, chosen) == choices.end())
     origin_->refuse(full_name(key), chosen, fmt::format("must be {}", fmt::join(choices, " or ")));
   return chosen;

@@ -20,17 +20,17 @@ class TomlTable {
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
-  /// Refuses all keys but those that scene_keys() has for such scenes, of this model or method.
-  void allow(SceneKind kind, std::string_view model = {}) const;
+  /// Refuses all keys but those that scene_keys() has for scenes of the file's kind, of this model or method.
+  void allow(std::string_view model = {}) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool has_table(std::string_view key) const;
   /// In the order of the alphabet.
   [[nodiscard]] std::vector<std::string> keys() const;
   // The value of the key. It is refused if it is missing, or not of the type in scene_keys().
-  /// The table whose keys are those of such scenes.
-  [[nodiscard]] TomlTable table(std::string_view key, SceneKind kind) const;
-  [[nodiscard]] TomlTable table(std::string_view key) const;
+  /// A table with the keys that allow() has, and one with any keys.
+  [[nodiscard]] TomlTable table(std::string_view key, std::string_view model = {}) const;
+  [[nodiscard]] TomlTable any_table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] int whole(std::string_view key) const;
@@ -39,7 +39,7 @@ class TomlTable {
   /// A text as it is, or a list of numbers and texts with commas between them.
   [[nodiscard]] std::string text_or_list(std::string_view key) const;
   /// A text that is one of the key's choices.
-  [[nodiscard]] std::string choice(std::string_view key, SceneKind kind) const;
+  [[nodiscard]] std::string choice(std::string_view key) const;
 
   /// "TABLE.KEY", as the origin knows it.
   [[nodiscard]] std::string full_name(std::string_view key) const;
