@@ -17,7 +17,6 @@ namespace nipref::fast {
 struct ConvergedNip::Implementation {
   ContactUnits units;
   double roller_radius;
-  std::shared_ptr<const NipEquations> equations;
   SolvedNip solved;
   std::optional<double> given_length;                                          ///< unit of length
   mutable std::map<double, std::vector<SolvedNip::InBoth>> places_along = {};  ///< see along, by Y
@@ -30,13 +29,14 @@ struct ConvergedNip::Implementation {
     mean_strain.reset();
     kept_offset.reset();
   }
-  [[nodiscard]] bool is_symmetric() const { return !equations->offset_unknown(); }
+  [[nodiscard]] const NipEquations& equations() const { return solved.equations(); }
+  [[nodiscard]] bool is_symmetric() const { return solved.is_symmetric(); }
   [[nodiscard]] double half_length() const { return solved.half_length(); }
   [[nodiscard]] const Estimate& offset() const {
     if (!kept_offset && is_symmetric()) kept_offset = {0, 0};
     if (!kept_offset) {
       kept_offset = solved.estimate(
-          [&](const Solution& solution) { return solution.of_unknown(*equations->offset_unknown()); });
+          [&](const Solution& solution) { return solution.of_unknown(*equations().offset_unknown()); });
       kept_offset->error += 0x1p-52 * half_length();
     }
     return *kept_offset;
@@ -59,7 +59,7 @@ struct ConvergedNip::Implementation {
   }
   [[nodiscard]] Estimate traction(TractionComponent component, const ContactPlace& place) const {
     const auto at = [&](const Solution& solution, const ContactPlace& there) {
-      return std::vector{equations->traction(solution, component, there)};
+      return std::vector{equations().traction(solution, component, there)};
     };
     return solved.estimate(at_place(place, at).front());
   }
@@ -71,25 +71,25 @@ struct ConvergedNip::Implementation {
     if (!(here.e > 0)) return 0;
     const std::complex<double> g = solved.traction(here.e);
     const double odd = here.trailing ? -g.imag() : g.imag();
-    if (!equations->grips()) return g.real() + odd;
+    if (!equations().grips()) return g.real() + odd;
     return component == TractionComponent::pressure ? g.real() : odd;
   }
   /// u of the roller in the contact, and at an end.
   [[nodiscard]] Estimate roller_displacement(double position) const {
     return times(units.displacement, solved.estimate([&](const Solution& solution) {
-      return equations->roller_displacement(solution, position);
+      return equations().roller_displacement(solution, position);
     }));
   }
   [[nodiscard]] Estimate end_displacement(bool trailing) const {
     return times(units.displacement, solved.estimate([&](const Solution& solution) {
-      return equations->end_displacement(solution, trailing);
+      return equations().end_displacement(solution, trailing);
     }));
   }
   [[nodiscard]] const SolvedNip::InBoth& creep() const {
     if (!mean_strain) {
       mean_strain = solved.in_both([&](const Solution& solution) {
         CountedKernels kernels = solved.kernels();
-        return equations->creep(solution, kernels);
+        return equations().creep(solution, kernels);
       });
     }
     return *mean_strain;
@@ -100,27 +100,23 @@ struct ConvergedNip::Implementation {
     if (const auto kept = places_along.find(y); kept != places_along.end()) return kept->second;
     CountedKernels kernels = solved.kernels();
     return places_along[y] = at_place(place, [&](const Solution& solution, const ContactPlace& there) {
-             SurfaceAlong at = equations->along(solution, there, kernels);
+             SurfaceAlong at = equations().along(solution, there, kernels);
              std::vector numbers{std::move(at.displacement)};
-             if (!equations->grips()) numbers.push_back(std::move(at.strain));
+             if (!equations().grips()) numbers.push_back(std::move(at.strain));
              return numbers;
            });
   }
   [[nodiscard]] InnerField field() const {
-    return {solved, *equations, given_length && is_symmetric() ? 0 : unsure_end()};
+    return {solved, given_length && is_symmetric() ? 0 : unsure_end()};
   }
-  [[nodiscard]] std::vector<SheetPoint> places_of(std::span<const InnerPoint> points) const {
-    std::vector<SheetPoint> places;
-    for (const InnerPoint& point : points) {
-      check_inside(point);
-      places.push_back({place_of(point.y), point.depth, is_symmetric() && point.y == 0});
-    }
-    return places;
+  [[nodiscard]] SheetPoint sheet_point(const InnerPoint& point) const {
+    check_inside(point);
+    return {place_of(point.y), point.depth, is_symmetric() && point.y == 0};
   }
   /// Rising positions at which tractions are looked at, in a symmetric contact those >= 0. With full friction they are the
   /// closer, the nearer the end is.
   [[nodiscard]] std::vector<double> places() const {
-    std::vector<double> result = equations->grips() ? places_towards_end() : places_on_panels();
+    std::vector<double> result = equations().grips() ? places_towards_end() : places_on_panels();
     std::ranges::sort(result);
     // Places of several lists may coincide; between two of them the pressure would look constant.
     const auto coincide = [&](double left, double right) {
@@ -169,7 +165,7 @@ struct ConvergedNip::Implementation {
     // To first order the place does not matter.
     const ContactPlace there = place(largest_of(maxima(component)).place);
     const Estimate found = solved.estimate(
-        [&](const Solution& solution) { return equations->traction(solution, component, there); });
+        [&](const Solution& solution) { return equations().traction(solution, component, there); });
     return times(units.pressure, {std::fabs(found.value), found.error});
   }
   /// Y of the largest magnitude of a traction.
@@ -193,7 +189,7 @@ struct ConvergedNip::Implementation {
       const ContactPlace here = place(position);
       return solved.estimate([&](const Solution& solution) {
         const auto row = [&](double e) -> Eigen::RowVectorXd {
-          return equations->traction(solution, component, {here.trailing, e}).on_tractions;
+          return equations().traction(solution, component, {here.trailing, e}).on_tractions;
         };
         Functional rise = solution.of_tractions(sign(here) * local_slope(row, here.e, reach(position)));
         rise.cancelled = local_slope.condition() * size(component, position) / reach(position);
@@ -212,7 +208,7 @@ struct ConvergedNip::Implementation {
     return times(units.length, position);
   }
   void check_shears() const {
-    if (!equations->grips())
+    if (!equations().grips())
       throw data::BadInput("friction", "none", "must be full for places of the shear: there is none");
   }
 };
@@ -253,14 +249,14 @@ Estimate ConvergedNip::pressure(double y) const {
 Estimate ConvergedNip::shear(double y) const {
   const ContactPlace place = nip_->place_of(y);
   // In the middle it changes its sign.
-  if (!nip_->equations->grips() || y == 0) return {0, 0};
+  if (!nip_->equations().grips() || y == 0) return {0, 0};
   return times(nip_->units.pressure, nip_->traction(TractionComponent::shear, place));
 }
 
 Estimate ConvergedNip::peak_pressure() const { return nip_->peak(TractionComponent::pressure); }
 
 Estimate ConvergedNip::peak_shear() const {
-  if (!nip_->equations->grips()) return {0, 0};
+  if (!nip_->equations().grips()) return {0, 0};
   return nip_->peak(TractionComponent::shear);
 }
 
@@ -288,7 +284,7 @@ std::vector<Estimate> ConvergedNip::shear_zeros() const {
 Estimate ConvergedNip::rolling_resistance() const {
   if (nip_->is_symmetric()) return {0, 0};
   return times(nip_->units.length / nip_->roller_radius, nip_->solved.estimate([&](const Solution& solution) {
-    return nip_->equations->eccentricity(solution);
+    return nip_->equations().eccentricity(solution);
   }));
 }
 
@@ -301,7 +297,7 @@ Estimate ConvergedNip::normal_displacement(double y) const {
   if (place.e >= 0) return nip_->roller_displacement(y / nip_->units.length);
   const auto at = [&](const Solution& solution, const ContactPlace& there) {
     CountedKernels kernels = nip_->solved.kernels();
-    return std::vector{nip_->equations->normal(solution, there, kernels)};
+    return std::vector{nip_->equations().normal(solution, there, kernels)};
   };
   return times(nip_->units.displacement, nip_->solved.estimate(nip_->at_place(place, at).front()));
 }
@@ -310,16 +306,16 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   const ContactPlace place = nip_->place_of(y);
   if (y == 0) return {0, 0};
   const double unit = nip_->units.creep * nip_->units.length;
-  if (nip_->equations->grips() && place.e >= 0) return times(y, creep_ratio());
+  if (nip_->equations().grips() && place.e >= 0) return times(y, creep_ratio());
   const SolvedNip::InBoth& displacement = nip_->along(y)[0];
   if (nip_->is_symmetric()) return times(unit, nip_->solved.estimate(displacement));
   return times(unit, nip_->solved.estimate(displacement - nip_->along(0)[0]));
 }
 
 Estimate ConvergedNip::surface_strain(double y) const {
-  if (!nip_->equations->grips()) return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1]));
+  if (!nip_->equations().grips()) return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1]));
   const ContactPlace place = nip_->place_of(y);
-  if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({{place, 1, false}}).front().along);
+  if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({place, 1, false}).along);
   Estimate creep = creep_ratio();
   // Where the end may be farther inwards, the strain is that outside.
   if (place.e < nip_->unsure_end())
@@ -329,7 +325,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
 }
 
 Estimate ConvergedNip::slip(double y) const {
-  if (!nip_->equations->grips())
+  if (!nip_->equations().grips())
     return times(nip_->units.creep, nip_->solved.estimate(nip_->along(y)[1] - nip_->creep()));
   if (nip_->place_of(y).e >= nip_->unsure_end()) return {0, 0};
   const Estimate strain = surface_strain(y), creep = creep_ratio();
@@ -337,25 +333,27 @@ Estimate ConvergedNip::slip(double y) const {
 }
 
 std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {
-  auto stresses = nip_->field().at(nip_->places_of(points));
-  for (InnerStresses& here : stresses)
+  std::vector<InnerStresses> result;
+  for (const InnerPoint& point : points) {
+    InnerStresses& here = result.emplace_back(nip_->field().at(nip_->sheet_point(point)));
     for (Estimate* stress : {&here.across, &here.along, &here.shear})
       *stress = times(nip_->units.pressure, *stress);
-  return stresses;
+  }
+  return result;
 }
 
 std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<const InnerPoint> points) const {
-  const auto shares = nip_->equations->shares();
+  const auto shares = nip_->equations().shares();
   if (!shares) throw data::BadInput("nip", "rolling", "must be elastic for displacements inside the sheet");
-  auto displacements = nip_->field().from_face(nip_->places_of(points), *shares);
+  std::vector<InnerDisplacements> result;
   std::map<double, InnerDisplacements> of_faces;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [y, depth] = points[i];
-    const auto [face, is_new] = of_faces.try_emplace(y);
-    if (is_new) face->second = {normal_displacement(y), tangential_displacement(y)};
-    displacements[i] = beyond_face(face->second, depth, nip_->units.displacement, displacements[i]);
+  for (const InnerPoint& point : points) {
+    const InnerDisplacements beyond = nip_->field().from_face(nip_->sheet_point(point), *shares);
+    const auto [face, is_new] = of_faces.try_emplace(point.y);
+    if (is_new) face->second = {normal_displacement(point.y), tangential_displacement(point.y)};
+    result.push_back(beyond_face(face->second, point.depth, nip_->units.displacement, beyond));
   }
-  return displacements;
+  return result;
 }
 
 GreatestShear ConvergedNip::greatest_shear() const {
@@ -389,8 +387,8 @@ ConvergedNip converged_nip(const NipShape& shape, double compliance,
     check_length_of_load(shape, *given.load, solved.half_length() * shape.sheet_thickness);
     equations->check(solved.half_length());
   }
-  return ConvergedNip(std::make_unique<ConvergedNip::Implementation>(ConvergedNip::Implementation{
-      units, shape.roller_radius, std::move(equations), std::move(solved), given.length}));
+  return ConvergedNip(std::make_unique<ConvergedNip::Implementation>(
+      ConvergedNip::Implementation{units, shape.roller_radius, std::move(solved), given.length}));
 }
 
 }  // namespace nipref::fast

@@ -130,46 +130,34 @@ std::vector<Estimate> InnerField::estimates(const ContactPlace& place,
   return result;
 }
 
-std::vector<InnerStresses> InnerField::at(const std::vector<SheetPoint>& points) const {
-  std::vector<InnerStresses> result;
-  for (const SheetPoint& point : points) {
-    const Tractions::Kernel kernel = stress_kernel(point.depth);
-    const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
-      return stresses(solution, place, point.depth, kernel, quadrature_tolerance);
-    });
-    const bool has_shear = point.depth != 0 && !point.is_middle;
-    result.push_back({all[0], all[1], has_shear ? all[2] : Estimate{0, 0}});
-  }
-  return result;
+InnerStresses InnerField::at(const SheetPoint& point) const {
+  const Tractions::Kernel kernel = stress_kernel(point.depth);
+  const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
+    return stresses(solution, place, point.depth, kernel, quadrature_tolerance);
+  });
+  const bool has_shear = point.depth != 0 && !point.is_middle;
+  return {all[0], all[1], has_shear ? all[2] : Estimate{0, 0}};
 }
 
-std::vector<InnerDisplacements> InnerField::from_face(const std::vector<SheetPoint>& points,
-                                                      const internal::Shares& share) const {
+InnerDisplacements InnerField::from_face(const SheetPoint& point, const internal::Shares& share) const {
   // A kernel is the sum of some eight parts of its size, each with eight roundings, of which 16 count already.
   constexpr double roundings = 64.0 / 16;
-  std::vector<InnerDisplacements> result;
-  for (const SheetPoint& point : points) {
-    const double depth = std::fabs(point.depth);
-    if (depth == 1) {
-      result.push_back({{0, 0}, {0, 0}});
-      continue;
-    }
-    Tractions::Kernel kernel =
-        kernel_of<2>(DisplacementsFromFace(depth, share), equations_.grips(),
-                     [](const internal::FromFace& f) { return Eigen::Vector2d(-f.u, f.v); });
-    kernel.poles = 1 - depth;
-    const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
-      return functionals_of(solution, place.in(solution), kernel, quadrature_tolerance,
-                            roundings * reach_of_displacements(solution.half_length()));
-    });
-    result.push_back({depth == 0 ? Estimate{0, 0} : all[0], point.is_middle ? Estimate{0, 0} : all[1]});
-  }
-  return result;
+  const double depth = std::fabs(point.depth);
+  if (depth == 1) return {{0, 0}, {0, 0}};
+  Tractions::Kernel kernel =
+      kernel_of<2>(DisplacementsFromFace(depth, share), equations_.grips(),
+                   [](const internal::FromFace& f) { return Eigen::Vector2d(-f.u, f.v); });
+  kernel.poles = 1 - depth;
+  const auto all = estimates(point.place, [&](const Solution& solution, const ContactPlace& place) {
+    return functionals_of(solution, place.in(solution), kernel, quadrature_tolerance,
+                          roundings * reach_of_displacements(solution.half_length()));
+  });
+  return {depth == 0 ? Estimate{0, 0} : all[0], point.is_middle ? Estimate{0, 0} : all[1]};
 }
 
 GreatestShear InnerField::greatest() const {
   const double half_length = nip_.half_length(), reach = std::min(1.0, half_length);
-  const bool is_symmetric = this->is_symmetric();
+  const bool is_symmetric = nip_.is_symmetric();
   constexpr double coarse = 1e-5;
   double tolerance = coarse;
   struct Point {
@@ -218,7 +206,7 @@ GreatestShear InnerField::greatest() const {
     look_closer();
   }
   const SheetPoint point{place_of(best.y), best.depth, is_symmetric && best.y == 0};
-  const Estimate value = at({point}).front().maximum_shear();
+  const Estimate value = at(point).maximum_shear();
   // About its maximum the shear is a parabola: it falls by the square of the distance over that from the nearest end, of itself,
   // or in contacts where it is flat by a sixteenth of that. The search compares shears that are rounded.
   constexpr double rounded = 0x1p-50;

@@ -27,15 +27,12 @@ struct SheetPoint {
 class InnerField {
  public:
   /// ends: error of the places of the ends, 0 where these are given.
-  InnerField(const SolvedNip& nip, const NipEquations& equations, double ends)
-      : nip_(nip), equations_(equations), ends_(ends) {}
+  InnerField(const SolvedNip& nip, double ends) : nip_(nip), equations_(nip.equations()), ends_(ends) {}
 
-  /// The stresses at each place.
-  [[nodiscard]] std::vector<InnerStresses> at(const std::vector<SheetPoint>& points) const;
-  /// The displacements at each place beyond the shares of the face's, 1 of v and |depth| of u: over theta1 + theta2, of which
-  /// `share` has the parts.
-  [[nodiscard]] std::vector<InnerDisplacements> from_face(const std::vector<SheetPoint>& points,
-                                                          const internal::Shares& share) const;
+  [[nodiscard]] InnerStresses at(const SheetPoint& point) const;
+  /// The displacements beyond the shares of the face's, 1 of v and |depth| of u: over theta1 + theta2, of which `share` has
+  /// the parts.
+  [[nodiscard]] InnerDisplacements from_face(const SheetPoint& point, const internal::Shares& share) const;
   /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer at its
   /// ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
   [[nodiscard]] GreatestShear greatest() const;
@@ -48,7 +45,6 @@ class InnerField {
   [[nodiscard]] std::vector<Functional> stresses(const Solution& solution, const ContactPlace& place,
                                                  double depth, const Tractions::Kernel& kernel,
                                                  double tolerance) const;
-  [[nodiscard]] bool is_symmetric() const { return !equations_.offset_unknown(); }
 
   const SolvedNip& nip_;
   const NipEquations& equations_;

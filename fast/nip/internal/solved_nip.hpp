@@ -27,6 +27,8 @@ class SolvedNip {
   SolvedNip(std::shared_ptr<const NipEquations> equations, double half_length, std::optional<double> load,
             double accuracy);
 
+  [[nodiscard]] const NipEquations& equations() const { return *equations_; }
+  [[nodiscard]] bool is_symmetric() const { return !equations_->offset_unknown(); }
   [[nodiscard]] const Solution& last() const { return *solution_; }
   /// Of the contact that carries the load; last() is next to it, as near as the search has come.
   [[nodiscard]] double half_length() const { return half_length_estimate().value; }

@@ -128,7 +128,7 @@ class Tractions {
   void add_sums(std::size_t panel, const PanelBasis::Rows& integrals, const Eigen::RowVectorXd& p,
                 const Eigen::RowVectorXd& q,
                 Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
-  /// Their columns of integrals().
+  /// The layers' columns of integrals().
   [[nodiscard]] Eigen::MatrixXd integrals_of_layers() const;
 
   double half_length_;
