@@ -74,10 +74,6 @@ SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, Sh
   return result;
 }
 
-SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
-  return whole_stresses(varying(alpha, s, I5), alpha, s, load);
-}
-
 /// The sign of x, 0 for x = 0.
 double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
 
@@ -96,22 +92,6 @@ double displaced(bool along, const HalfPlaneParts& parts, SheetLoad load, const 
   const double second = share.theta1 * parts.second;
   const bool both = (load == SheetLoad::normal) != along;
   return (both ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
-}
-
-internal::FromFace from_face(const FieldFunctions& f, const FieldFunctions& face, double s, SheetLoad load,
-                             const Shares& share) {
-  return {displaced(false, parts_of(false, f, s, load), load, share) -
-              s * displaced(false, parts_of(false, face, 1, load), load, share),
-          displaced(true, parts_of(true, f, s, load) - parts_of(true, face, 1, load), load, share)};
-}
-
-/// The same of both half-planes.
-internal::FromFace planes_from_face(double alpha, double s, SheetLoad load, const Shares& share) {
-  const SeenFromLoads here(alpha, s), face(alpha, 1);
-  return {
-      displaced(false, internal::half_plane_u(here, load), load, share) -
-          s * displaced(false, internal::half_plane_u(face, load), load, share),
-      displaced(true, internal::half_plane_v(here, load) - internal::half_plane_v(face, load), load, share)};
 }
 
 /// u, or v without the part that depends on eta; v of a shear load, far from it, without -alpha/4, too.
@@ -150,14 +130,11 @@ Lifted lifted(double alpha, double depth) {
   return tiny ? Lifted{a * 0x1p64, 0x1p-64} : Lifted{a, 1};
 }
 
-SheetStresses with_odd_scaled(SheetStresses stresses, double scale, SheetLoad load) {
-  if (load == SheetLoad::shear) return {stresses.across * scale, stresses.along * scale, stresses.shear};
-  return {stresses.across, stresses.along, stresses.shear * scale};
-}
-
-/// The stresses at (alpha, depth) from those at (|alpha|, |depth|), by their parities.
-SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load) {
-  const double side = sign(alpha), face = sign(depth);
+/// The stresses at (alpha, depth) from those at (|alpha|, |depth|), by their parities; those that are odd in alpha times
+/// `scale`.
+SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load,
+                         double scale = 1) {
+  const double side = scale * sign(alpha), face = sign(depth);
   if (load == SheetLoad::shear) {
     stresses.across *= side;
     stresses.along *= side;
@@ -211,8 +188,16 @@ internal::UnderLoads<internal::FromFace> internal::DisplacementsFromFace::at(dou
   };
   const FieldFunctions here = at_depth(depth_, waves_), face = at_depth(1, of_face_);
   const auto under = [&](SheetLoad load) {
-    FromFace of = from_face(here, face, depth_, load, share_);
-    if (near) of = of + planes_from_face(a, depth_, load, share_);
+    HalfPlaneParts u = parts_of(false, here, depth_, load), u_of_face = parts_of(false, face, 1, load),
+                   v = parts_of(true, here, depth_, load) - parts_of(true, face, 1, load);
+    if (near) {
+      const SeenFromLoads place(a, depth_), on_face(a, 1);
+      u = u + half_plane_u(place, load);
+      u_of_face = u_of_face + half_plane_u(on_face, load);
+      v = v + (half_plane_v(place, load) - half_plane_v(on_face, load));
+    }
+    FromFace of{displaced(false, u, load, share_) - depth_ * displaced(false, u_of_face, load, share_),
+                displaced(true, v, load, share_)};
     (load == SheetLoad::normal ? of.v : of.u) *= side;
     return of;
   };
@@ -222,10 +207,10 @@ internal::UnderLoads<internal::FromFace> internal::DisplacementsFromFace::at(dou
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   check(alpha, depth);
   const Lifted place = lifted(alpha, depth);
-  SheetStresses result =
-      with_odd_scaled(stresses_in_quarter(place.alpha, std::fabs(depth), load), place.scale, load);
-  if (std::fabs(depth) == 1) result.across = result.shear = 0;  // exactly, as there is no load
-  return with_signs(result, alpha, depth, load);
+  const double s = std::fabs(depth);
+  SheetStresses result = whole_stresses(varying(place.alpha, s, FieldFunction::I5), place.alpha, s, load);
+  if (s == 1) result.across = result.shear = 0;  // exactly, as there is no load
+  return with_signs(result, alpha, depth, load, place.scale);
 }
 
 // On a face w = alpha + i: the derivative of pi un is Im I7, those of pi vn and pi vs are -Re I7 and -Re I5.

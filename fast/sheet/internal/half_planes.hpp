@@ -54,8 +54,6 @@ class StressesAtDepth {
 /// sheet and a uniform strain.
 struct FromFace {
   double u, v;
-
-  friend FromFace operator+(const FromFace& a, const FromFace& b) { return {a.u + b.u, a.v + b.v}; }
 };
 class DisplacementsFromFace {
  public:
