@@ -32,10 +32,8 @@ std::vector<Complex> each(const std::vector<Complex>& roots, Coefficient coeffic
 
 /// sign(w) e^(-rate (w - alpha)) integrated from alpha to T > alpha.
 double remembered_sign(double rate, double t, double T) {
-  const double alpha = T - t;
-  if (alpha >= 0) return -std::expm1(-rate * t) / rate;
-  if (T <= 0) return std::expm1(-rate * t) / rate;
-  return (std::expm1(rate * alpha) - std::exp(rate * alpha) * std::expm1(-rate * T)) / rate;
+  const double behind = std::clamp(t - T, 0.0, t), ahead = std::clamp(T, 0.0, t);
+  return (std::expm1(-rate * behind) - std::exp(-rate * behind) * std::expm1(-rate * ahead)) / rate;
 }
 
 }  // namespace
@@ -91,7 +89,7 @@ PlainMovingLoad::Memory PlainMovingLoad::memory(const data::MaterialFunction& fu
 }
 
 PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distance) const {
-  Sums result{distance, 0, std::vector<double>(rates_.size()), std::vector<double>(rates_.size())};
+  Sums result{0, std::vector<double>(rates_.size()), std::vector<double>(rates_.size())};
   for (std::size_t n = 0; n < kernel.residues.size(); ++n) {
     const double size = std::exp(-roots_[n].imag() * distance);
     if (size == 0) break;  // all further waves are 0, too

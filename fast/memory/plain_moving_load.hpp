@@ -23,7 +23,6 @@ class PlainMovingLoad {
 
   /// The residue sums at one distance x >= 0.
   struct Sums {
-    double distance;
     double kernel;               ///< sum Re c_n e^(i z_n x): the elastic kernel, its constant apart
     std::vector<double> ahead;   ///< for each rate: sum Re c_n e^(i z_n x)/(rate - i z_n)
     std::vector<double> behind;  ///< for each rate: sum Re c_n e^(i z_n x)/(rate + i z_n)
