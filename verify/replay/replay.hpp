@@ -17,30 +17,8 @@
 
 namespace nipref::verify {
 
-/// The inputs from which a row of an elastic table is replayed.
-struct RowInput {
-  data::Interval length;                ///< L, in
-  std::optional<data::Interval> creep;  ///< with full friction
-
-  // Inputs without width: in the middle of these intervals, and at the corners of their product.
-  [[nodiscard]] RowInput middle() const;
-  [[nodiscard]] std::vector<RowInput> corners() const;
-};
-
 /// The values of a row by the names of their columns, base units.
 using RowValues = std::map<std::string, double>;
-
-/// A row that line loads give.
-struct ReplayedRow {
-  RowValues at_centre;             ///< at the centre of the inputs' intervals
-  std::vector<RowValues> corners;  ///< at the corners of the product of these intervals
-
-  /// The interval from the least to the greatest value of a column.
-  [[nodiscard]] data::Interval range(const std::string& column) const;
-};
-
-ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
-                       const RowInput& input);
 
 /// The columns of the tables of nips, for line loads or a converged contact of an elastic or a viscoelastic nip.
 template <class Contact>

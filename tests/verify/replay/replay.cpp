@@ -70,7 +70,7 @@ TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII
     const int elements = verify::line_load_table(id).elements_per_side;
     const auto witnesses =
         verify::witnesses_of_length(table, 7, table.cell(7, "L").number->rounding, [&](double length) {
-          return verify::replay_row(nip, elements, {data::Interval::only(length), {}}).at_centre;
+          return verify::row_values(nip.sheet_thickness, fast::line_loads_for_length(nip, elements, length));
         });
     CHECK(witnesses.size() == 3);
     for (const verify::LengthWitness& witness : witnesses) CHECK(witness.length.upper < upper);

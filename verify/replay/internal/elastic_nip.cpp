@@ -19,147 +19,112 @@ data::Interval creep_interval(const data::PrintedNumber& printed, CreepReading r
                            : data::Interval{printed.value - unit, printed.value};
 }
 
-/// Replays the cells of one row.
-class RowReplay {
+/// The column, among a row's values, of the size of an element's shear, counted from the middle outwards.
+std::string shear_of(int element) { return fmt::format("shear of element {}", element); }
+
+/// A row of a table of the elastic nip: its inputs are the length and, with full friction, the creep.
+class ElasticRow final : public NipRow {
  public:
-  RowReplay(const data::Table& table, std::size_t row, const data::ElasticNip& nip, data::Friction friction,
-            const fast::LineLoadMethod& method, CreepReading reading)
-      : table_(table), row_(row), nip_(nip), method_(method), input_(read_input(friction, reading)) {
-    replayed_ = replay_row(nip, method, input_);
-  }
-
-  [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, method_.elements_per_side}; }
-
-  [[nodiscard]] ReplayedCell cell(const std::string& column) const {
-    const data::TableCell& cell = table_.cell(row_, column);
-    const data::Interval range = replayed_.range(column);
-    const Verdict verdict = is_input(column) ? Verdict::input : assess(cell, range);
-    ReplayedCell result{row_,  column,  replayed_.at_centre.at(column),
-                        range, verdict, note(cell, column, verdict)};
-    if (verdict == Verdict::unexplained && column == "q_max") explain_by_element(result);
-    if (result.verdict == Verdict::unexplained)
-      judge_reading(table_, result, replay_row(nip_, method_, narrowed()).range(column));
-    return result;
+  ElasticRow(const data::Table& table, std::size_t row, const data::ElasticNip& nip, data::Friction friction,
+             int elements, CreepReading reading)
+      : NipRow(table, row), nip_(nip) {
+    if (friction == data::Friction::full) {
+      if (!printed("creep").is_readable())
+        throw data::BadInput("creep", printed("creep").printed, "must be readable");
+      creep_ = creep_interval(*printed("creep").number, reading);
+    }
+    const data::TableCell &length = printed("L"), &ratio = printed("L/B");
+    const bool length_is_printed = length.is_printed() && length.is_readable();
+    if (!length_is_printed && !ratio.is_readable())
+      throw data::BadInput("L", ratio.printed, "or L/B must be readable");
+    const data::Interval from_ratio =
+        ratio.is_readable() ? ratio.number->rounding.times(nip.sheet_thickness) : data::Interval{};
+    begin({elements, elements}, length_is_printed ? length.number->rounding : from_ratio);
+    // As narrow as L/B has it where that is printed too.
+    other_lengths_ = {ratio.is_readable() && !ratio.is_doubtful() ? length_.within(from_ratio) : length_};
+    if (creep_) inputs_["creep"] = "";
+    if (!length_is_printed) inputs_["L/B"] = "";
+    inputs_["L"] = (length_is_printed ? "" : "not legible, taken from L/B; ") +
+                   load_note(replayed_.at_centre.at("W"), printed("W").number->value) +
+                   agreement_on_length(table, row, [&](double at) {
+                     return replay(elements_, data::Interval::only(at)).at_centre;
+                   });
   }
 
  private:
-  /// Marks a cell as an error of the seed if the shear of the table's element meets it, which is not the largest here.
-  void explain_by_element(ReplayedCell& largest) const {
+  [[nodiscard]] RowValues solved(int elements, const std::vector<double>& inputs) const {
+    const data::Grip grip = creep_ ? data::Grip{data::Grip::Creep::given, inputs.at(1)} : data::Grip{};
+    const auto loads = fast::line_loads_for_length(nip_, elements, inputs.front(), grip);
+    RowValues values = row_values(nip_.sheet_thickness, loads);
+    for (int element = 1; creep_ && element <= elements; ++element)
+      values[shear_of(element)] =
+          std::fabs(loads.loads[static_cast<std::size_t>(elements - element)].shear) / loads.element_width();
+    return values;
+  }
+
+  [[nodiscard]] ReplayedRow replay(const Elements& elements, const data::Interval& length) const override {
+    std::vector<data::Interval> inputs{length};
+    if (creep_) inputs.push_back(*creep_);
+    return replay_row(inputs, [&](const auto& at) { return solved(elements.leading, at); });
+  }
+
+  /// The shear of the table's element, which is not the largest here.
+  void explain(ReplayedCell& missed) const override {
     const int element = line_load_table(table_.id).shear_element;
-    if (element == 0) return;
-    const auto shear = [&](const RowInput& at) {
-      return shear_of_side(nip_, method_, at.length.middle(),
-                           at.creep->middle())[static_cast<std::size_t>(element - 1)];
-    };
-    const double middle = shear(input_);
-    const auto [least, most] = std::ranges::minmax(mapped(input_.corners(), shear));
-    const data::Interval range{std::min(least, middle), std::max(most, middle)};
-    if (assess(table_.cell(row_, largest.column), range) == Verdict::unexplained) return;
-    largest.verdict = Verdict::seed_error;
-    largest.note = fmt::format(
+    if (missed.column != "q_max" || element == 0) return;
+    const std::string shear = shear_of(element);
+    if (assess(printed("q_max"), replayed_.range(shear)) == Verdict::unexplained) return;
+    missed.verdict = Verdict::seed_error;
+    missed.note = fmt::format(
         "not the largest shear: that of element {} of {}, {:.6g}, which is the largest in most rows of the table",
-        element, method_.elements_per_side, middle);
+        element, elements_.leading, replayed_.at_centre.at(shear));
   }
 
-  [[nodiscard]] bool length_is_printed() const {
-    const data::TableCell& length = table_.cell(row_, "L");
-    return length.is_printed() && length.is_readable();
-  }
-
-  /// The length that follows from the cell L/B of the same row.
-  [[nodiscard]] data::Interval length_from_ratio() const {
-    const data::TableCell& ratio = table_.cell(row_, "L/B");
-    if (!ratio.is_readable()) throw data::BadInput("L", ratio.printed, "or L/B must be readable");
-    return ratio.number->rounding.times(nip_.sheet_thickness);
-  }
-
-  [[nodiscard]] RowInput read_input(data::Friction friction, CreepReading reading) const {
-    RowInput input{length_is_printed() ? table_.cell(row_, "L").number->rounding : length_from_ratio(), {}};
-    if (friction == data::Friction::none) return input;
-    const data::TableCell& creep = table_.cell(row_, "creep");
-    if (!creep.is_readable()) throw data::BadInput("creep", creep.printed, "must be readable");
-    input.creep = creep_interval(*creep.number, reading);
-    return input;
-  }
-
-  /// The input, its length as narrow as L/B has it where that is printed too.
-  [[nodiscard]] RowInput narrowed() const {
-    RowInput input = input_;
-    const data::TableCell& ratio = table_.cell(row_, "L/B");
-    if (ratio.is_readable() && !ratio.is_doubtful()) input.length = input.length.within(length_from_ratio());
-    return input;
-  }
-
-  [[nodiscard]] bool is_input(const std::string& column) const {
-    return column == "L" || (column == "L/B" && !length_is_printed()) ||
-           (column == "creep" && input_.creep.has_value());
-  }
-
-  [[nodiscard]] std::string note(const data::TableCell& cell, const std::string& column,
-                                 Verdict verdict) const {
-    if (column == "L")
-      return (length_is_printed() ? "" : "not legible, taken from L/B; ") +
-             load_note(replayed_.at_centre.at("W"), table_.cell(row_, "W").number->value) +
-             agreement_on_length(table_, row_, [&](double length) {
-               return replay_row(nip_, method_, {data::Interval::only(length), input_.creep}).at_centre;
-             });
-    if (verdict == Verdict::input) return "";
-    return note_on(cell, verdict, [&] { return attempts(column); });
-  }
-
-  /// What was tried to explain a legible cell: a misread digit, another length, creep ratio or number of elements, the
-  /// shear of another element. The verdict does not depend on it.
-  [[nodiscard]] std::string attempts(const std::string& column) const {
-    return all_outcomes(
-        {other_shear(column), one_digit(table_, row_, column, replayed_.range(column)),
-         fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(column, &RowInput::length)),
-         input_.creep ? fmt::format("or creep = {:.7g}e-4", 1e4 * needed(column, &RowInput::creep)) : "",
-         other_elements(column)});
+  /// A misread digit, another length, creep ratio or number of elements, the shear of another element.
+  [[nodiscard]] std::string attempts(const ReplayedCell& missed) const override {
+    return all_outcomes({other_shear(missed), one_digit(table_, row_, missed.column, missed.range),
+                         fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed.column, 0)),
+                         creep_ ? fmt::format("or creep = {:.7g}e-4", 1e4 * needed(missed.column, 1)) : "",
+                         other_elements(missed)});
   }
 
   /// The value of the input that would give the printed number, the other one being in the middle of its interval.
-  [[nodiscard]] double needed(const std::string& column, auto RowInput::*varied) const {
-    const data::Interval ends = *std::optional<data::Interval>(input_.*varied);
+  [[nodiscard]] double needed(const std::string& column, std::size_t input) const {
+    const data::Interval ends = input == 0 ? length_ : creep_.value();
     const auto value_at = [&](double at) {
-      RowInput input = input_.middle();
-      input.*varied = data::Interval::only(at);
-      return replay_row(nip_, method_, input).at_centre.at(column);
+      std::vector<double> inputs{length_.middle(), creep_.value_or(data::Interval{}).middle()};
+      inputs[input] = at;
+      return solved(elements_.leading, inputs).at(column);
     };
     const double at_low = value_at(ends.lower), at_high = value_at(ends.upper);
-    const data::Interval& printed = table_.cell(row_, column).number->rounding;
-    return input_for(at_low < printed.lower ? printed.lower : printed.upper, ends, at_low, at_high);
+    const data::Interval& goal = printed(column).number->rounding;
+    return input_for(at_low < goal.lower ? goal.lower : goal.upper, ends, at_low, at_high);
   }
 
-  [[nodiscard]] std::string other_elements(const std::string& column) const {
-    constexpr int most_tried = 12;
+  [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
+    std::vector<Elements> tried;
+    for (int elements = 1; elements <= 12; ++elements) tried.push_back({elements, elements});
     std::string met;
-    for (int elements = 1; elements <= most_tried; ++elements) {
-      const data::Interval range = replay_row(nip_, elements, input_).range(column);
-      if (table_.cell(row_, column).number->rounding.meets(range)) met += fmt::format(" {}", elements);
-    }
+    for (const Elements& elements : meeting(missed, tried)) met += fmt::format(" {}", elements.leading);
     return met.empty() ? "no other number of elements up to 12 meets it"
                        : "met by chance with elements a side:" + met;
   }
 
   /// The element whose shear is closest to the printed number, unless it is the element with the largest shear.
-  [[nodiscard]] std::string other_shear(const std::string& column) const {
-    if (column != "q_max") return "";
-    const std::vector<double> shear =
-        shear_of_side(nip_, method_, input_.length.middle(), input_.creep->middle());
-    const double printed = table_.cell(row_, column).number->value;
-    const auto nearest =
-        std::ranges::min_element(shear, {}, [&](double here) { return std::fabs(here - printed); });
-    if (*nearest == std::ranges::max(shear)) return "";
-    return fmt::format("not the largest: element {} of {} has {:.6g}", nearest - shear.begin() + 1,
-                       shear.size(), *nearest);
+  [[nodiscard]] std::string other_shear(const ReplayedCell& missed) const {
+    if (missed.column != "q_max") return "";
+    const auto shear = [&](int element) { return replayed_.at_centre.at(shear_of(element)); };
+    const auto elements = std::views::iota(1, elements_.leading + 1);
+    const double goal = printed("q_max").number->value;
+    const int nearest =
+        *std::ranges::min_element(elements, {}, [&](int one) { return std::fabs(shear(one) - goal); });
+    if (shear(nearest) == std::ranges::max(elements | std::views::transform(shear))) return "";
+    return fmt::format("not the largest: element {} of {} has {:.6g}", nearest, elements_.leading,
+                       shear(nearest));
   }
 
-  const data::Table& table_;
-  std::size_t row_;
   const data::ElasticNip& nip_;
-  fast::LineLoadMethod method_;
-  RowInput input_;
-  ReplayedRow replayed_;
+  std::optional<data::Interval> creep_;  ///< with full friction
 };
 
 bool is_met(const ReplayedCell& cell) {
@@ -205,15 +170,6 @@ const LineLoadTable& line_load_table(const std::string& id) {
   throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-III to thesis-X");
 }
 
-std::vector<double> shear_of_side(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
-                                  double length, double creep) {
-  const auto loads = fast::line_loads_for_length(nip, method, length, {data::Grip::Creep::given, creep});
-  std::vector<double> shear;
-  for (auto k = static_cast<std::size_t>(loads.leading_elements); k > 0; --k)
-    shear.push_back(std::fabs(loads.loads[k - 1].shear) / loads.element_width());
-  return shear;
-}
-
 data::ElasticNip nip_of_the_tables(const data::Table& table) {
   return {table.parameter("R").value, table.parameter("B").value, data::seed::sheet_of_the_tables};
 }
@@ -228,7 +184,7 @@ Replay replay_line_loads(data::Table table, data::Friction friction, int element
                 {}};
   const auto append = [&](Replay& rows, CreepReading reading) {
     append_rows(rows, [&](std::size_t row) {
-      return RowReplay(rows.table, row, nip, friction, elements_per_side, reading);
+      return std::make_unique<ElasticRow>(rows.table, row, nip, friction, elements_per_side, reading);
     });
   };
   append(replay, CreepReading::rounded);

@@ -1,31 +1,75 @@
 #pragma once
+#include <map>
+#include <tuple>
+
 #include <nipref/data/problem/nip.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/support/internal/common.hpp>
-#include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
 
-/// Replays all rows of the table and appends their cells and nips, which replay_of(row) gives as cell(column) and nip().
-void append_rows(Replay& replay, const auto& replay_of) {
-  struct Row {
-    ReplayedNip nip;
-    std::vector<ReplayedCell> cells;
+/// A row that line loads give.
+struct ReplayedRow {
+  RowValues at_centre;             ///< at the centre of the inputs' intervals
+  std::vector<RowValues> corners;  ///< at the corners of the product of these intervals
+
+  /// The interval from the least to the greatest value of a column.
+  [[nodiscard]] data::Interval range(const std::string& column) const;
+};
+
+/// What `solve` gives for the inputs in their intervals.
+ReplayedRow replay_row(const std::vector<data::Interval>& inputs,
+                       const std::function<RowValues(const std::vector<double>& inputs)>& solve);
+
+/// A row of a nip's table, replayed from those of its numbers that are the inputs of its line loads.
+class NipRow {
+ public:
+  virtual ~NipRow() = default;
+  [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, elements_.trailing}; }
+  [[nodiscard]] ReplayedCell cell(const std::string& column) const;
+
+ protected:
+  struct Elements {
+    int leading, trailing;
+    auto operator<=>(const Elements&) const = default;
   };
-  const auto rows = parallel_mapped(replay.table.rows.size(), [&](std::size_t row) {
-    const auto one = replay_of(row);
-    Row replayed{one.nip(), {}};
-    for (const data::TableColumn& column : replay.table.columns)
-      if (!column.is_key) replayed.cells.push_back(one.cell(column.name));
-    return replayed;
-  });
-  for (const Row& row : rows) {
-    replay.nips.push_back(row.nip);
-    replay.cells.insert(replay.cells.end(), row.cells.begin(), row.cells.end());
+  NipRow(const data::Table& table, std::size_t row) : table_(table), row_(row) {}
+  void begin(const Elements& elements, const data::Interval& length) {
+    elements_ = elements;
+    length_ = length;
+    replayed_ = with(elements, length);
   }
-}
+  [[nodiscard]] const data::TableCell& printed(const std::string& column) const {
+    return table_.cell(row_, column);
+  }
+  /// The row for other numbers of elements or another length, which is replayed once.
+  [[nodiscard]] const ReplayedRow& with(const Elements& elements, const data::Interval& length) const;
+  /// The candidates with which line loads meet a missed cell.
+  [[nodiscard]] std::vector<Elements> meeting(const ReplayedCell& missed,
+                                              const std::vector<Elements>& candidates) const;
+
+  [[nodiscard]] virtual ReplayedRow replay(const Elements& elements, const data::Interval& length) const = 0;
+  /// Marks a cell that is not met as an error of the seed if a mistake of its method meets it.
+  virtual void explain(ReplayedCell& missed) const = 0;
+  /// What was tried to explain a legible cell, in words. The verdict does not depend on it.
+  [[nodiscard]] virtual std::string attempts(const ReplayedCell& missed) const = 0;
+
+  const data::Table& table_;
+  std::size_t row_;
+  Elements elements_{};
+  data::Interval length_{};
+  ReplayedRow replayed_;
+  std::map<std::string, std::string> inputs_;  ///< the columns that are inputs, with their notes
+  std::vector<data::Interval> other_lengths_;  ///< with which misprints are judged
+
+ private:
+  mutable std::map<std::tuple<Elements, double, double>, ReplayedRow> rows_;
+};
+
+/// Replays all rows of the table and appends their cells and nips.
+void append_rows(Replay& replay, const std::function<std::unique_ptr<NipRow>(std::size_t row)>& replay_of);
 
 /// The method by which a table of the elastic nip was computed.
 struct LineLoadTable {
@@ -46,10 +90,6 @@ const LineLoadTable& line_load_table(const std::string& id);
 /// row are its printed contact length and, with full friction (III-VI), its printed creep. A length that is not
 /// printed follows from L/B. The material constants are those that reproduce the tables.
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side);
-
-/// The size of the shear of each element of one side, from the middle outwards, with full friction.
-std::vector<double> shear_of_side(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
-                                  double length, double creep);
 
 /// The nip of such a table with these constants, seed::sheet_of_the_tables.
 data::ElasticNip nip_of_the_tables(const data::Table& table);

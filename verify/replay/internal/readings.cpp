@@ -86,13 +86,6 @@ std::string one_digit(const data::Table& table, std::size_t row, const std::stri
   return met == readings.end() ? "" : "one digit from " + met->text;
 }
 
-std::string note_on(const data::TableCell& cell, Verdict verdict, const std::function<std::string()>& tried) {
-  if (verdict == Verdict::match) return "";
-  if (verdict == Verdict::misprint || !cell.is_readable())
-    return cell.erratum ? cell.erratum->reason : "nothing legible";
-  return cell.erratum ? cell.erratum->reason + "; " + tried() : tried();
-}
-
 std::string load_note(double replayed, double stated) {
   return fmt::format("replay's load at this length {:.4g} for {:g} ({:+.2f} %)", replayed, stated,
                      100 * (replayed / stated - 1));

@@ -20,9 +20,6 @@ std::vector<Reading> one_digit_readings(const data::Table& table, std::size_t ro
 std::string one_digit(const data::Table& table, std::size_t row, const std::string& column,
                       const data::Interval& range);
 
-/// The note on a cell that is no input: why it is a misprint or has no number, or what was tried to explain it.
-std::string note_on(const data::TableCell& cell, Verdict verdict, const std::function<std::string()>& tried);
-
 /// The outcomes of several attempts, in words; those without any are left out.
 std::string all_outcomes(std::initializer_list<std::string> outcomes);
 

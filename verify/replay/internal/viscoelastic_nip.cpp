@@ -1,6 +1,3 @@
-#include <map>
-#include <tuple>
-
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 #include <nipref/verify/replay/internal/readings.hpp>
@@ -30,120 +27,82 @@ constexpr std::array<ViscoelasticTable, 16> rolling_tables{{{"thesis-XI", 2, 25}
                                                             {"thesis-XXV", 10, 60},
                                                             {"thesis-XXVI", 10, 60}}};
 
-class ViscoelasticRowReplay {
+/// A row of a table of the viscoelastic nip: its input is L1.
+class ViscoelasticRow final : public NipRow {
  public:
-  ViscoelasticRowReplay(const data::Table& table, std::size_t row, const ViscoelasticTable& how)
-      : table_(table),
-        row_(row),
+  ViscoelasticRow(const data::Table& table, std::size_t row, const ViscoelasticTable& how)
+      : NipRow(table, row),
         nip_(viscoelastic_nip_of_the_tables(table, row, false)),
         method_(viscoelastic_method(how)),
         input_(viscoelastic_row_input(table, row, nip_, method_)) {
-    method_.trailing_elements = input_.trailing_elements;
-    replayed_ = replay_viscoelastic_row(nip_, method_, input_.leading_length);
-  }
-
-  [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, input_.trailing_elements}; }
-
-  [[nodiscard]] ReplayedCell cell(const std::string& column) const {
-    const data::TableCell& cell = table_.cell(row_, column);
-    const data::Interval range = replayed_.range(column);
-    ReplayedCell result{row_, column, replayed_.at_centre.at(column), range, assess(cell, range), ""};
-    if (column == input_.column) result.verdict = Verdict::input;
-    result.note = note(result, cell);
-    if (result.verdict == Verdict::unexplained) explain(result, cell);
-    if (result.verdict == Verdict::unexplained || result.verdict == Verdict::misprint)
-      judge_reading(table_, result, from(input_.agreed).range(column));
-    if (result.verdict == Verdict::unexplained) judge_reading(table_, result, beyond().range(column));
-    return result;
+    begin({how.leading_elements, input_.trailing_elements}, input_.leading_length);
+    const double end = length_.upper;
+    beyond_ = {end, end * (1 + cut)};
+    other_ = {end, std::max(end, input_.narrowest.upper)};
+    other_lengths_ = {input_.agreed, beyond_};
+    inputs_[input_.column] = fmt::format("{} elements on the trailing side; {}", input_.trailing_elements,
+                                         load_note(replayed_.at_centre.at("W"), table_.parameter("W").value));
   }
 
  private:
-  /// The row with so many elements, from that length: solved once for all columns that ask for it.
-  [[nodiscard]] const ReplayedRow& with(const data::ViscoelasticLineLoads& method,
-                                        const data::Interval& length) const {
-    const auto [known, is_new] = rows_.try_emplace(
-        {method.leading_elements, method.trailing_elements.value(), length.lower, length.upper});
-    if (is_new) known->second = replay_viscoelastic_row(nip_, method, length);
-    return known->second;
-  }
-  [[nodiscard]] const ReplayedRow& from(const data::Interval& length) const { return with(method_, length); }
-  /// From a length that was cut to the printed one.
-  [[nodiscard]] const ReplayedRow& beyond() const {
-    const double end = input_.leading_length.upper;
-    return from({end, end * (1 + cut)});
-  }
-  /// From what the narrowest printed length has beyond it.
-  [[nodiscard]] const ReplayedRow& other() const {
-    const double end = input_.leading_length.upper;
-    return from({end, std::max(end, input_.narrowest.upper)});
+  [[nodiscard]] ReplayedRow replay(const Elements& elements, const data::Interval& length) const override {
+    data::ViscoelasticLineLoads method = method_;
+    method.leading_elements = elements.leading;
+    method.trailing_elements = elements.trailing;
+    return replay_viscoelastic_row(nip_, method, length);
   }
 
-  /// Marks the cell as an error of the seed if what its machine lost meets it.
-  void explain(ReplayedCell& replayed, const data::TableCell& cell) const {
-    const std::string underflown(underflown_creep);
-    const auto meets = [&](const ReplayedRow& row, const std::string& column) {
-      return assess(cell, row.range(column)) != Verdict::unexplained;
+  /// What the thesis's machine lost.
+  void explain(ReplayedCell& missed) const override {
+    const auto meets = [&](const ReplayedRow& row, std::string_view column) {
+      return assess(printed(missed.column), row.range(std::string(column))) != Verdict::unexplained;
     };
-    if (replayed.column == "creep" && meets(replayed_, underflown)) {
-      replayed.note = fmt::format(
+    if (missed.column == "creep" && meets(replayed_, underflown_creep)) {
+      missed.note = fmt::format(
           "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
           "thesis's machine: {:.6g}e-3 then",
-          1e3 * replayed_.at_centre.at(underflown));
-    } else if (meets(beyond(), replayed.column)) {
-      replayed.note = fmt::format(
+          1e3 * replayed_.at_centre.at(std::string(underflown_creep)));
+    } else if (meets(with(elements_, beyond_), missed.column)) {
+      missed.note = fmt::format(
           "the printed {} is cut: met with one up to 16^-5 above what rounds to it, as much as one product "
           "loses in the single precision of the thesis's machine; {}",
-          input_.column, replayed.note);
-    } else if (meets(other(), replayed.column)) {
-      replayed.note = fmt::format(
+          input_.column, missed.note);
+    } else if (meets(with(elements_, other_), missed.column)) {
+      missed.note = fmt::format(
           "the printed {} is cut: met with a longer one, which the row's {} has, by which it is known more "
           "narrowly; {}",
-          input_.column, input_.narrowest_column, replayed.note);
+          input_.column, input_.narrowest_column, missed.note);
     } else {
       return;
     }
-    replayed.verdict = Verdict::seed_error;
+    missed.verdict = Verdict::seed_error;
   }
 
-  [[nodiscard]] std::string note(const ReplayedCell& replayed, const data::TableCell& cell) const {
-    if (replayed.verdict == Verdict::input)
-      return fmt::format("{} elements on the trailing side; {}", input_.trailing_elements,
-                         load_note(replayed_.at_centre.at("W"), table_.parameter("W").value));
-    return note_on(cell, replayed.verdict, [&] { return attempts(replayed); });
-  }
-
-  [[nodiscard]] std::string attempts(const ReplayedCell& missed) const {
+  [[nodiscard]] std::string attempts(const ReplayedCell& missed) const override {
     const double length =
-        input_for(table_.cell(row_, missed.column).number->value, input_.leading_length,
-                  replayed_.corners.front().at(missed.column), replayed_.corners.back().at(missed.column));
-    return all_outcomes({one_digit(table_, missed.row, missed.column, missed.range),
+        input_for(printed(missed.column).number->value, length_, replayed_.corners.front().at(missed.column),
+                  replayed_.corners.back().at(missed.column));
+    return all_outcomes({one_digit(table_, row_, missed.column, missed.range),
                          fmt::format("it would take L1 = {:.6g}e-3", 1e3 * length), other_elements(missed)});
   }
 
   /// Whether one leading element more or less matches.
   [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
+    std::vector<Elements> tried;
+    for (const int leading : {elements_.leading - 1, elements_.leading, elements_.leading + 1})
+      for (int trailing = 1; trailing <= leading; ++trailing) tried.push_back({leading, trailing});
     std::string met;
-    data::ViscoelasticLineLoads other = method_;
-    for (const int change : {-1, 0, 1}) {
-      other.leading_elements = method_.leading_elements + change;
-      for (int trailing = 1; trailing <= other.leading_elements; ++trailing) {
-        other.trailing_elements = trailing;
-        const data::Interval range = with(other, input_.leading_length).range(missed.column);
-        if (assess(table_.cell(row_, missed.column), range) != Verdict::unexplained)
-          met += fmt::format(" {}+{}", other.leading_elements, trailing);
-      }
-    }
+    for (const auto& [leading, trailing] : meeting(missed, tried))
+      met += fmt::format(" {}+{}", leading, trailing);
     return met.empty() ? "no other numbers of elements near these meet it"
                        : "met by chance with elements:" + met;
   }
 
-  const data::Table& table_;
-  std::size_t row_;
   data::ViscoelasticNip nip_;
   data::ViscoelasticLineLoads method_;
   ViscoelasticRowInput input_;
-  ReplayedRow replayed_;
-  mutable std::map<std::tuple<int, int, double, double>, ReplayedRow> rows_;
+  data::Interval beyond_{};  ///< lengths that were cut to the printed one
+  data::Interval other_{};   ///< what the narrowest printed length has beyond it
 };
 
 }  // namespace
@@ -183,7 +142,8 @@ Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how) {
           how.leading_elements, residue_terms, how.smallest_term, how.approach, nip.material.young,
           nip.material.poisson),
       {}};
-  append_rows(replay, [&](std::size_t row) { return ViscoelasticRowReplay(replay.table, row, how); });
+  append_rows(replay,
+              [&](std::size_t row) { return std::make_unique<ViscoelasticRow>(replay.table, row, how); });
   return replay;
 }
 

@@ -166,9 +166,8 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
                                     const data::ViscoelasticLineLoads& method,
                                     const data::Interval& leading_length) {
-  return {solved_rolling_row(nip, method, leading_length.middle()),
-          {solved_rolling_row(nip, method, leading_length.lower),
-           solved_rolling_row(nip, method, leading_length.upper)}};
+  return replay_row({leading_length},
+                    [&](const auto& inputs) { return solved_rolling_row(nip, method, inputs.front()); });
 }
 
 }  // namespace nipref::verify
