@@ -71,25 +71,22 @@ TEST_CASE("what is said of a number ends with its error's first digit, the error
 }
 
 TEST_CASE("slopes, zeros, maxima and integrals lie within their errors") {
-  const auto number = [](double x) { return Propagated::exact(x); };
-  const Propagated slope_of_sine =
-      verify::derivative([&](double x) { return verify::sin(number(x)) + Propagated(0, 1e-13); }, 1, 0.25);
-  check_covers(slope_of_sine, cos(Wide(1)));
-  CHECK(slope_of_sine.error() < 1e-10);
-  const Propagated root =
-      verify::sign_change([&](double x) { return number(x) * number(x) - 2 + Propagated(0, 1e-11); }, 1, 2);
-  check_covers(root, sqrt(Wide(2)));
-  CHECK(root.error() < 1e-10);
-  const auto sine = [&](double x) { return verify::sin(number(x)) + Propagated(0, 1e-14); };
-  const Propagated place = verify::place_of_largest(sine, 1, 3);
-  check_covers(place, Wide(std::numbers::pi) / 2);
-  check_covers(verify::largest(sine, 1, 3), Wide(1));
-  CHECK(place.error() < 1e-5);
-  // int_0^1 1/sqrt(x) dx, int_0^1 e^x dx, (1/pi) vp int_-1^1 sqrt(1 - t^2)/(t - x) dt = -x.
-  check_covers(verify::integral([](const Propagated& x) { return 1 / verify::sqrt(x); }, 0, 1), Wide(2));
-  check_covers(verify::smooth_integral([](const Propagated& x) { return verify::exp(x); }, 0, 1),
-               exp(Wide(1)) - 1);
-  check_covers(
-      verify::hilbert([](const Propagated& t) { return verify::sqrt((1 - t) * (1 + t)); }, 0.25, -1, 1),
-      Wide(-0.25));
+  struct Case {
+    const char* formula;
+    Wide truth;
+    double most;  ///< error
+  };
+  for (const auto& [formula, truth, most] :
+       {Case{"derivative(x, 1, 0.25, sin(x) + within(1e-13))", cos(Wide(1)), 1e-10},
+        {"sign_change(x, 1, 2, x*x - 2 + within(1e-11))", sqrt(Wide(2)), 1e-10},
+        {"place_of_largest(x, 1, 3, sin(x) + within(1e-14))", Wide(std::numbers::pi) / 2, 1e-5},
+        {"largest(x, 1, 3, sin(x) + within(1e-14))", 1, 1},
+        {"integral(x, 0, 1, 1/sqrt(x))", 2, 1},
+        {"smooth_integral(x, 0, 1, exp(x))", exp(Wide(1)) - 1, 1},
+        {"hilbert(t, 0.25, -1, 1, sqrt((1 - t)*(1 + t)))", -0.25, 1}}) {
+    CAPTURE(formula);
+    const Propagated found = verify::StatedFormulas().value(formula);
+    check_covers(found, truth);
+    CHECK(found.error() < most);
+  }
 }

@@ -34,7 +34,6 @@ struct FigureContacts {
 };
 
 /// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have
-///   - [double NAME KEY=VALUE ...]: a quantity of the catalogue by fast, without an error;
 ///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain Un] and
 ///     [plain Vn] those of its solid under a moving load, keys t, T, t0 in half-thicknesses b, and memory;
 ///   - [creep NAME t=T rate=R]: what theta1, theta2 or normal, their sum, gives under a constant stress, over what it gives at

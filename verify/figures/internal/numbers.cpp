@@ -1,31 +1,22 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/data/scene/results.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
-#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
 namespace nipref::verify {
 namespace {
 
-double quantity(const NumberWords& words, FigureFormulas& formulas) {
-  const Quantity& wanted = find_quantity(words.name(1));
-  const Assignments arguments =
-      words.arguments([&](const std::string& formula) { return formulas.value(formula); });
-  return wanted.by_fast(parse_arguments(wanted, arguments).nearest(wanted), {});
-}
-
 /// As in the thesis's viscoelastic tables; for the elastic ones it gives no number.
 constexpr int residues = 500;
 constexpr double stated_bulk = data::seed::sheet.young,
                  stated_shear = data::thesis_shear_over_bulk * stated_bulk;
 
-double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
-  const auto number = [&](const char* key) { return formulas.value(words.value(key)); };
-  const std::string& name = words.name(1);
+double plain_sum(const Request& request) {
+  const auto number = [&](const char* key) { return request.number(key); };
+  const std::string& name = request.name(1);
   if (name == "Un" || name == "Vn") {
     constexpr double half_thickness = 0.0025, speed = 1;
     const fast::PlainMovingLoad load(
@@ -41,45 +32,35 @@ double plain_sum(const NumberWords& words, FigureFormulas& formulas) {
   return name == "I1" ? I1[0] : name == "I3" ? I3[0] : I6[0];
 }
 
-double creep_response(const NumberWords& words, FigureFormulas& formulas) {
-  const std::string& name = words.name(1);
+double creep_response(const Request& request) {
+  const std::string& name = request.name(1);
   const data::ViscoelasticMaterial solid = data::single_relaxation_time_solid(
-      stated_bulk, stated_shear, 1, static_cast<int>(formulas.value(words.value("rate"))));
+      stated_bulk, stated_shear, 1, static_cast<int>(request.number("rate")));
   const data::MaterialFunctions both = *solid.functions();
   const data::MaterialFunction theta = name == "theta1"   ? both.theta1
                                        : name == "theta2" ? both.theta2
                                                           : both.normal_compliance();
-  const double t = formulas.value(words.value("t"));
+  const double t = request.number("t");
   double compliance = theta.instantaneous;
   for (const data::RelaxationTerm& term : theta.terms)
     compliance -= (term.amplitude / term.rate * std::expm1(-term.rate.real() * t)).real();
   return compliance / theta.instantaneous;
 }
 
-/// A number, or with `at` that at a place.
-double result_of(const SolvedContact<fast::Estimate>& contact, const NumberWords& words,
-                 FigureFormulas& formulas) {
-  const std::string& name = words.name(words.names.size() - 1);
-  const data::SceneResult* const result = data::find_scene_result(name);
-  if (result == nullptr || !contact.has(result->id)) words.refuse("a result of the contact");
-  const std::string* const at = words.find("at");
-  return at == nullptr ? contact.number(result->id).value : contact.at(result->id, formulas.value(*at)).value;
-}
-
 /// The contact of a scene with these values of its keys.
-const SolvedContact<fast::Estimate>& scene_of(const NumberWords& words, FigureFormulas& formulas,
+const SolvedContact<fast::Estimate>& scene_of(const Request& request, const FigureScope& scope,
                                               FigureContacts& contacts) {
-  const std::string& name = words.name(1);
-  data::SceneOverrides keys{{"method.kind", words.name(2)}};
-  std::string all = name + " " + words.name(2);
-  for (const auto& [key, formula] : words.given) {
+  const std::string& name = request.name(1);
+  data::SceneOverrides keys{{"method.kind", request.name(2)}};
+  std::string all = name + " " + request.name(2);
+  for (const auto& [key, formula] : request.given) {
     if (key == "at") continue;
-    keys.emplace_back(key, fmt::format("{}", formulas.value(formula)));
+    keys.emplace_back(key, fmt::format("{}", request.number(key)));
     all += " " + keys.back().second;
   }
   SolvedInDouble& contact = contacts.scenes[all];
   if (contact == nullptr) {
-    const std::string id = name == "shown" ? formulas.scope.shown->text("scene") : name;
+    const std::string id = name == "shown" ? scope.shown->text("scene") : name;
     const data::Scene scene = data::load_scene({id, drawings_file().entry("scene", id).text("text")}, keys);
     contact = solve_half_space(std::get<data::HalfSpaceProblem>(scene.system));
   }
@@ -100,29 +81,26 @@ FigureFormulas::FigureFormulas(const FigureScope& of, FigureContacts& contacts)
 }
 
 Propagated FigureFormulas::solve(const std::string& words) {
-  const NumberWords all(words);
-  const std::string& kind = all.name(0);
-  static const std::map<std::string, double (*)(const NumberWords&, FigureFormulas&)> kinds{
-      {"double", quantity}, {"plain", plain_sum}, {"creep", creep_response}};
-  if (const auto known = kinds.find(kind); known != kinds.end())
-    return Propagated::exact(known->second(all, *this));
-  if (kind == "nip") return Propagated::exact(result_of(nip(), all, *this));
-  if (kind == "scene") return Propagated::exact(result_of(scene_of(all, *this, contacts_), all, *this));
-  if (kind == "replayed") {
-    if (replayed_ == nullptr || !replayed_->contains(all.name(1))) all.refuse("a column of a nip's table");
-    return Propagated::exact(replayed_->at(all.name(1)));
-  }
-  return contacts_.others(words, formulas_);
+  const Request request(words, formulas_);
+  const std::string& kind = request.name(0);
+  if (kind == "plain") return Propagated::exact(plain_sum(request));
+  if (kind == "creep") return Propagated::exact(creep_response(request));
+  if (kind == "nip") return result_of(request, nip());
+  if (kind == "scene") return result_of(request, scene_of(request, scope, contacts_));
+  if (kind != "replayed") return contacts_.others(words, formulas_);
+  if (replayed_ == nullptr || !replayed_->contains(request.name(1)))
+    request.refuse("a column of a nip's table");
+  return Propagated::exact(replayed_->at(request.name(1)));
 }
 
 const SolvedContact<fast::Estimate>& FigureFormulas::nip() {
   const bool remembers = value("memory") != 0, grips = value("grips") != 0;
   return contacts_.others.contact(
-      fmt::format("{} nip thickness=B load=load accuracy=accuracy {}", remembers ? "rolling" : "elastic",
-                  remembers ? "memory=memory"
-                  : grips   ? "friction=full"
-                            : "friction=none"),
-      formulas_);
+      {fmt::format("{} nip thickness=B load=load accuracy=accuracy {}", remembers ? "rolling" : "elastic",
+                   remembers ? "memory=memory"
+                   : grips   ? "friction=full"
+                             : "friction=none"),
+       formulas_});
 }
 
 std::span<const Replay> FigureFormulas::tables() const {

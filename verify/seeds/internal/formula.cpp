@@ -10,6 +10,9 @@
 namespace nipref::verify {
 namespace {
 
+using Function = StatedFormulas::Function;
+using Numbers = StatedFormulas::Numbers;
+
 /// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
 /// infinite if `certain` holds at none.
 Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
@@ -18,7 +21,8 @@ Propagated with_reach(double x, double first, const std::function<bool(double re
   return {x, std::numeric_limits<double>::infinity()};
 }
 
-/// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size.
+/// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size. The error of an integral is
+/// the sum of the rule's estimate of its truncation error, the integral of the errors of f, and the rounding of the sum.
 Propagated integral_by(const auto& integrate, const Function& f) {
   // A rule divides its intervals to the end where it is asked for more than there is to know: of the values, whose errors
   // it would resolve, and of the errors, which jump. Those are doubled below, so that a tenth of them does.
@@ -31,6 +35,8 @@ Propagated integral_by(const auto& integrate, const Function& f) {
   return {value, truncation + 2 * of_errors + 0x1p-50 * size};
 }
 
+/// The largest value of f, which rises to it and falls from it, and its place, whose error reaches to where f is certainly
+/// smaller.
 struct Maximum {
   Propagated place, value;
 };
@@ -52,7 +58,6 @@ Maximum maximum_of(const Function& f, double lower, double upper) {
 }
 
 using StatedWords = FormulaWords<Propagated>;
-using Numbers = std::vector<Propagated>;
 
 Propagated certain(const Propagated& x) { return StatedWords::exact(x.is_positive() ? 1 : 0); }
 Propagated within(const Propagated& error) { return {0, error.value()}; }
@@ -63,13 +68,13 @@ Propagated of_range(const Function& f, const Numbers& at) {
   return functional(f, at[0].value(), at[1].value());
 }
 
-}  // namespace
-
+/// int_from^to f, which may be singular at the ends in an integrable way.
 Propagated integral(const Function& f, double from, double to) {
   boost::math::quadrature::tanh_sinh<double> rule;
   return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, from, to, how...); }, f);
 }
 
+/// The same for a smooth f.
 Propagated smooth_integral(const Function& f, double from, double to) {
   constexpr unsigned halvings = 12;
   return integral_by(
@@ -79,12 +84,15 @@ Propagated smooth_integral(const Function& f, double from, double to) {
       f);
 }
 
-Propagated half_line_integral(const Function& f) {
+/// int_0^inf f
+Propagated half_line_integral(const Function& f, const Numbers&) {
   boost::math::quadrature::exp_sinh<double> rule;
   return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, how...); }, f);
 }
 
-Propagated hilbert(const Function& f, double x, double from, double to) {
+/// (1/pi) times the principal value of int_from^to f(t)/(t - x) dt, of x, from and to, from < x < to.
+Propagated hilbert(const Function& f, const Numbers& at) {
+  const double x = at[0].value(), from = at[1].value(), to = at[2].value();
   const auto distance = [](double a, double b) { return Propagated::exact(a) - Propagated::exact(b); };
   const Propagated at_x = f(x);
   const Function rest = [&](double t) {
@@ -94,6 +102,9 @@ Propagated hilbert(const Function& f, double x, double from, double to) {
          Propagated::pi();
 }
 
+/// f'(x) by central differences with halved steps, extrapolated to 0 (Ridders). Of the extrapolated values the result is the
+/// one with the least error, the sum of the change by the last extrapolation and of the propagated errors of f. f must be
+/// analytic within several steps.
 Propagated derivative(const Function& f, double x, double step) {
   constexpr int halvings = 7;
   Propagated best(0, std::numeric_limits<double>::infinity());
@@ -115,6 +126,8 @@ Propagated derivative(const Function& f, double x, double step) {
   return best;
 }
 
+/// The place where f changes its sign, between two places at which its signs differ. The error reaches to where they are
+/// certain.
 Propagated sign_change(const Function& f, double lower, double upper) {
   constexpr int binary_digits = 44;
   std::uintmax_t steps = 100;
@@ -128,7 +141,9 @@ Propagated sign_change(const Function& f, double lower, double upper) {
   });
 }
 
-Propagated monotonic(const Function& f, const Propagated& place) {
+/// f at a place that has an error; f must be monotonic there.
+Propagated monotonic(const Function& f, const Numbers& at) {
+  const Propagated& place = at[0];
   const Propagated below = f(place.value() - place.error()), above = f(place.value() + place.error());
   return below.value() < above.value() ? Propagated::between(below, above)
                                        : Propagated::between(above, below);
@@ -140,6 +155,8 @@ Propagated largest(const Function& f, double lower, double upper) {
 Propagated place_of_largest(const Function& f, double lower, double upper) {
   return maximum_of(f, lower, upper).place;
 }
+
+}  // namespace
 
 const std::map<std::string, OfOne*> StatedWords::of_one{
     {"fabs", fabs},   {"sqrt", sqrt},       {"exp", exp},       {"expm1", expm1},
@@ -154,10 +171,8 @@ const std::map<std::string, FormulaFunctional<Propagated>> StatedWords::function
     {"sign_change", {2, of_range<sign_change>}},
     {"place_of_largest", {2, of_range<place_of_largest>}},
     {"largest", {2, of_range<largest>}},
-    {"half_line_integral", {0, [](const Function& f, const Numbers&) { return half_line_integral(f); }}},
-    {"hilbert",
-     {3, [](const Function& f,
-            const Numbers& at) { return hilbert(f, at[0].value(), at[1].value(), at[2].value()); }}},
-    {"monotonic", {1, [](const Function& f, const Numbers& at) { return monotonic(f, at[0]); }}}};
+    {"half_line_integral", {0, half_line_integral}},
+    {"hilbert", {3, hilbert}},
+    {"monotonic", {1, monotonic}}};
 
 }  // namespace nipref::verify

@@ -12,33 +12,11 @@ namespace {
 
 using data::ViscoelasticMaterial;
 
-/// The words of a formula's brackets.
-struct Request : NumberWords {
-  std::string kind, name;
-  StatedFormulas& formulas;
-
-  Request(const std::string& words, StatedFormulas& scope)
-      : NumberWords(words), kind(NumberWords::name(0)), name(NumberWords::name(1)), formulas(scope) {
-    if (names.size() > 2) refuse("KEY=VALUE");
-  }
-  [[nodiscard]] std::string text_of(const std::string& key, const std::string& otherwise) const {
-    const std::string* const found = find(key);
-    return found == nullptr ? otherwise : *found;
-  }
-  [[nodiscard]] double number(const std::string& key, const std::string& otherwise) const {
-    return formulas.value(text_of(key, otherwise)).value();
-  }
-  /// The given values as decimal arguments of a quantity.
-  [[nodiscard]] Assignments arguments() const {
-    return NumberWords::arguments(
-        [&](const std::string& formula) { return formulas.value(formula).value(); });
-  }
-  const auto& entry(const auto& table, const std::string& key) const {
-    const auto found = table.find(key);
-    if (found == table.end()) refuse(fmt::format("no '{}'", key));
-    return found->second;
-  }
-};
+const auto& entry_of(const auto& table, const std::string& key, const Request& request) {
+  const auto found = table.find(key);
+  if (found == table.end()) request.refuse(fmt::format("no '{}'", key));
+  return found->second;
+}
 
 Propagated as_propagated(const ref::Estimate& reference) {
   const double value = reference.to_double();
@@ -49,12 +27,14 @@ Propagated as_propagated(const ref::Estimate& reference) {
 /// them, and the change of the quantity from the decimals to the doubles.
 Propagated of_quantity(const Request& request) {
   constexpr int digits = 20;
-  const Quantity& quantity = find_quantity(request.name);
+  const std::string& kind = request.name(0);
+  const Quantity& quantity = find_quantity(request.name(1));
   const ParsedArguments arguments = parse_arguments(quantity, request.arguments());
-  const Propagated by_ref = as_propagated(quantity.by_ref(arguments.exact, digits));
-  if (request.kind == "ref") return by_ref;
   const Point point = arguments.nearest(quantity);
-  if (request.kind == "printed") {
+  if (kind == "double") return Propagated::exact(quantity.by_fast(point, {}));
+  const Propagated by_ref = as_propagated(quantity.by_ref(arguments.exact, digits));
+  if (kind == "ref") return by_ref;
+  if (kind == "printed") {
     const auto form = std::ranges::find(quantity.seed_forms, "printed", &SeedForm::name);
     if (form == quantity.seed_forms.end()) request.refuse("a quantity that the seed prints");
     return printed_form(form->value(point));
@@ -78,16 +58,20 @@ Propagated second_moment(const SolvedContact<fast::Estimate>& contact) {
   return sum * half * square(half) * step;
 }
 
-/// A result of the table of results, or one that follows from it.
+}  // namespace
+
 Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact) {
-  if (request.name == "second_moment") return second_moment(contact);
-  const data::SceneResult* const what = data::find_scene_result(request.name);
-  if (what == nullptr || !contact.has(what->id)) request.refuse(fmt::format("no '{}'", request.name));
+  const std::string& name = request.names.back();
+  if (name == "second_moment") return second_moment(contact);
+  const data::SceneResult* const what = data::find_scene_result(name);
+  if (what == nullptr || !contact.has(what->id)) request.refuse(fmt::format("no '{}'", name));
   if (what->shape == data::Shape::number) return contact.number(what->id);
   const double at = request.number("at", "0");
   if (what->shape == data::Shape::list) return contact.get(what->id).at(static_cast<std::size_t>(at));
   return contact.at(what->id, at);
 }
+
+namespace {
 
 constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
 
@@ -108,7 +92,7 @@ ViscoelasticMaterial solid_of(const Request& request) {
          return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
                                   {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
        }}};
-  return request.entry(all, request.text_of("solid", "thesis"))();
+  return entry_of(all, request.text_of("solid", "thesis"), request)();
 }
 
 Propagated of_material(const Request& request) {
@@ -130,11 +114,11 @@ Propagated of_material(const Request& request) {
       {"normal_long_time", [&] { return rounded(normal.long_time()); }},
       {"sum_of_amplitudes", [&] { return sum(0); }},
       {"sum_of_amplitudes_over_squared_rates", [&] { return sum(2); }}};
-  return request.entry(all, request.name)();
+  return entry_of(all, request.name(1), request)();
 }
 
 Propagated printed_cell(const Request& request) {
-  const data::Table table = data::load_table_by_id(request.name);
+  const data::Table table = data::load_table_by_id(request.name(1));
   const std::string& column = request.given.at(0).second;
   const auto& [key, value] = request.given.at(1);
   const double wanted = request.formulas.value(value).value();
@@ -164,7 +148,7 @@ SolvedInDouble contact_of_nip(const Request& request) {
                accuracy = number("accuracy", 1e-9);
   data::Given given = data::GivenLength{length};
   if (!(length > 0)) given = data::GivenLoad{number("load", 0)};
-  if (request.kind == "rolling")
+  if (request.name(0) == "rolling")
     return solve_nip(
         data::ViscoelasticNipProblem{.nip = {radius, thickness, solid_of(request), number("speed", 1)},
                                      .given = given},
@@ -199,14 +183,15 @@ const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
     {"ref", of_quantity},
     {"fast", of_quantity},
     {"printed", of_quantity},
+    {"double", of_quantity},
     {"material", of_material},
     {"table", printed_cell},
     {"started", started_resistance},
-    {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
+    {"computed", [](const Request& one) { return entry_of(computed_numbers(), one.name(1), one)(); }}};
 
 }  // namespace
 
-NumberWords::NumberWords(const std::string& words) : text(words) {
+Request::Request(const std::string& words, StatedFormulas& scope) : text(words), formulas(scope) {
   for (const std::string& word : words_of(words)) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {
@@ -217,29 +202,29 @@ NumberWords::NumberWords(const std::string& words) : text(words) {
   }
 }
 
-void NumberWords::refuse(std::string_view lacking) const {
+void Request::refuse(std::string_view lacking) const {
   throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
 }
 
-const std::string& NumberWords::name(std::size_t i) const {
+const std::string& Request::name(std::size_t i) const {
   if (i >= names.size()) refuse(fmt::format("{} names", i + 1));
   return names[i];
 }
 
-const std::string* NumberWords::find(const std::string& key) const {
-  const auto* const found = item_with(given, &Assignments::value_type::first, key);
-  return found == nullptr ? nullptr : &found->second;
+std::string Request::text_of(const std::string& key, const std::optional<std::string>& otherwise) const {
+  if (const auto* const found = item_with(given, &Assignments::value_type::first, key)) return found->second;
+  if (!otherwise) refuse(key + "=VALUE");
+  return *otherwise;
 }
 
-const std::string& NumberWords::value(const std::string& key) const {
-  if (const std::string* const found = find(key)) return *found;
-  refuse(key + "=VALUE");
+double Request::number(const std::string& key, const std::optional<std::string>& otherwise) const {
+  return formulas.value(text_of(key, otherwise)).value();
 }
 
-Assignments NumberWords::arguments(const std::function<double(const std::string&)>& value_of) const {
+Assignments Request::arguments() const {
   Assignments all = given;
-  for (auto& [key, text_of] : all)
-    if (text_of.starts_with('$')) text_of = fmt::format("{}", value_of(text_of.substr(1)));
+  for (auto& [key, value] : all)
+    if (value.starts_with('$')) value = fmt::format("{}", formulas.value(value.substr(1)).value());
   return all;
 }
 
@@ -259,20 +244,20 @@ std::string with_fields(const std::string& text,
 
 Propagated SolvedNumbers::operator()(const std::string& words, StatedFormulas& formulas) const {
   const Request request(words, formulas);
-  return contacts_by_kind.contains(request.kind) ? result_of(request, contact(words, formulas))
-                                                 : request.entry(other_kinds, request.kind)(request);
+  if (request.names.size() != 2) request.refuse("2 names");
+  return contacts_by_kind.contains(request.name(0))
+             ? result_of(request, contact(request))
+             : entry_of(other_kinds, request.name(0), request)(request);
 }
 
-const SolvedContact<fast::Estimate>& SolvedNumbers::contact(const std::string& words,
-                                                            StatedFormulas& formulas) const {
-  const Request request(words, formulas);
-  std::map<std::string, std::string> inputs{{"", request.kind}};
+const SolvedContact<fast::Estimate>& SolvedNumbers::contact(const Request& request) const {
+  std::map<std::string, std::string> inputs{{"", request.name(0)}};
   for (const auto& [key, text] : request.given) {
     const bool is_word = key == "friction" || key == "solid";
-    if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", formulas.value(text).value());
+    if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", request.number(key));
   }
   SolvedInDouble& solved = (*contacts_)[inputs];
-  if (solved == nullptr) solved = request.entry(contacts_by_kind, request.kind)(request);
+  if (solved == nullptr) solved = entry_of(contacts_by_kind, request.name(0), request)(request);
   return *solved;
 }
 

@@ -22,29 +22,35 @@ struct FormulaWords<Propagated> {
 };
 using StatedFormulas = Formulas<Propagated>;
 
-/// The words of a formula's brackets: names, the kind of number first, and KEY=VALUE.
-struct NumberWords {
+/// The words of a formula's brackets, [KIND NAME ... KEY=VALUE ...], whose values are formulas of the same scope.
+struct Request {
   std::string text;
-  std::vector<std::string> names;
-  Assignments given;
+  StatedFormulas& formulas;
+  std::vector<std::string> names = {};  ///< the kind first
+  Assignments given = {};
 
-  explicit NumberWords(const std::string& words);
+  Request(const std::string& words, StatedFormulas& scope);
   /// Throws BadInput that names the brackets.
   [[noreturn]] void refuse(std::string_view lacking) const;
   [[nodiscard]] const std::string& name(std::size_t i) const;
-  [[nodiscard]] const std::string& value(const std::string& key) const;
-  [[nodiscard]] const std::string* find(const std::string& key) const;  ///< null if it is not given
-  /// The given values as decimal arguments of a quantity; what follows $ is a formula, which `value_of` evaluates.
-  [[nodiscard]] Assignments arguments(const std::function<double(const std::string&)>& value_of) const;
+  /// The words or the value of a key; without `otherwise` it must be given.
+  [[nodiscard]] std::string text_of(const std::string& key,
+                                    const std::optional<std::string>& otherwise = {}) const;
+  [[nodiscard]] double number(const std::string& key, const std::optional<std::string>& otherwise = {}) const;
+  /// The given values as decimal arguments of a quantity; what follows $ is a formula.
+  [[nodiscard]] Assignments arguments() const;
 };
+
+/// A result of the contact by the last of the names, or one that follows from it.
+Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact);
 
 /// The text with each field {NAME} or {NAME:FORMAT} replaced by written(NAME, ":FORMAT").
 std::string with_fields(const std::string& text,
                         const std::function<std::string(const std::string&, const std::string&)>& written);
 
 /// Computes what formulas name in brackets, [KIND NAME KEY=VALUE ...]; the values are formulas without spaces:
-///   - ref, fast, printed: a quantity of the catalogue by ref, by fast, or as the seed prints it. Its arguments are decimal
-///     texts as on the command line; $x is the value of x;
+///   - ref, fast, printed, double: a quantity of the catalogue by ref, by fast, as the seed prints it, or by fast without an
+///     error. Its arguments are decimal texts as on the command line; $x is the value of x;
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
 ///     for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory, speed; by
 ///     default as in the thesis. In place of friction an elastic one may have mu, Coulomb's coefficient, and traction;
@@ -58,9 +64,8 @@ std::string with_fields(const std::string& text,
 class SolvedNumbers {
  public:
   Propagated operator()(const std::string& words, StatedFormulas& formulas) const;
-  /// The contact of such words, whatever the name of the result.
-  [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const std::string& words,
-                                                             StatedFormulas& formulas) const;
+  /// The contact that is asked for, whatever the name of the result.
+  [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const Request& request) const;
 
  private:
   using Contacts = std::map<std::map<std::string, std::string>, SolvedInDouble>;
@@ -91,36 +96,5 @@ class StatementFormulas {
   StatedFormulas formulas_;
   std::string setting_;
 };
-
-using Function = std::function<Propagated(double)>;
-
-// The error of an integral is the sum of the rule's estimate of its truncation error, the integral of the errors of f, and
-// the rounding of the sum.
-
-/// int_from^to f, which may be singular at the ends in an integrable way.
-Propagated integral(const Function& f, double from, double to);
-/// The same for a smooth f.
-Propagated smooth_integral(const Function& f, double from, double to);
-/// int_0^inf f
-Propagated half_line_integral(const Function& f);
-/// (1/pi) times the principal value of int_from^to f(t)/(t - x) dt, from < x < to.
-Propagated hilbert(const Function& f, double x, double from, double to);
-
-/// f'(x) by central differences with halved steps, extrapolated to 0 (Ridders). Of the extrapolated values the result is the
-/// one with the least error, the sum of the change by the last extrapolation and of the propagated errors of f. f must be
-/// analytic within several steps.
-Propagated derivative(const Function& f, double x, double step);
-
-/// The place where f changes its sign, between two places at which its signs differ. The error reaches to where they are
-/// certain.
-Propagated sign_change(const Function& f, double lower, double upper);
-
-/// f at a place that has an error; f must be monotonic there.
-Propagated monotonic(const Function& f, const Propagated& place);
-
-/// The largest value of f, which rises to it and falls from it, and its place, whose error reaches to where f is certainly
-/// smaller.
-Propagated largest(const Function& f, double lower, double upper);
-Propagated place_of_largest(const Function& f, double lower, double upper);
 
 }  // namespace nipref::verify
