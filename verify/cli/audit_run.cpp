@@ -74,17 +74,6 @@ Selection selected_by(const CommandLine& line) {
 /// Options that do not determine the findings: where these are stored, who computes them and how they are printed.
 const std::set<std::string> without_effect{"out", "shard", "quiet", "json", "no-times"};
 
-/// How many promises were kept, and the result that uses the largest share of its promised error; null without results.
-Json closest_json(const std::vector<AuditResult>& results) {
-  if (results.empty()) return {};
-  const AuditResult& closest = *closest_to_its_promise(results);
-  return {{"all", all_kept(results)},
-          {"passed", std::ranges::count_if(results, &AuditResult::kept)},
-          {"of", results.size()},
-          {"closest", closest.quantity->name},
-          {"used", closest.allowance_used}};
-}
-
 /// The command line in the fingerprint of a run's folder.
 CommandLine command_of(const std::filesystem::path& folder, const std::string& fingerprint) {
   try {
@@ -99,15 +88,6 @@ CommandLine command_of(const std::filesystem::path& folder, const std::string& f
 }
 
 }  // namespace
-
-Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
-  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
-  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
-          {"rows", audit_json(audited.quantities)},
-          {"contacts", contact_audit_json(audited.hard_cases)},
-          {"scenes", scene_tally_json(audited.scenes)},
-          {"_of_quantities", closest_json(audited.quantities)}};
-}
 
 AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
     : shard_(parse_shard(line.option("shard").value_or("1/1"))),

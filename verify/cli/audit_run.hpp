@@ -15,9 +15,6 @@ std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges,
 /// ranges that are assigned. Golden points are among them.
 AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity, double density = 1);
 
-/// The JSON of an audit, by itself and within a report.
-Json audits_json(const Audited& audited, fast::Accuracy accuracy);
-
 /// The audit that a command line asks for, divided into blocks. With --out their findings are kept in a folder, from which
 /// a later process continues.
 class AuditRun {

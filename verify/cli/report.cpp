@@ -132,35 +132,7 @@ void do_parts(Report& report, const std::vector<ReportPart>& parts,
   }
 }
 
-Json seed_errors_json(const std::vector<Replay>& tables) {
-  return json_list(seed_errors(tables), [](const SeedError& error) {
-    return Json{
-        {"what", error.what}, {"table", error.table}, {"relative", error.relative}, {"cause", error.cause}};
-  });
-}
-
 }  // namespace
-
-Json report_json(const Report& report) {
-  return {{"command", report.command},
-          {"audit", audits_json(report, {})},
-          {"witness", witness_json(report.witness)},
-          {"bench", bench_json(report.speed)},
-          {"tables", tables_json(report.tables)},
-          {"seed_errors", seed_errors_json(report.tables)},
-          {"claims", claims_json(report.claims)},
-          {"limits", limits_json(report.limits)},
-          {"errata", errata_json(report.errata)},
-          {"golden",
-           json_list(report.golden, [](const GoldenSample& one) { return checked_file_json(one.checked); })},
-          {"golden_values", golden_values_json(report.golden)},
-          {"quantities", quantities_json(report.quantities)},
-          {"figures", json_list(report.figures, figure_json)},
-          {"times", {{"plots", speed_plots_json(report.speed.rows)}}},
-          {"summary", summary_json(report)},
-          {"to_come", json_list(report.to_come)},
-          {"comparison", report.comparison ? comparison_json(*report.comparison) : Json()}};
-}
 
 VerbAnswer report_verb(const CommandLine& line) {
   const auto older = older_report(line);

@@ -28,7 +28,4 @@ std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Prog
 /// True if a cell is unexplained that neither its own table contradicts nor known_misses.csv lists.
 bool fall_short(const std::vector<Replay>& replays);
 
-/// What `report` answers: what its parts would.
-Json report_json(const Report& report);
-
 }  // namespace nipref::verify

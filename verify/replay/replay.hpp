@@ -8,21 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/data/problem/nip.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/data/table/table.hpp>
-#include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/fast/nip/converged.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
 /// The values of a row by the names of their columns, base units.
 using RowValues = std::map<std::string, double>;
-
-/// The columns of the tables of nips, for line loads or a converged contact of an elastic or a viscoelastic nip.
-template <class Contact>
-RowValues row_values(double sheet_thickness, const Contact& contact);
 
 /// The verdict on a cell of a seed's table.
 enum class Verdict {

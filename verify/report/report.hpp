@@ -73,23 +73,12 @@ struct Report : Audited {
 /// The result that uses the largest share of its promised error; null if there are no results.
 const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& results);
 
-/// The largest deviation of a column of some tables from the truth.
-struct SeedError {
-  std::string what;   ///< "contact length of the thesis's tables"
-  std::string table;  ///< the table with the largest deviation
-  double relative;    ///< relative to the truth, with its sign
-  std::string cause;  ///< the weakness of the method, and what it is compared with
-};
+/// The answer of an audit, by itself and within a report.
+Json audits_json(const Audited& audited, fast::Accuracy accuracy);
 
-/// The errors of the seeds' methods: of the contact length and the rolling resistance of the thesis by its line loads, of
-/// the span ratio in Brock's first table of 2013 by its formula. Only those whose tables are among `tables`.
-std::vector<SeedError> seed_errors(const std::vector<Replay>& tables);
-
-// The parts of a report's answer that are not answers of other verbs: counts, the definition and plot of each quantity,
-// golden values, and plots of times against errors.
-Json summary_json(const Report& report);
-Json quantities_json(const std::vector<AuditResult>& results);
-Json golden_values_json(const std::vector<GoldenSample>& samples);
+/// The answer of a report: what its parts would answer, counts, the errors of the seeds' methods, the definition and plot of each
+/// quantity, golden values, and plots of times against errors.
+Json report_json(const Report& report);
 Json error_plot_json(const AuditResult& result);  ///< null where there are too few points
 Json speed_plots_json(const std::vector<BenchRow>& rows);
 

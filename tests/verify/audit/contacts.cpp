@@ -2,8 +2,8 @@
 
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/report/report.hpp>
 
 #include "support/test.hpp"
 

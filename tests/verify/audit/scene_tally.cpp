@@ -1,7 +1,7 @@
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
-#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/report/report.hpp>
 
 #include "support/json_schema.hpp"
 

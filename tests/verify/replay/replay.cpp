@@ -42,28 +42,13 @@ TEST_CASE("matches with a lost digit are counted apart") {
   }
 }
 
-TEST_CASE("a length that its row's replay tells frees the other cells of the row") {
-  for (const auto& [id, read_as] : {std::pair{"thesis-VII", "162.4"}, std::pair{"thesis-X", "48.5"}}) {
-    CAPTURE(id);
-    const verify::Replay& replay = replayed(id);
-    const data::TableCell& length = replay.table.cell(7, "L");
-    CHECK(length.read_as == read_as);
-    REQUIRE(length.erratum);
-    CHECK(length.erratum->kind == data::ErratumKind::replay);
-    for (const char* column : {"d1", "d1/B", "creep"})
-      CHECK(cell_of(replay, 7, column).verdict == Verdict::match);
-  }
-}
-
 TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII, row 8, in 18 of 100") {
   struct Length {
     const char* id;
     double chance, upper;  // what must be above the lengths that the columns ask for
-    const char* told;
   };
-  for (const auto& [id, chance, upper, told] :
-       {Length{"thesis-X", 0.0018, 48.55e-3, "by chance in 0.2 of 100 rows"},
-        Length{"thesis-VII", 0.18, 162.4e-3, "by chance in 18 of 100 rows"}}) {
+  for (const auto& [id, chance, upper] :
+       {Length{"thesis-X", 0.0018, 48.55e-3}, Length{"thesis-VII", 0.18, 162.4e-3}}) {
     CAPTURE(id);
     const data::Table table = data::load_table_by_id(id);
     const data::ElasticNip nip = verify::nip_of_the_tables(table);
@@ -75,7 +60,6 @@ TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII
     CHECK(witnesses.size() == 3);
     for (const verify::LengthWitness& witness : witnesses) CHECK(witness.length.upper < upper);
     CHECK(verify::chance_of_agreement(witnesses, 0.1e-3) == doctest::Approx(chance).epsilon(0.15));
-    CHECK(contains(cell_of(replayed(id), 7, "L").note, told));
   }
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0.2, 0.3}}}, 1) == 1);
   CHECK(verify::chance_of_agreement({{"a", {0, 0.1}}, {"b", {0, 0.2}}}, 1) == doctest::Approx(0.3));
@@ -125,26 +109,6 @@ TEST_CASE("a wrong number of elements does not reproduce the table") {
   CHECK(replay.count(Verdict::match) < 30);
 }
 
-TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one says what was tried") {
-  double cells = 0, met = 0, seed_errors = 0, without_number = 0;
-  for (const verify::LineLoadTable& table : verify::line_load_tables()) {
-    const std::string id(table.id);
-    const verify::Replay& replay = replayed(id);
-    for (const verify::ReplayedCell& replayed : replay.cells) {
-      CAPTURE(id, replayed.row, replayed.column);
-      if (replayed.verdict == Verdict::input) continue;
-      ++cells;
-      met += replayed.verdict == Verdict::match || replayed.verdict == Verdict::misprint ? 1 : 0;
-      seed_errors += replayed.verdict == Verdict::seed_error ? 1 : 0;
-      without_number += replay.table.cell(replayed.row, replayed.column).is_readable() ? 0 : 1;
-      if (replayed.verdict != Verdict::match) CHECK(!replayed.note.empty());
-    }
-  }
-  CHECK(met >= 0.92 * (cells - without_number));
-  CHECK(met + seed_errors >= 0.95 * cells);
-  CHECK(without_number < 0.02 * cells);
-}
-
 TEST_CASE("the printed creep of Table III is rounded away from zero, and of no other") {
   for (const std::string id : {"thesis-III", "thesis-IV", "thesis-V", "thesis-VI"}) {
     const verify::Replay& replay = replayed(id);
@@ -153,36 +117,12 @@ TEST_CASE("the printed creep of Table III is rounded away from zero, and of no o
       return cell.verdict == Verdict::seed_error && contains(cell.note, "rounded away from zero");
     };
     CHECK(std::ranges::any_of(replay.cells, is_so) == (id == "thesis-III"));
-    CHECK(replay.count(Verdict::input) == 16);  // L and creep
   }
   // One number mends d0, d1, q_max and their ratios of a row together.
   const verify::Replay& third = replayed("thesis-III");
   for (const verify::ReplayedCell& replayed : third.cells) {
     if (replayed.row != 5 || replayed.verdict == Verdict::input) continue;
     CHECK(replayed.verdict != Verdict::unexplained);
-  }
-}
-
-TEST_CASE("where L is not printed the row is replayed from L/B, which then counts as input") {
-  const verify::Replay& replay = replayed("thesis-VIII");
-  CHECK(replay.count(Verdict::input) == 8 + 7);
-  CHECK(replay.count(Verdict::unexplained) == 0);
-}
-
-TEST_CASE("the notes of missed cells say what would meet them") {
-  struct Noted {
-    const char *id, *column, *says;
-    std::size_t row;
-  };
-  for (const auto& [id, column, says, row] :
-       {Noted{"thesis-VI", "p_max", "one digit from 6768", 7},
-        {"thesis-IV", "q_max", "not the largest: element 3 of 3 has 55.03", 6},
-        {"thesis-V", "q_max", "that of element 3 of 5, 34.1473", 2},
-        {"thesis-III", "p_max", "844.185 for 848.185, one digit", 2},
-        {"thesis-III", "q_max", "or creep = -20.826", 5},
-        {"thesis-III", "q_max", "no other number of elements", 5}}) {
-    CAPTURE(says);
-    CHECK(contains(cell_of(replayed(id), row, column).note, says));
   }
 }
 

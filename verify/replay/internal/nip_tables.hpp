@@ -4,11 +4,17 @@
 
 #include <nipref/data/problem/nip.hpp>
 #include <nipref/data/table/table.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
+
+/// The columns of the tables of nips, for line loads or a converged contact of an elastic or a viscoelastic nip.
+template <class Contact>
+RowValues row_values(double sheet_thickness, const Contact& contact);
 
 /// A row that line loads give.
 struct ReplayedRow {
