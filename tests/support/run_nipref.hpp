@@ -18,19 +18,22 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs the program with these arguments, as a shell reads them.
-inline Outcome run(const std::string& arguments) {
+/// What a shell makes of these commands.
+inline Outcome outcome_in_shell(const std::string& commands) {
   const ScratchFile errors;
-  const std::string command = "'" + program() + "' " + arguments + " 2>'" + errors.path() + "'";
-  FILE* pipe = popen(command.c_str(), "r");
+  FILE* pipe = popen(("{ " + commands + "\n} 2>'" + errors.path() + "'").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string out;
   std::array<char, 4096> buffer{};
-  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
     out.append(buffer.data(), count);
-  }
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, errors.text()};
+}
+
+/// Runs the program with these arguments, as a shell reads them.
+inline Outcome run(const std::string& arguments) {
+  return outcome_in_shell("'" + program() + "' " + arguments);
 }
 
 /// The same without a process, which takes more time than most answers. By run() where the shell has more to do than to find

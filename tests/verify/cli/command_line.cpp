@@ -26,6 +26,7 @@ struct TabledCall {
 /// The calls of a file beside this one.
 std::vector<TabledCall> tabled_calls(const std::string& name) {
   const std::map<std::string, std::string> places{{"{kernels}", plugin_file("kernels")},
+                                                  {"{slower}", plugin_file("slower")},
                                                   {"{program}", program()},
                                                   {"{data}", source_directory() + "/data"}};
   std::vector<TabledCall> calls;
@@ -52,8 +53,11 @@ void check_bad_call(const TabledCall& bad) {
   }
 }
 
-/// The text of an answer with this status, or that in JSON; each call is made once.
-const std::string& answered(const std::string& call, int status = 0) {
+/// The text of an answer with this status, or that in JSON.
+using Answered = std::function<std::string(const std::string& call, int status)>;
+
+/// Each call is made once.
+std::string answered_once(const std::string& call, int status) {
   static std::map<std::string, std::string> all;
   const auto known = all.find(call);
   if (known != all.end()) return known->second;
@@ -74,14 +78,14 @@ double number_in(const json& value) {
 }
 
 /// Of the claim /NAME/NAME RELATION WANTED, as answers.txt has it.
-bool holds(const json& answer, const std::string& claim) {
+bool holds(const json& answer, const std::string& claim, const Answered& answered) {
   std::istringstream words(claim);
   std::string pointer, relation, wanted;
   words >> pointer >> relation >> std::ws;
   std::getline(words, wanted);
   const json found = member_of(answer, pointer);
   if (relation == "as" || relation == "unlike")
-    return (found == member_of(json::parse(answered(wanted + " --json")), pointer)) == (relation == "as");
+    return (found == member_of(json::parse(answered(wanted + " --json", 0)), pointer)) == (relation == "as");
   if (relation == "has") return contains(found.get<std::string>(), wanted);
   const std::size_t tolerance = wanted.find(" +- ");
   const std::string text = wanted.substr(0, tolerance);
@@ -108,7 +112,7 @@ void check_schema(const json& answer, const std::string& definition) {
   CHECK_FALSE(holds_anywhere(answer, [](const std::string&, const json& item) { return item == ""; }));
 }
 
-void check_answer(const TabledCall& tabled) {
+void check_answer(const TabledCall& tabled, const Answered& answered) {
   int status = 0;
   for (const std::string& claim : tabled.claims) {
     CAPTURE(tabled.call, claim);
@@ -117,16 +121,46 @@ void check_answer(const TabledCall& tabled) {
     if (claim.starts_with("status ")) {
       status = std::stoi(claim.substr(7));
     } else if (claim.starts_with('/')) {
-      CHECK(holds(in_json(), claim));
+      CHECK(holds(in_json(), claim, answered));
     } else if (claim.starts_with("schema ")) {
       check_schema(in_json(), claim.substr(7));
     } else if (claim == "fits") {
       check_fits(text());
     } else if (claim.starts_with("is ")) {
-      CHECK(text() == answered(claim.substr(3)));
+      CHECK(text() == answered(claim.substr(3), 0));
     } else {
       CHECK(contains(unfolded(text()), claim.substr(claim.starts_with('!'))) != claim.starts_with('!'));
     }
+  }
+}
+
+/// The lines of a file of sessions, each of which has a folder of its own.
+void check_sessions(const std::string& name) {
+  std::optional<ScratchFolder> folder;
+  std::string title, start;
+  for (TabledCall& line : tabled_calls(name)) {
+    if (line.call.starts_with("== ")) {
+      title = line.call;
+      start = "cd '" + folder.emplace().path().string() + "'; nipref() { '" + program() + "' \"$@\"; }; ";
+      continue;
+    }
+    if (line.call.starts_with("export ")) {
+      start += line.call + "; ";
+      continue;
+    }
+    CAPTURE(title);
+    std::map<std::string, std::string> known;  // what is done once is not done again for another claim
+    if (line.claims.empty() || line.claims == std::vector<std::string>{"status 1"})
+      line.claims.emplace_back("");
+    check_answer(line, [&](const std::string& call, int status) {
+      const auto [text, is_new] = known.try_emplace(call);
+      if (!is_new) return text->second;
+      const Outcome outcome = outcome_in_shell(start + call);
+      CAPTURE(outcome.out, outcome.err);
+      CHECK(outcome.status == status);
+      CHECK((status < 2 ? outcome.err : outcome.out) == "");
+      return text->second = status < 2 ? outcome.out : outcome.err;
+    });
   }
 }
 
@@ -155,7 +189,11 @@ TEST_CASE("bad input: status 2, one line that names it, nothing on standard outp
 TEST_CASE("calls are answered: the text's words and the members in JSON, with the status") {
   const std::vector<TabledCall> calls = tabled_calls("answers.txt");
   CHECK(calls.size() > 90);
-  for (const TabledCall& tabled : calls) check_answer(tabled);
+  for (const TabledCall& tabled : calls) check_answer(tabled, answered_once);
+}
+
+TEST_CASE("calls that follow each other: files that are made, kept, changed and refused") {
+  check_sessions("sessions.txt");
 }
 
 TEST_CASE("list names the whole catalogue, 'help scene' all keys and results with unit and meaning") {

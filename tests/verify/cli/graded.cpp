@@ -49,56 +49,6 @@ TEST_CASE("a kernel of a shared object is graded with the numbers of audit and i
   CHECK(answer_to(grade_kernels("all_sound --no-times"))["rows"][0].contains("times") == false);
 }
 
-TEST_CASE("a bare function is graded in ranges, promise and baseline as kernels are") {
-  const std::string call = grade_kernels("I3 alpha=1e-3..50:log --symbol bare_I3 --thread-safe");
-  const ScratchFile baseline;
-  CHECK(run(call + " --baseline '" + baseline.path() + "' --update-baseline").status == 0);
-  CHECK(run(call + " --baseline '" + baseline.path() + "'").status == 0);
-  CHECK(run(call + " --seed 2 --baseline '" + baseline.path() + "'").status == 1);
-  // The same library in another folder, with its version.
-  const ScratchFolder folder;
-  const std::filesystem::path other = folder.path() / "kernels.so.1.2";
-  std::filesystem::copy(plugin_file("kernels"), other);
-  const std::string of_other = "grade '" + other.string() + call.substr(call.find("' --quiet"));
-  CHECK(run(of_other + " --baseline '" + baseline.path() + "'").status == 0);
-  CHECK(run(call + " --promise 1e-3ulp").status == 1);
-  const json row = row_of(run(call + " --json"));
-  CHECK(row["quantity"] == "I3");
-  CHECK(row["where"] == "alpha=1e-3..50:log");
-  CHECK(run(grade_kernels("--symbol bare_I6 --quantity I6")).status == 0);
-}
-
-TEST_CASE("a kernel that crashes is told of, with status 1, and is an error in JUnit") {
-  const ScratchFile junit;
-  const Outcome outcome = run(grade_kernels("crashes alpha=17.25 --junit '" + junit.path() + "'"));
-  CHECK(outcome.status == 1);
-  CHECK(outcome.err.empty());
-  CHECK(contains(outcome.out, "  crash at alpha=17.25 (0x1.14p+4): SIGSEGV (Segmentation fault)\n"));
-  CHECK(contains(outcome.out, "above the promise at"));
-  CHECK(contains(junit.text(), "errors=\"1\""));
-  CHECK(contains(junit.text(), "crash at alpha=17.25 (0x1.14p+4)"));
-  // A right value is not enough.
-  const json row = row_of(run(grade_kernels("rounds_up alpha=17.25 --json")));
-  CHECK(row["passed"] == true);
-  CHECK(row["faults"][0]["kind"] == "environment changed");
-  CHECK(run(grade_kernels("rounds_up alpha=17.25")).status == 1);
-}
-
-TEST_CASE("a kernel that is slower than an older one by more than is allowed falls short") {
-  // `slow` does its work thirty times, and both files have it.
-  const std::string same = grade_kernels("slow --against '" + plugin_file("kernels") + "'");
-  CHECK(run(same + " --max-slowdown 10000%").status == 0);
-  const json row = row_of(run(same + " --max-slowdown 100 --json"));
-  CHECK(row["times"]["to_older"]["passed"] == true);
-  CHECK(row["times"]["to_older"]["allowed_slowdown"] == 100);
-  const std::string slower = "grade '" + plugin_file("slower") +
-                             "' all_sound --quiet --points 100 --against '" + plugin_file("kernels") +
-                             "' --max-slowdown 200%";
-  const Outcome outcome = run(slower);
-  CHECK(outcome.status == 1);
-  CHECK(contains(unfolded(outcome.out), "FAIL, 200 % slower is allowed"));
-}
-
 TEST_CASE("the worst point of a grade is appended once to a file like a golden one") {
   const ScratchFile file;
   std::filesystem::remove(file.path());

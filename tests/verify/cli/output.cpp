@@ -73,20 +73,6 @@ TEST_CASE("what cannot be written is an error with its reason, status 4") {
   }
 }
 
-TEST_CASE("an error that cannot be answered is told on standard error, if that is open, with its status") {
-  const Outcome outcome = run("eval I9 --json >/dev/full");
-  CHECK(outcome.status == 4);
-  CHECK(std::ranges::count(outcome.err, '\n') == 2);
-  CHECK(contains(outcome.err, "quantity = I9"));
-  CHECK(contains(outcome.err, "No space left on device"));
-  const Outcome good = run("eval I1 alpha=0.73 2>&-; exit $?");
-  CHECK(good.status == 0);
-  CHECK(contains(good.out, "0.20699024464081926702"));
-  const Outcome bad = run("eval I9 2>&-; exit $?");
-  CHECK(bad.status == 2);
-  CHECK(bad.out.empty());
-}
-
 TEST_CASE("a reader that has gone ends the program quietly, by the signal, or an error if that is ignored") {
   for (void (*const on_broken_pipe)(int) : {SIG_DFL, SIG_IGN}) {
     const ScratchFile errors;

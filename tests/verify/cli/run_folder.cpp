@@ -124,33 +124,6 @@ TEST_CASE("a folder takes no other run, and a shard no second process") {
   CHECK(text_of_file(folder.path() / "run.json") == fingerprint);
 }
 
-TEST_CASE("audits in shards, merged, are answered as one process answers, what does not fit is refused") {
-  const ScratchFolder folder;
-  const std::string audit = "audit I3 I4 --points 9000 --quiet ",
-                    run_folder = "'" + (folder.path() / "run").string() + "'";
-  const Outcome alone = run(audit + "--json --no-times");
-  REQUIRE(alone.status == 0);
-  CHECK(run(audit + "--shard 2/2 --out " + run_folder).status == 0);
-  check_call_refused("merge " + run_folder,
-                     "must have all its blocks: without I3 block 0, I3 block 2, I4 block 0");
-  const std::string elsewhere = "'" + (folder.path() / "elsewhere").string() + "'";
-  CHECK(run(audit + "--shard 1/2 --out " + elsewhere).status == 0);
-  CHECK(run("merge --json --no-times " + run_folder + " " + elsewhere).out == alone.out);
-  const Outcome shard = run(audit + "--shard 1/2 --json --out " + run_folder);
-  const auto told = nlohmann::json::parse(shard.out);
-  CHECK(answer_schema().misfit(told, "audit_shard") == "");
-  CHECK(told.at("blocks_done") == 4);
-  CHECK(told.at("blocks_there") == 2);
-  const Outcome merged = run("merge --json --no-times " + run_folder);
-  CHECK(merged.status == 0);
-  CHECK(merged.out == alone.out);
-  CHECK(run(audit + "--json --no-times --out " + run_folder).out == alone.out);
-  check_call_refused("audit I3 --points 9000 --out " + run_folder,
-                     "must be of the same program, command and inputs");
-  check_call_refused("merge '" + folder.path().string() + "'", "must be a folder with a run.json");
-  check_call_refused("audit I3 --shard 3/2 --out " + run_folder, "must be i/N");
-}
-
 TEST_CASE("a shard is i of N, and has every N-th block") {
   const Shard third = verify::parse_shard("3/8");
   CHECK(third == Shard{2, 8});

@@ -33,19 +33,6 @@ TEST_CASE("solve --full tells the thesis's search: each length by (2.13), the la
   }
 }
 
-TEST_CASE("a bad scene: status 2, one line with file, line, key and value, nothing of a binary file") {
-  const auto check = [](const std::string& text, const std::string& says) {
-    const ScratchFile scene(text);
-    check_call_refused("solve " + scene.path(), scene.path() + says);
-  };
-  check("title = \"x\"\n[roller]\nradius = 0\n", ": wanted = (missing)");
-  check("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n",
-        ":5: material.model = ela stic: ");
-  check(std::string("\x7f\0\x01", 3), ": syntax = (binary): must be text: this has zero bytes");
-  // Its contact would be longer than the radius, which only solving tells.
-  check(replaced_in(example(), "young = 1.45e5", "young = 1"), ":18: load.per_length = 100: ");
-}
-
 TEST_CASE("a scene's sweep solves each combination as solve does, and no other verb goes through it") {
   const ScratchFile file(example() +
                          "[sweep]\npoints = 3\nfriction.model = [\"none\", \"full\"]\n"
