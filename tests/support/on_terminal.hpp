@@ -22,21 +22,14 @@ class OnTerminal {
  public:
   OnTerminal(std::vector<std::string> arguments, const char* term, unsigned short columns) {
     const winsize size{24, columns, 0, 0};
-    int other_end = -1;
-    REQUIRE(openpty(&terminal_, &other_end, nullptr, nullptr, &size) == 0);
     arguments.insert(arguments.begin(), program());
     std::vector<char*> words;
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
-    child_ = fork();
-    if (child_ != 0) {
-      close(other_end);
-      return;
-    }
+    child_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    REQUIRE(child_ >= 0);
+    if (child_ > 0) return;
     dup2(open(output_.path().c_str(), O_WRONLY), STDOUT_FILENO);
-    dup2(other_end, STDERR_FILENO);
-    close(terminal_);
-    close(other_end);
     setenv("TERM", term, 1);
     std::signal(SIGINT, SIG_DFL);
     execv(words[0], words.data());

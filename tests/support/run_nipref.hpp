@@ -1,5 +1,4 @@
 #pragma once
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <wordexp.h>
 
@@ -73,14 +72,4 @@ inline std::string refusal_of_call(const std::string& arguments) {
 
 inline void check_call_refused(const std::string& arguments, const std::string& says) {
   CHECK(contains(refusal_of_call(arguments), says));
-}
-
-/// What the program does with the file when it comes through a pipe, which can be read once only; one that would wait for
-/// a second writer is ended.
-inline Outcome run_with_pipe(const std::string& verb, const std::string& file, const std::string& more) {
-  const ScratchFolder folder;
-  const std::string pipe = folder.file("pipe");
-  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  return run(verb + " '" + pipe + "' " + more + " & started=$!; cat '" + file + "' >'" + pipe +
-             "'; (sleep 30; kill $started) >/dev/null 2>&1 & wait $started");
 }

@@ -122,7 +122,7 @@ BenchReport bench_all(const Selection& selected, Progress& progress, const std::
       parts.insert(parts.end(), of_kind.begin(), of_kind.end());
   for (const BenchGroup& group : bench_group_table) {
     if (!selected.has(group.name)) continue;
-    for (const BenchPart& part : group.parts(usual_rounds))
+    for (const BenchPart& part : group.parts())
       parts.push_back({fmt::format("{} {}", group.name, part.name), part.rows});
   }
   BenchReport report;

@@ -1,4 +1,5 @@
 #include <cctype>
+#include <regex>
 
 #include <nipref/verify/support/formula.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -32,40 +33,15 @@ std::string spaced(const std::string& name, double after) {
 
 std::string row(const std::string& content) { return element("mrow", content); }
 
-/// That of x+ and x-, the ends of a contact: no summand follows.
-bool is_sign_of_name(const std::string& formula, std::size_t at) {
-  return at + 1 < formula.size() && (formula[at] == '+' || formula[at] == '-') &&
-         (formula[at + 1] == ' ' || formula[at + 1] == ')');
-}
-
+/// A name, with the digits of its index, or with its sign where no summand follows: x+ and x- are the ends of a contact; a
+/// number; the bar of a fraction; signs.
 std::vector<std::string> tokens_of(const std::string& formula) {
-  static const std::set<std::string> pairs{"<=", ">=", "+-", "->", "''"};
-  const auto is = [&](std::size_t at, auto kind) {
-    return at < formula.size() && kind(static_cast<unsigned char>(formula[at])) != 0;
-  };
+  static const std::regex token(
+      R"(([A-Za-z]+)(\d+|[+-](?=[ )]))?|\d[\d.]*(?:e-?\d+)?| / |<=|>=|\+-|->|''|[^ ])");
   std::vector<std::string> tokens;
-  for (std::size_t at = 0, end = 0; at < formula.size(); at = end) {
-    end = at + 1;
-    if (is(at, isalpha)) {
-      while (is(end, isalpha)) ++end;
-      tokens.push_back(formula.substr(at, end - at));
-      at = end;
-      while (is(end, isdigit)) ++end;
-      if (end == at && is_sign_of_name(formula, at)) ++end;
-      if (end == at) continue;
-      tokens.emplace_back("_");
-    } else if (is(at, isdigit)) {
-      while (is(end, isdigit) || (end < formula.size() && formula[end] == '.')) ++end;
-      if (end < formula.size() && formula[end] == 'e' && (is(end + 1, isdigit) || is(end + 2, isdigit)))
-        for (end += 2; is(end, isdigit);) ++end;
-    } else if (formula.compare(at, 3, " / ") == 0) {
-      end = at + 3;
-    } else if (pairs.contains(formula.substr(at, 2))) {
-      end = at + 2;
-    } else if (formula[at] == ' ') {
-      continue;
-    }
-    tokens.push_back(formula.substr(at, end - at));
+  for (std::sregex_iterator at(formula.begin(), formula.end(), token), end; at != end; ++at) {
+    tokens.push_back((*at)[1].matched ? (*at)[1].str() : at->str());
+    if ((*at)[2].matched) tokens.insert(tokens.end(), {"_", (*at)[2].str()});
   }
   return tokens;
 }

@@ -78,7 +78,7 @@ TEST_CASE("a contact without an independent truth gets no verdict, what is not k
 TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the thesis's method") {
   // Those with Coulomb's friction take the reference long.
   std::vector<verify::BenchRow> rows;
-  for (const verify::BenchPart& part : verify::elastic_bench(1))
+  for (const verify::BenchPart& part : verify::elastic_bench())
     if (is_thorough() || !contains(part.name, "Coulomb"))
       std::ranges::move(part.rows(), std::back_inserter(rows));
   for (const char* sheet : {"B=1 W=100", "B=0.25 W=100", "B=0.0625 W=100", "B=0.005 W=100"}) {

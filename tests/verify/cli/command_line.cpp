@@ -144,8 +144,9 @@ void check_sessions(const std::string& name) {
       start = "cd '" + folder.emplace().path().string() + "'; nipref() { '" + program() + "' \"$@\"; }; ";
       continue;
     }
-    if (line.call.starts_with("export ")) {
-      start += line.call + "; ";
+    constexpr std::string_view always = "always ";
+    if (line.call.starts_with(always)) {
+      start += line.call.substr(always.size()) + "; ";
       continue;
     }
     CAPTURE(title);

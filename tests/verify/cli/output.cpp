@@ -7,17 +7,6 @@
 
 using nlohmann::json;
 
-TEST_CASE("without times an answer is the same each time") {
-  for (const std::string arguments :
-       {"eval I1 alpha=0.73", "audit I3 points=100", "bench I7", "tables thesis-VII --list"}) {
-    CAPTURE(arguments);
-    const std::string first = run(arguments + " --json --no-times").out;
-    CHECK_FALSE(
-        holds_anywhere(json::parse(first), [](const auto& name, const json&) { return name == "times"; }));
-    CHECK(run(arguments + " --json --no-times").out == first);
-  }
-}
-
 TEST_CASE("with --json an error is an answer too, of bytes that are no text as well") {
   struct Refused {
     const char* arguments;
@@ -58,19 +47,6 @@ TEST_CASE("the schema is what it is checked by: a name more, less or of another 
   for (const char* unknown :
        {R"({"properties":{"x":{"minimum":0}}})", R"({"anyOf":[{"items":{"oneOf":[]}}]})"})
     CHECK_THROWS_AS(JsonSchema(json::parse(unknown)), std::invalid_argument);
-}
-
-TEST_CASE("what cannot be written is an error with its reason, status 4") {
-  for (const std::string call : {"list", "list --json", "eval I1 alpha=0.73", "solve --help", "--version",
-                                 "tables thesis-VII --json"}) {
-    for (const auto& [output, reason] :
-         {std::pair{" >/dev/full", "No space left on device"}, std::pair{" >&-", "Bad file descriptor"}}) {
-      CAPTURE(call);
-      const Outcome outcome = run(call + output);
-      CHECK(outcome.status == 4);
-      CHECK(outcome.err == std::string("nipref: standard output: ") + reason + "\n");
-    }
-  }
 }
 
 TEST_CASE("a reader that has gone ends the program quietly, by the signal, or an error if that is ignored") {

@@ -73,8 +73,3 @@ TEST_CASE("profiles and fields of a sweep are lists in JSON, and a row for each 
   CHECK(contains(csv, ",stress_across,0.999," + places.back().dump() + ","));
   CHECK(run(words + " --csv --json").err == "nipref: csv = (given): must be left out beside --json\n");
 }
-
-TEST_CASE("a scene is read from a pipe, which can be read once only") {
-  const ScratchFile file(example());
-  CHECK(run_with_pipe("solve", file.path(), "--csv").out == run("solve --csv " + file.path()).out);
-}

@@ -257,10 +257,3 @@ TEST_CASE("figures are drawn as SVG with all their series, where gnuplot is ther
     CHECK(csv.text() == verify::figure_csv(all));
   }
 }
-
-TEST_CASE("without gnuplot a drawing is refused in one line that names it, and no file is written") {
-  const ScratchFile svg("before");
-  const Environment without("PATH", "/nowhere");
-  check_call_refused("figures thesis-9 --svg '" + svg.path() + "'", "gnuplot");
-  CHECK(svg.text() == "before");
-}

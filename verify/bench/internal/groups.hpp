@@ -10,18 +10,18 @@ inline constexpr int usual_rounds = 15;
 /// What is timed besides the quantities of the catalogue: the rows have the group's name as `quantity`.
 struct BenchGroup {
   std::string_view name;
-  std::vector<BenchPart> (*parts)(int rounds);  ///< the times are medians over so many rounds
+  std::vector<BenchPart> (*parts)();
 };
 
 /// Whole elastic contacts found for a load, by the thesis's method as it stands (line loads, 500 residues of each kernel,
 /// its own iteration of the length to 0.2 %) and by the converged solver, with errors of the contact length; with Coulomb's friction
 /// line loads and the converged solver, with errors of the creep ratio; the replay of Tables III to X.
-std::vector<BenchPart> elastic_bench(int rounds);
+std::vector<BenchPart> elastic_bench();
 /// The displacement Un under a moving load at several tolerances and by the thesis's plain sums, with errors over the scale
 /// of the catalogue's Un; rolling contacts found for a load likewise; the replay of Tables XI to XXVI.
-std::vector<BenchPart> viscoelastic_bench(int rounds);
+std::vector<BenchPart> viscoelastic_bench();
 /// The compliance of one line by fast and by ref, the contour of a sliding contact, and the exact ellipse.
-std::vector<BenchPart> half_space_bench(int rounds);
+std::vector<BenchPart> half_space_bench();
 
 inline constexpr BenchGroup bench_group_table[] = {{"elastic-nip", elastic_bench},
                                                    {"viscoelastic-nip", viscoelastic_bench},
@@ -49,7 +49,7 @@ struct TimedRounds {
 
 /// Times the ways side by side: a row for each.
 std::vector<BenchRow> timed_rows(const std::string& quantity, const std::string& arguments,
-                                 const std::vector<TimedWay>& ways, const TimedRounds& rounds);
+                                 const std::vector<TimedWay>& ways, const TimedRounds& rounds = {});
 
 /// A contender that calls work(i) for i from 0 to count - 1.
 template <class Work>

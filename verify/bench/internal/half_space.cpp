@@ -34,34 +34,30 @@ std::vector<Direction> directions() {
   });
 }
 
-/// The largest relative error of fast's compliance K at a few angles.
-double error_of(const Quantity& quantity, const PointOfAngle& point) {
-  double largest = 0;
-  for (const double psi : {-80.0, -30.0, 0.0, 20.0, 45.0, 70.0}) {
-    const Point at = point(psi);
-    const auto truth = ref_value(quantity, at, 20);
-    largest = std::max(largest, std::fabs(truth.error_of(quantity.by_fast(at, {})) / truth.to_double()));
-  }
-  return largest;
-}
-
-/// The compliance of one line.
+/// The compliance K of one line.
 std::vector<BenchRow> lines(const std::string& what, const fast::SurfaceResponse& response,
-                            const Quantity& quantity, const PointOfAngle& point, int rounds) {
+                            const Quantity& quantity, const PointOfAngle& point) {
   const auto by_fast = [&, all = directions()](std::size_t i) {
     return response(all[i % direction_count]).compliance;
   };
-  const auto by_ref = [&](std::size_t i) {
-    return ref_value(quantity, point(static_cast<double>(i % 90)), 20);
+  const auto by_ref = [&](double psi) { return ref_value(quantity, point(psi), 20); };
+  const auto error = [&] {
+    double largest = 0;
+    for (const double psi : {-80.0, -30.0, 0.0, 20.0, 45.0, 70.0}) {
+      const auto truth = by_ref(psi);
+      largest =
+          std::max(largest, std::fabs(truth.error_of(quantity.by_fast(point(psi), {})) / truth.to_double()));
+    }
+    return of_relative(largest);
   };
-  return timed_rows(half_space, "1000 directions",
-                    {{"fast K " + what, repeated(by_fast, most_evaluations),
-                      [&] { return of_relative(error_of(quantity, point)); }},
-                     {"ref K " + what + ", 20 digits", repeated(by_ref, most_evaluations)}},
-                    {.count = rounds});
+  return timed_rows(
+      half_space, "1000 directions",
+      {{"fast K " + what, repeated(by_fast, most_evaluations), error},
+       {"ref K " + what + ", 20 digits",
+        repeated([&](std::size_t i) { return by_ref(static_cast<double>(i % 90)); }, most_evaluations)}});
 }
 
-std::vector<BenchRow> contacts(int rounds) {
+std::vector<BenchRow> contacts() {
   const fast::SurfaceResponse in_plane = epoxy_surface(1);
   const auto contour = [&, all = directions()](std::size_t) {
     const auto contact = fast::sliding_for_force(in_plane, {1, 1}, 0, Direction::of_degrees(theta_deg), 1);
@@ -75,32 +71,28 @@ std::vector<BenchRow> contacts(int rounds) {
   return timed_rows(
       half_space, "axis in plane",
       {{"fast sliding contact: force and contour of 1000 directions", repeated(contour, most_evaluations)},
-       {"fast exact ellipse", repeated(ellipse, most_evaluations)}},
-      {.count = rounds});
+       {"fast exact ellipse", repeated(ellipse, most_evaluations)}});
 }
 
 }  // namespace
 
-std::vector<BenchPart> half_space_bench(int rounds) {
-  const auto isotropic = [=] {
-    return lines(
-        "isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
-        [](double psi) {
-          return Point{0.3, 0.5, psi};
-        },
-        rounds);
+std::vector<BenchPart> half_space_bench() {
+  const auto isotropic = [] {
+    return lines("isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
+                 [](double psi) {
+                   return Point{0.3, 0.5, psi};
+                 });
   };
-  const auto transverse = [=](const char* what, double axis) {
+  const auto transverse = [](const char* what, double axis) {
     return BenchPart{std::string("lines, ") + what, [=] {
-                       return lines(
-                           what, epoxy_surface(axis), find_quantity("ti.compliance"),
-                           [=](double psi) { return line_point(axis, psi); }, rounds);
+                       return lines(what, epoxy_surface(axis), find_quantity("ti.compliance"),
+                                    [=](double psi) { return line_point(axis, psi); });
                      }};
   };
   return {{"lines, isotropic", isotropic},
           transverse("axis normal", 0),
           transverse("axis in plane", 1),
-          {"contacts", [=] { return contacts(rounds); }}};
+          {"contacts", contacts}};
 }
 
 }  // namespace nipref::verify

@@ -43,7 +43,7 @@ auto error_against(const ref::Estimate& truth) {
 }
 
 /// Contacts at the middle of the thesis's loads.
-std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
+std::vector<BenchRow> elastic_contacts(double thickness) {
   constexpr double load = 100;
   constexpr int length_digits = 20;
   const data::ElasticNip nip = data::seed::nip(thickness);
@@ -71,11 +71,11 @@ std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
     ways.push_back(contact_way(fmt::format("converged {:.0e}, rolling", accuracy), [=] {
       return fast::converged_for_load(rolled, load, accuracy).contact_length().value;
     }));
-  return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {4, rounds});
+  return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {.over = 4});
 }
 
 /// The creep ratio with Coulomb's friction, each roller passing on half of what it can.
-std::vector<BenchRow> creep_with_slip(int rounds) {
+std::vector<BenchRow> creep_with_slip() {
   constexpr double load = 100, friction = 0.1;
   const data::PartialSlipNip nip{data::seed::nip(0.25), friction, data::GivenTraction{friction * load / 2}};
   const auto error_of = error_against(ref::partial_slip_for_load(nip, load, 16).creep_ratio());
@@ -88,11 +88,11 @@ std::vector<BenchRow> creep_with_slip(int rounds) {
     ways.push_back(contact_way(
         fmt::format("converged {:.0e}", accuracy),
         [=] { return fast::partial_slip_for_load(nip, load, accuracy).creep_ratio().value; }, error_of));
-  return timed_rows(elastic_nip, "creep, B=0.25 W=100 T=5 friction=0.1", ways, {5, rounds});
+  return timed_rows(elastic_nip, "creep, B=0.25 W=100 T=5 friction=0.1", ways, {.over = 5});
 }
 
 /// The time for all rows of Tables III to X does not include that for loading the tables.
-std::vector<BenchRow> elastic_replay(int rounds) {
+std::vector<BenchRow> elastic_replay() {
   std::vector<data::Table> tables;
   for (const LineLoadTable& how : line_load_tables())
     tables.push_back(data::load_table_by_id(std::string(how.id)));
@@ -104,8 +104,7 @@ std::vector<BenchRow> elastic_replay(int rounds) {
     }
     return cells;
   };
-  auto rows = timed_rows(elastic_nip, "all rows of Tables III-X", {{"replay", repeated(replay_all)}},
-                         {.count = rounds});
+  auto rows = timed_rows(elastic_nip, "all rows of Tables III-X", {{"replay", repeated(replay_all)}});
   rows.front().ratio.reset();
   return rows;
 }
@@ -147,7 +146,7 @@ double largest_error(const auto& by_method, const std::vector<Times>& points) {
   return largest;
 }
 
-std::vector<BenchRow> displacements_under_moving_load(int rounds) {
+std::vector<BenchRow> displacements_under_moving_load() {
   const auto points = load_paths(200);
   std::vector<TimedWay> ways;
   const auto add = [&](const std::string& name, const auto& load) {
@@ -161,12 +160,12 @@ std::vector<BenchRow> displacements_under_moving_load(int rounds) {
         fast::MovingLoad(unit_solid(), 1, 1, fast::Accuracy(rtol)));
   for (const int terms : {500, 100, 20})
     add(fmt::format("thesis Un, {} terms", terms), fast::PlainMovingLoad(unit_solid(), 1, 1, terms));
-  return timed_rows(viscoelastic_nip, "t in [0.01,10], T around", ways, {.count = rounds});
+  return timed_rows(viscoelastic_nip, "t in [0.01,10], T around", ways);
 }
 
 /// The contact lengths for B = 0.005 in, W = 100 lbf/in, F0 tau = 0.1 in. The reference path does not solve this contact:
 /// the truth is that of the finest accuracy of fast, which the names of the methods say.
-std::vector<BenchRow> rolling_contacts(int rounds) {
+std::vector<BenchRow> rolling_contacts() {
   const data::Table table = data::load_table_by_id("thesis-XXIV");
   const ViscoelasticTable& how = *find_viscoelastic_table(table.id);
   constexpr std::size_t row = 4;
@@ -188,7 +187,7 @@ std::vector<BenchRow> rolling_contacts(int rounds) {
     ways.push_back(contact_way(
         fmt::format("converged {:.0e} (against 1e-12)", accuracy), [=] { return converged(accuracy); },
         error_of));
-  return timed_rows(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", ways, {2, rounds});
+  return timed_rows(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", ways, {.over = 2});
 }
 
 /// All rows of Tables XI to XXVI, from their lengths, in one thread.
@@ -219,19 +218,18 @@ std::vector<BenchRow> rolling_replay() {
 
 }  // namespace
 
-std::vector<BenchPart> elastic_bench(int rounds) {
-  std::vector<BenchPart> parts;
-  for (const double thickness : data::seed::sheet_thicknesses)
-    parts.push_back(
-        {fmt::format("B={} W=100", thickness), [=] { return elastic_contacts(thickness, rounds); }});
-  parts.push_back({"creep with Coulomb's friction", [=] { return creep_with_slip(rounds); }});
-  parts.push_back({"replay of Tables III-X", [=] { return elastic_replay(rounds); }});
+std::vector<BenchPart> elastic_bench() {
+  auto parts = mapped<BenchPart>(data::seed::sheet_thicknesses, [](double thickness) {
+    return BenchPart{fmt::format("B={} W=100", thickness), [=] { return elastic_contacts(thickness); }};
+  });
+  parts.push_back({"creep with Coulomb's friction", creep_with_slip});
+  parts.push_back({"replay of Tables III-X", elastic_replay});
   return parts;
 }
 
-std::vector<BenchPart> viscoelastic_bench(int rounds) {
-  return {{"Un", [=] { return displacements_under_moving_load(rounds); }},
-          {"contacts", [=] { return rolling_contacts(rounds); }},
+std::vector<BenchPart> viscoelastic_bench() {
+  return {{"Un", displacements_under_moving_load},
+          {"contacts", rolling_contacts},
           {"replay of Tables XI-XXVI", rolling_replay}};
 }
 
