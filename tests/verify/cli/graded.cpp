@@ -4,24 +4,11 @@
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
-#include "support/run_nipref.hpp"
-#include "support/unfolded.hpp"
+#include "support/scratch.hpp"
 
-using nlohmann::json;
 using namespace nipref;
 
 namespace {
-
-std::string grade_kernels(const std::string& more) {
-  return "grade '" + plugin_file("kernels") + "' --quiet --points 300 " + more;
-}
-
-json row_of(const Outcome& outcome) {
-  CAPTURE(outcome.err);
-  const json rows = json::parse(outcome.out)["rows"];
-  REQUIRE(rows.size() == 1);
-  return rows[0];
-}
 
 verify::Graded graded_at(const char* quantity, double alpha) {
   const std::vector<verify::Point> points{{alpha}};
@@ -32,22 +19,6 @@ verify::Graded graded_at(const char* quantity, double alpha) {
 }
 
 }  // namespace
-
-TEST_CASE("a kernel of a shared object is graded with the numbers of audit and its speed beside fast") {
-  const Outcome graded = run(grade_kernels("all_sound --json"));
-  CHECK(graded.status == 0);
-  const json row = row_of(graded);
-  const json audited = answer_to("audit I3 --points 300 --quiet")["rows"][0];
-  for (const auto& [name, number] : audited.items()) {
-    CAPTURE(name);
-    if (name != "times") CHECK(row[name] == number);
-  }
-  CHECK(row["faults"].empty());
-  CHECK(row["where"] == "its domain");
-  CHECK(row["times"]["to_fast"]["ratio"].get<double>() > 0);
-  CHECK(row["times"]["to_older"].is_null());
-  CHECK(answer_to(grade_kernels("all_sound --no-times"))["rows"][0].contains("times") == false);
-}
 
 TEST_CASE("the worst point of a grade is appended once to a file like a golden one") {
   const ScratchFile file;

@@ -7,29 +7,6 @@
 
 using nlohmann::json;
 
-TEST_CASE("with --json an error is an answer too, of bytes that are no text as well") {
-  struct Refused {
-    const char* arguments;
-    json argument, value;
-  };
-  const Refused calls[] = {{"eval I9 alpha=1", "quantity", "I9"},
-                           {"eval I1 alpha=0", "alpha", "0"},
-                           {"frobnicate", "verb", "frobnicate"},
-                           {"tables thesis-C", "table", "thesis-C"},
-                           {"eval I1 alpha=\xff", "alpha", "\ufffd"}};
-  for (const Refused& call : calls) {
-    CAPTURE(call.arguments);
-    const Outcome plain = run(call.arguments), outcome = run(std::string(call.arguments) + " --json");
-    CHECK(plain.out.empty());
-    CHECK(outcome.status == 2);
-    CHECK(outcome.err == plain.err);
-    const json answer = json::parse(outcome.out);
-    CHECK(answer_schema().misfit(answer, "error") == "");
-    CHECK(answer["error"]["argument"] == call.argument);
-    CHECK(answer["error"]["value"] == call.value);
-  }
-}
-
 TEST_CASE("the schema is what it is checked by: a name more, less or of another kind does not fit") {
   const json good = answer_to("eval I1 alpha=0.73");
   const auto misfit_after = [&](const auto& change) {

@@ -70,15 +70,6 @@ TEST_CASE("the matching rule: intervals meet or they do not") {
   CHECK(verify::assess(cell("10", "10.?"), {10.96, 11}) == Verdict::unexplained);
 }
 
-TEST_CASE("matches with a lost digit are counted apart") {
-  const verify::Replay& replay = replayed("thesis-XIII");
-  CHECK(verify::tables_json({replay}).at("summary").at("with_lost_digit").as_count() == 4);
-  for (const std::size_t row : {1u, 2u, 5u, 7u}) {
-    CHECK(replay.table.cell(row, "p_max").has_lost_digit());
-    CHECK(cell_of(replay, row, "p_max").verdict == Verdict::match);
-  }
-}
-
 TEST_CASE("all tables, replayed once: what is known of them, and what is not met says why") {
   SUBCASE("cells that are known one by one") {
     const auto rows = table_rows("verify/replay/cells.txt");
