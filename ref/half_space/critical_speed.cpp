@@ -57,12 +57,15 @@ struct Valley {
       if (eigenvalue < lowest) lowest = eigenvalue, left = s_at(k - 1), right = s_at(k + 1);
     }
   }
-  /// The s of the minimum between them, to half of the digits, and the eigenvalue there, to all.
+  /// The s of the minimum between them, to half of the bits of a number, and the eigenvalue there, to all. Moduli may be so far
+  /// apart that the scan has seen rounding alone and no minimum is there: the search ends after the steps of a golden section.
   template <class Scalar>
-  [[nodiscard]] std::pair<Scalar, Scalar> lowest_point(const AcousticPencil<Scalar>& pencil) const {
+  [[nodiscard]] std::pair<Scalar, Scalar> lowest_point(const AcousticPencil<Scalar>& pencil,
+                                                       mpfr_prec_t bits) const {
     const auto value = [&](const Scalar& s) { return pencil.lowest_value(s); };
+    auto most_steps = static_cast<std::uintmax_t>(bits);
     return boost::math::tools::brent_find_minima(value, Scalar(left), Scalar(right),
-                                                 std::numeric_limits<int>::max());
+                                                 static_cast<int>(bits / 2), most_steps);
   }
 };
 
@@ -152,7 +155,7 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
     const WorkingDigits working(digits_of(precision));
     const AcousticMatrices matrices = at_rest(solid, psi, precision);
     const AcousticPencil<Float> pencil(matrices);
-    const Float s = valley.lowest_point(pencil).first;
+    const Float s = valley.lowest_point(pencil, precision).first;
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));
     const Float below = middle_of(quotient) * (1 - power_of_two(-bits));
     if (surface_impedance(acoustic_matrices(solid, psi, interval_of(below, precision)))) {
@@ -193,7 +196,7 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
 /// The surface wave's inertia, or the limiting one if there is no surface wave, to some 12 digits; not proven.
 double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi) {
   const RoughPencil pencil(at_rest(solid, psi, 64));
-  const double limit = Valley(pencil).lowest_point(pencil).second;
+  const double limit = Valley(pencil).lowest_point(pencil, std::numeric_limits<double>::digits).second;
   const auto determinant_at = [&](double inertia) { return determinant(pencil, inertia); };
   return wave_inertia<double>(psi, limit, determinant_at, 1e-4, 1e-13).value_or(limit);
 }
