@@ -1,7 +1,7 @@
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/golden/confirm/half_space_number.hpp>
+#include <nipref/verify/golden/confirm/half_space.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>
 
 namespace nipref::verify::confirm {
@@ -167,15 +167,12 @@ Confirm entry_of(StrohSolid (*solid)(Arguments), std::size_t row, std::size_t co
   };
 }
 
-/// d ln K/d ln speed by a central difference, which loses 40 of the digits.
-Confirmation condition_by_difference(Arguments x) {
+Confirmation condition(Arguments x) {
   const StrohSolid solid = transverse_solid(x);
-  const Float cosine = cosine_between(x["psi_deg"], x["theta_deg"]), step("1e-40");
-  const auto ln_K = [&](const Float& factor) -> Float {
-    return log(solid.admittance(x["psi_deg"], factor * x["speed"] * cosine)[2][2].real());
-  };
-  const Float slope = (ln_K(1 + step) - ln_K(1 - step)) / (2 * step);
-  return confirmation("Stroh's eigenproblem", slope, std::max<Float>(1, abs(slope)) * Float("1e-58"));
+  const Float speed = Float(x["speed"]) * cosine_between(x["psi_deg"], x["theta_deg"]);
+  return condition_by_difference("Stroh's eigenproblem", [&](const Float& factor) -> Float {
+    return solid.admittance(x["psi_deg"], factor * speed)[2][2].real();
+  });
 }
 
 Confirmation rayleigh(Arguments x) {
@@ -225,116 +222,56 @@ Confirmation branch(Arguments x) {
   return confirmation("eigenvalue in closed form", speed, speed * Float("1e-80"));
 }
 
-LineAnswerByFormula sphere_line(const StrohSolid& solid, Arguments x, const Float& from_motion) {
-  const auto y = solid.admittance(from_motion + x["theta_deg"], x["speed"] * cosine_of(from_motion));
-  const Float along = Float(x["patch"]) * x["speed"] * cosine_of(from_motion);
-  const LineAnswerByFormula steel = isotropic_answer(Float("0.29529"), along * along);
-  return {Float(y[2][2].real()) + steel.compliance, Float(-y[2][0].imag()) - steel.coupling,
-          Float(-y[2][1].imag()), 0};
-}
-
-SlidingShape sphere_shape(const StrohSolid& solid, Arguments x, const Float& degrees) {
-  return {sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees)};
-}
-
-Confirmation span_ratio(Arguments x) {
-  const StrohSolid solid = transverse_solid(x);
-  const SlidingShape along = sphere_shape(solid, x, 0), line = sphere_shape(solid, x, x["phi_deg"]);
-  const Float ratio = along.Q / line.Q * line.h / along.h;
-  return by_stroh(ratio, ratio);
-}
-
-/// The nodes of the trapezoidal rule in u, tan(psi - line) = s tan u, where `line` is the line with the smallest
-/// critical speed and s^2 is about the width of the peak of K there.
-class CrowdedLines {
- public:
-  static constexpr int first = 64, most = 8192;
-
-  explicit CrowdedLines(Arguments x) {
-    const CriticalLine critical = critical_line(x);
-    const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));
-    stretch_ = sqrt(Float(width));
-    centre_ = Float(critical.psi) - x["theta_deg"];
-  }
-
-  struct At {
-    Float degrees, weight;  ///< psi counted from the motion, dpsi/du
+SlidingBody sphere(Arguments x) {
+  const auto answer = [solid = transverse_solid(x), x](const Float& degrees) -> LineAnswerByFormula {
+    const Float speed = x["speed"] * cosine_of(degrees), along = x["patch"] * speed;
+    const auto y = solid.admittance(degrees + x["theta_deg"], speed);
+    const LineAnswerByFormula steel = isotropic_answer(Float("0.29529"), along * along);
+    return {Float(y[2][2].real()) + steel.compliance, Float(-y[2][0].imag()) - steel.coupling,
+            Float(-y[2][1].imag()), 0};
   };
-  [[nodiscard]] At at(int k, int count) const {
-    const Float u = pi() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
-    return {centre_ + atan2(sine, cosine) * 180 / pi(), stretch_ / (cosine * cosine + sine * sine)};
-  }
-
- private:
-  Float stretch_, centre_;
-};
-
-/// Adds the nodes of the rule, whose number is doubled until the value no longer changes. `value`: with so many nodes.
-template <class Add, class Value>
-Confirmation by_trapezoidal_rule(const Add& add, const Value& value) {
-  for (int k = 0; k < CrowdedLines::first; ++k) add(k, CrowdedLines::first);
-  Float last = value(CrowdedLines::first), change = 1;
-  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Float("1e-34") * last;
-       count *= 2) {
-    for (int k = 1; k < count; k += 2) add(k, count);
-    const Float finer = value(count);
-    change = abs(finer - last);
-    last = finer;
-  }
-  return confirmation("trapezoidal rule over Stroh's eigenproblems", last, change + last * Float("1e-60"));
+  return {answer, x["friction"]};
 }
 
-Confirmation sphere_axis_ratio(Arguments x) {
-  const StrohSolid solid = transverse_solid(x);
-  const CrowdedLines crowded(x);
-  std::vector<WeightedLine> lines;
-  const auto add = [&](int k, int count) {
-    const auto [degrees, weight] = crowded.at(k, count);
-    const Float psi = radians(degrees);
-    lines.push_back({cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance});
-  };
-  return by_trapezoidal_rule(add, [&](int) { return Float(exp(-ContactEllipse(lines, 1).eta)); });
+/// Lines about that with the smallest critical speed, where K may have a peak.
+std::vector<WeightedLine> lines_about_critical(Arguments x, bool coarse) {
+  const CriticalLine critical = critical_line(x);
+  const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));
+  return lines_about(Float(critical.psi) - x["theta_deg"], width, 0.3, coarse);
 }
 
-Confirmation sphere_force(Arguments x) {
-  const StrohSolid solid = transverse_solid(x);
-  const SlidingShape along = sphere_shape(solid, x, 0);
-  const Float steepness = along.Q / along.h;
-  const CrowdedLines lines(x);
-  Float sum = 0;
-  const auto add = [&](int k, int count) {
-    const auto [degrees, weight] = lines.at(k, count);
-    const SlidingShape line = sphere_shape(solid, x, degrees);
-    const Float span = steepness * line.h / line.Q;
-    sum += weight * span * span * span / line.h * line.moment();
-  };
-  return by_trapezoidal_rule(add, [&](int count) { return Float(sum * pi() / count); });
+Float sphere_axis_ratio(Arguments x, bool coarse) {
+  return exp(-ContactEllipse(sphere(x).answers, lines_about_critical(x, coarse), 1).eta);
 }
+
+Float sphere_force(Arguments x, bool coarse) { return sphere(x).force(lines_about_critical(x, coarse)); }
 
 }  // namespace
 
 Methods anisotropic_methods() {
-  return {
-      {"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
-      {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
-      {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
-      {"ti.condition", condition_by_difference},
-      {"ti.rayleigh", rayleigh},
-      {"ti.branch", branch},
-      {"ti.critical", critical},
-      {"ti.span_ratio", span_ratio},
-      {"ti.axis_ratio", sphere_axis_ratio},
-      {"ti.exponent",
-       [](Arguments x) { return by_stroh(-sphere_shape(transverse_solid(x), x, x["phi_deg"]).ahead, 1); }},
-      {"ti.force", sphere_force},
-      {"anisotropic.compliance", entry_of(any_solid, 2, 2, Part::re)},
-      {"anisotropic.coupling", entry_of(any_solid, 2, 0, Part::minus_im)},
-      {"anisotropic.coupling_across", entry_of(any_solid, 2, 1, Part::minus_im)},
-      {"anisotropic.shear_compliance", entry_of(any_solid, 2, 0, Part::re)},
-      {"anisotropic.shear_compliance_across", entry_of(any_solid, 2, 1, Part::re)},
-      {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
-      {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
-      {"anisotropic.critical", critical_of_any}};
+  return {{"ti.compliance", entry_of(transverse_solid, 2, 2, Part::re)},
+          {"ti.coupling", entry_of(transverse_solid, 2, 0, Part::minus_im)},
+          {"ti.coupling_across", entry_of(transverse_solid, 2, 1, Part::minus_im)},
+          {"ti.condition", condition},
+          {"ti.rayleigh", rayleigh},
+          {"ti.branch", branch},
+          {"ti.critical", critical},
+          {"ti.span_ratio",
+           [](Arguments x) {
+             const Float ratio = sphere(x).span_ratio(x["phi_deg"]);
+             return by_stroh(ratio, ratio);
+           }},
+          {"ti.axis_ratio", by_gauss_rule(sphere_axis_ratio)},
+          {"ti.exponent", [](Arguments x) { return by_stroh(-sphere(x).line(x["phi_deg"]).ahead, 1); }},
+          {"ti.force", by_gauss_rule(sphere_force)},
+          {"anisotropic.compliance", entry_of(any_solid, 2, 2, Part::re)},
+          {"anisotropic.coupling", entry_of(any_solid, 2, 0, Part::minus_im)},
+          {"anisotropic.coupling_across", entry_of(any_solid, 2, 1, Part::minus_im)},
+          {"anisotropic.shear_compliance", entry_of(any_solid, 2, 0, Part::re)},
+          {"anisotropic.shear_compliance_across", entry_of(any_solid, 2, 1, Part::re)},
+          {"anisotropic.in_line", entry_of(any_solid, 0, 0, Part::re)},
+          {"anisotropic.across", entry_of(any_solid, 1, 1, Part::re)},
+          {"anisotropic.critical", critical_of_any}};
 }
 
 }  // namespace nipref::verify::confirm

@@ -1,6 +1,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/golden/confirm/contacts.hpp>
+#include <nipref/verify/golden/confirm/nip.hpp>
 #include <nipref/verify/golden/confirm/rational.hpp>
 
 namespace nipref::verify {
@@ -157,8 +157,8 @@ Confirm confirmer_of(std::string_view quantity) {
   using namespace confirm;
   static const Methods all = [] {
     Methods joined;
-    for (auto* const methods : {sheet_methods, field_methods, memory_methods, isotropic_methods,
-                                anisotropic_methods, nip_methods, material_methods})
+    for (auto* const methods : {sheet_methods, memory_methods, isotropic_methods, anisotropic_methods,
+                                nip_methods, material_methods})
       joined.merge(methods());
     return joined;
   }();

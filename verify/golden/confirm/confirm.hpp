@@ -35,10 +35,10 @@ using Arguments = const NamedPoint&;
 /// Second methods by the names of their quantities.
 using Methods = std::map<std::string, Confirm, std::less<>>;
 
-Methods sheet_methods();  ///< roots, kernels and displacements of the elastic sheet
-/// The field inside the sheet. For |alpha| <= 3 the method adds the fields of two half-planes under the loads and the
-/// integrals along the real axis of the thesis's integrands without them; beyond, it integrates around the poles.
-Methods field_methods();
+/// Roots, kernels, displacements of the elastic sheet and the field inside it. For |alpha| <= 3 that of the field adds the
+/// fields of two half-planes under the loads and the integrals along the real axis of the thesis's integrands without them;
+/// beyond, it integrates around the poles.
+Methods sheet_methods();
 Methods memory_methods();     ///< J1 to J6 and the displacements under a moving load
 Methods material_methods();   ///< material.*
 Methods nip_methods();        ///< nip.* and rolling_nip.*

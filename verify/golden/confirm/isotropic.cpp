@@ -1,6 +1,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <nipref/verify/golden/confirm/half_space_number.hpp>
+#include <nipref/verify/golden/confirm/half_space.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify::confirm {
@@ -37,19 +37,8 @@ Confirmation closed(const Float& value) {
   return confirmation("closed form", value, abs(value) * Float("1e-80"));
 }
 
-/// d ln K/d ln speed by the derivative of the closed form.
-Float condition(Arguments x) {
-  const Float k = squared_ratio(x["poisson"]), X = squared_speed(x["speed"], cosine_of(x["psi_deg"]));
-  const Float wS = sqrt(1 - X), wD = sqrt(1 - k * X), product = wS * wD;
-  const Float product_slope = -(wD / wS + k * wS / wD) / 2;
-  const Float defect = (1 + k - k * X) / (1 + product);
-  const Float defect_slope = -(k + defect * product_slope) / (1 + product);
-  return 2 * X * ((1 + 4 * defect_slope) / (4 - X - 4 * defect) - k / (2 * wD * wD));
-}
-
-SlidingShape shape_at(Arguments x, double friction, const Float& degrees) {
-  const Float cosine = cosine_of(degrees);
-  return {line_at(x, cosine), friction, cosine, sine_of(degrees)};
+SlidingBody die(Arguments x) {
+  return {[x](const Float& degrees) { return line_at(x, cosine_of(degrees)); }, x["friction"]};
 }
 
 /// int_0^b (b - s) s^a (1 - s)^b ds with a = 1 - b by the binomial series; b is at most about 1/2.
@@ -124,8 +113,6 @@ Float rolling_creep(Arguments x) {
   return span * (span / 16 * (1 - 4 * index * index) + index * sqrt(line.in_line / line.compliance));
 }
 
-using Integrand = std::function<Float(const Float& psi)>;
-
 /// The ends of panels from 0 to pi/2, radians, whose lengths grow from `first` at 0 and from `last` at pi/2.
 std::vector<Float> panels(const Float& first, const Float& last) {
   std::vector<Float> ends{Float(0)}, behind{pi() / 2};
@@ -139,30 +126,19 @@ std::vector<Float> panels(const Float& first, const Float& last) {
   return ends;
 }
 
-/// The directions and weights of Gauss's rule on the panels.
-struct Direction {
-  Float cosine, sine, weight;
-};
-
 template <unsigned points>
-std::vector<Direction> directions_of(const std::vector<Float>& ends) {
+std::vector<WeightedLine> lines_between(const Float& centre, const std::vector<Float>& ends) {
   using Rule = boost::math::quadrature::gauss<Float, points>;
-  std::vector<Direction> all;
+  std::vector<WeightedLine> all;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const Float middle = (ends[i] + ends[i - 1]) / 2, half = (ends[i] - ends[i - 1]) / 2;
     for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
       const Float offset = half * Rule::abscissa()[k], weight = half * Rule::weights()[k];
-      for (const Float& psi : {Float(middle - offset), Float(middle + offset)}) {
-        all.push_back({cos(psi), sin(psi), weight});
-        if (offset == 0) break;
-      }
+      for (const Float& psi : {Float(middle - offset), Float(middle + offset)})
+        for (const int side : {1, -1}) all.push_back({centre + side * psi * 180 / pi(), weight});
     }
   }
   return all;
-}
-
-std::vector<Direction> directions_between(const std::vector<Float>& ends, bool coarse) {
-  return coarse ? directions_of<40>(ends) : directions_of<52>(ends);
 }
 
 /// About the logarithm of the ratio of an ellipse's axes.
@@ -174,41 +150,29 @@ Float peak_width(Arguments x) {
   return X == 0 ? Float(1) : std::min<Float>(1, sqrt((critical - X) / X));
 }
 
-Float die_force(Arguments x, bool coarse) {
-  const SlidingShape along = shape_at(x, x["friction"], 0);
-  const Float steepness = along.Q / along.h;
-  Float sum = 0;
-  for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
-    const SlidingShape line(line_at(x, at.cosine), x["friction"], at.cosine, at.sine);
-    const Float span = steepness * line.h / line.Q;
-    sum += at.weight * span * span * span / line.h * line.moment();
-  }
-  return 2 * sum;
+std::vector<WeightedLine> lines_about_motion(Arguments x, bool coarse) {
+  return lines_about(0, peak_width(x), 1, coarse);
 }
+
+Float die_force(Arguments x, bool coarse) { return die(x).force(lines_about_motion(x, coarse)); }
 
 Float rolling_force(Arguments x, bool coarse) {
   const Float along = rolling_amplitude(x, 1);
   Float sum = 0;
-  for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
-    const Float ratio = along / rolling_amplitude(x, at.cosine);
-    sum += at.weight * ratio * ratio * rolling_moment(rolling_index(x, at.cosine));
+  for (const auto& [degrees, weight] : lines_about_motion(x, coarse)) {
+    const Float cosine = cosine_of(degrees), ratio = along / rolling_amplitude(x, cosine);
+    sum += weight * ratio * ratio * rolling_moment(rolling_index(x, cosine));
   }
-  return sum * along / 2;
+  return sum * along / 4;
 }
 
 ContactEllipse ellipse_at(Arguments x, bool coarse) {
   const double rough = rough_slenderness(x["curvature_ratio"]);
   // The first panel also resolves an ellipse that the peak of K makes longer.
   const Float narrow = exp(-Float(std::fabs(rough) * 1.2)) / 2, width = peak_width(x) / 2;
-  const auto ends = panels(rough < 0 ? std::min<Float>(narrow, width) : width,
-                           rough > 0 ? std::min<Float>(narrow, width) : Float(width));
-  std::vector<WeightedLine> lines;
-  for (const auto& [cosine, sine, weight] : directions_between(ends, coarse)) {
-    const Float compliance = line_at(x, cosine).compliance, sine2 = 2 * sine * cosine;
-    for (const int side : {1, -1})
-      lines.push_back({2 * cosine * cosine - 1, side * sine2, weight, compliance});
-  }
-  return {lines, x["curvature_ratio"]};
+  const auto lines = lines_about(0, rough < 0 ? std::min<Float>(narrow, width) : width,
+                                 rough > 0 ? std::min<Float>(narrow, width) : Float(width), coarse);
+  return {[x](const Float& degrees) { return line_at(x, cosine_of(degrees)); }, lines, x["curvature_ratio"]};
 }
 
 Float axis_ratio(Arguments x, bool coarse) { return exp(-ellipse_at(x, coarse).eta); }
@@ -216,14 +180,6 @@ Float axis_ratio(Arguments x, bool coarse) { return exp(-ellipse_at(x, coarse).e
 Float stiffness(Arguments x, bool coarse) {
   const auto [eta, first, third] = ellipse_at(x, coarse);
   return 8 * pi() / 3 * sqrt(third / (first * first * first));
-}
-
-Confirm by_gauss_rule(Float (*value)(Arguments, bool coarse)) {
-  return [value](Arguments x) {
-    const Float fine = value(x, false);
-    return confirmation("Gauss's rule over the lines", fine,
-                        abs(fine - value(x, true)) + abs(fine) * Float("1e-70"));
-  };
 }
 
 }  // namespace
@@ -239,20 +195,20 @@ Methods isotropic_methods() {
          const LineAnswerByFormula line = line_at(x);
          return closed(atanh(sqrt(line.compliance * line.in_line) / abs(line.coupling)) / pi());
        }},
-      {"halfspace.condition", [](Arguments x) { return closed(condition(x)); }},
+      {"halfspace.condition",
+       [](Arguments x) {
+         return condition_by_difference("difference of the closed form", [x](const Float& factor) {
+           return line_at(x, factor * cosine_of(x["psi_deg"])).compliance;
+         });
+       }},
       {"halfspace.rayleigh",
        [](Arguments x) {
          const Float value = sqrt(rayleigh_squared(x["poisson"]));
          return confirmation("root of Rayleigh's cubic", value, value * Float("1e-80"));
        }},
-      {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x["friction"], x["psi_deg"]).ahead); }},
-      {"die.peak_place",
-       [](Arguments x) { return closed(shape_at(x, x["friction"], x["psi_deg"]).ahead - Float(1) / 2); }},
-      {"die.span_ratio",
-       [](Arguments x) {
-         const SlidingShape along = shape_at(x, x["friction"], 0), across = shape_at(x, x["friction"], 90);
-         return closed(along.Q / across.Q * across.h / along.h);
-       }},
+      {"die.exponent", [](Arguments x) { return closed(-die(x).line(x["psi_deg"]).ahead); }},
+      {"die.peak_place", [](Arguments x) { return closed(die(x).line(x["psi_deg"]).ahead - Float(1) / 2); }},
+      {"die.span_ratio", [](Arguments x) { return closed(die(x).span_ratio(90)); }},
       {"die.force", by_gauss_rule(die_force)},
       {"rolling.index", [](Arguments x) { return closed(rolling_index(x, cosine_of(x["psi_deg"]))); }},
       {"rolling.span_ratio",
@@ -278,41 +234,85 @@ Methods isotropic_methods() {
       {"ellipse.stiffness", by_gauss_rule(stiffness)}};
 }
 
+std::vector<WeightedLine> lines_about(const Float& centre, const Float& first, const Float& last,
+                                      bool coarse) {
+  return coarse ? lines_between<40>(centre, panels(first, last))
+                : lines_between<52>(centre, panels(first, last));
+}
+
+Confirm by_gauss_rule(Float (*value)(Arguments, bool coarse)) {
+  return [value](Arguments x) {
+    const Float fine = value(x, false);
+    return confirmation("Gauss's rule over the lines", fine,
+                        abs(fine - value(x, true)) + abs(fine) * Float("1e-70"));
+  };
+}
+
+Confirmation condition_by_difference(const char* method,
+                                     const std::function<Float(const Float& factor)>& compliance_at) {
+  const Float step("1e-40");
+  const Float slope = log(compliance_at(1 + step) / compliance_at(1 - step)) / (2 * step);
+  return confirmation(method, slope, std::max<Float>(1, abs(slope)) * Float("1e-58"));
+}
+
 LineAnswerByFormula isotropic_answer(const Float& poisson, const Float& X) {
   const Float k = squared_ratio(poisson), wS = sqrt(1 - X), wD = sqrt(1 - k * X);
   const Float defect = (1 + k - k * X) / (1 + wS * wD), rayleigh = 4 - X - 4 * defect;
   return {wD / rayleigh, (2 * defect - 1) / rayleigh, 0, wS / rayleigh};
 }
 
-SlidingShape::SlidingShape(const LineAnswerByFormula& line, const Float& friction, const Float& cosine,
-                           const Float& sine) {
-  const Float shear = friction * (cosine * line.coupling - sine * line.coupling_across);
-  ahead = atan2(line.compliance, shear) / pi();
-  behind = 1 - ahead;
-  h = sqrt(line.compliance * line.compliance + shear * shear);
-  Q = pow(behind, behind) * pow(ahead, ahead);
+SlidingLine SlidingBody::line(const Float& degrees) const {
+  const auto [compliance, coupling, coupling_across, in_line] = answers(degrees);
+  const Float shear = friction * (cosine_of(degrees) * coupling - sine_of(degrees) * coupling_across);
+  const Float ahead = atan2(compliance, shear) / pi(), behind = 1 - ahead;
+  return {ahead, behind, sqrt(compliance * compliance + shear * shear),
+          pow(behind, behind) * pow(ahead, ahead)};
 }
 
-Float SlidingShape::moment() const {
+Float SlidingBody::span_ratio(const Float& degrees) const {
+  const SlidingLine along = line(0), other = line(degrees);
+  return along.Q / other.Q * other.h / along.h;
+}
+
+Float SlidingBody::force(const std::vector<WeightedLine>& lines) const {
+  const SlidingLine along = line(0);
+  Float sum = 0;
+  for (const auto& [degrees, weight] : lines) {
+    const SlidingLine there = line(degrees);
+    const Float span = along.Q / along.h * there.h / there.Q;
+    sum += weight * span * span * span / there.h * there.moment();
+  }
+  return sum;
+}
+
+Float SlidingLine::moment() const {
   const Float& b = behind <= ahead ? behind : ahead;
   const Float a = 1 - b, beta = a * b * pi() / (2 * sin(pi() * b));
   return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
 }
 
-ContactEllipse::ContactEllipse(const std::vector<WeightedLine>& lines, double curvature_ratio) {
+ContactEllipse::ContactEllipse(const LineAnswers& answers, const std::vector<WeightedLine>& lines,
+                               double curvature_ratio) {
+  struct Term {
+    Float cosine2, sine2, weighted;  ///< of twice the angle; the weight times K
+  };
+  const auto terms = mapped(lines, [&](const WeightedLine& line) -> Term {
+    const Float twice = 2 * radians(line.degrees);
+    return {cos(twice), sin(twice), line.weight * answers(line.degrees).compliance};
+  });
   const Float ratio = curvature_ratio, wanted = (1 - ratio) / (1 + ratio);
   const auto defect = [&](const Float& p, const Float& q) {
     eta = sqrt(p * p + q * q);
     const Float turning = eta == 0 ? Float(1) : Float(sinh(eta) / eta), mean = cosh(eta);
     Float cosine = 0, sine = 0;
     first = third = 0;
-    for (const WeightedLine& line : lines) {
-      const Float square = mean + turning * (p * line.cosine2 + q * line.sine2);
-      const Float term = line.weight * line.compliance / sqrt(square), cubed = term / square;
+    for (const auto& [cosine2, sine2, weighted] : terms) {
+      const Float square = mean + turning * (p * cosine2 + q * sine2);
+      const Float term = weighted / sqrt(square), cubed = term / square;
       first += term;
       third += cubed;
-      cosine += cubed * line.cosine2;
-      sine += cubed * line.sine2;
+      cosine += cubed * cosine2;
+      sine += cubed * sine2;
     }
     return std::pair<Float, Float>{cosine / third - wanted, sine / third};
   };

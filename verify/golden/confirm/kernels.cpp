@@ -3,35 +3,27 @@
 namespace nipref::verify::confirm {
 namespace {
 
-struct Node {
-  Float x, weight;
-  Float T, I3, I4, I5, I7, I6_alpha, I6_eta;  ///< weight times symbol
-};
-
-const std::vector<Node>& nodes() {
-  static const auto all = double_exponential_rule<Node>(400, [](const Float& x, const Float& weight) -> Node {
-    const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
-    return {x,           weight,   unit * sine / cosine, unit, unit * sine / x, unit * cosine,
-            unit * sine, unit / x, unit * cosine / x};
-  });
-  return all;
+/// The derivative of cos or sin at `angle`.
+Float derivative(const Float& angle, bool is_sine, int order) {
+  const Float wave = is_sine == (order % 2 == 0) ? sin(angle) : cos(angle);
+  return order == 2 || (order == 1 && !is_sine) ? Float(-wave) : wave;
 }
 
-Split even_far(const mpq_class& x, Complex Pole::*residue) {
-  return around_poles(to_number(abs(x)), false, 8, [=](const Pole& at) { return at.*residue; });
-}
-
-Split odd_far(const mpq_class& x, Complex Pole::*residue) {
-  return Split{sgn(x), 0, 0}.add(
-      sgn(x), around_poles(to_number(abs(x)), true, 8, [=](const Pole& at) { return at.*residue; }));
-}
-
-bool is_far(const mpq_class& x) { return abs(x) >= far; }
-
-Split odd(const mpq_class& x, Float Node::*symbol, Complex Pole::*residue) {
-  if (is_far(x)) return odd_far(x, residue);
+/// The integral along the real axis of the symbol times cos(x z) or sin(x z), or times a derivative of that to x.
+template <class Symbol>
+Split along_axis(const mpq_class& x, bool is_sine, int order, Symbol symbol) {
   const Float at = to_number(x);
-  return integral(nodes(), [&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
+  return integral([&](const Node& node) -> Float {
+    const Float turned = symbol(node) * derivative(at * node.z, is_sine, order);
+    return order == 0 ? turned : order == 1 ? Float(turned * node.z) : Float(turned * node.z * node.z);
+  });
+}
+
+/// A kernel whose symbol can be integrated as it is.
+template <bool is_odd, class Symbol>
+constexpr Kernel plain(Symbol) {
+  return {is_odd, 0, [](const Pole& at) -> Complex { return Symbol()(at); },
+          [](const mpq_class& x, int order) { return along_axis(x, is_odd, order, Symbol()); }};
 }
 
 /// An approximate root by Newton's iteration in double, which is only the centre of a circle around the root.
@@ -43,32 +35,69 @@ std::complex<double> near_root(std::size_t n) {
 }
 
 /// I1 as - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
-Split I1_near(const mpq_class& alpha) {
-  const Float at = abs(to_number(alpha));
-  Split sum = integral(nodes(), [&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
-  sum.rest -= log(tanh(pi() * at / 4));
+Split I1_near(const mpq_class& alpha, int order) {
+  Split sum =
+      along_axis(alpha, false, order, [](const Node& at) -> Float { return -at.unit * at.sine / at.cosine; });
+  const Float half = pi() / 2, angle = half * to_number(alpha);
+  sum.rest += order == 0   ? Float(-log(tanh(abs(angle) / 2)))
+              : order == 1 ? Float(-half / sinh(angle))
+                           : Float(half * half * cosh(angle) / (sinh(angle) * sinh(angle)));
   return sum;
 }
 
-/// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx.
-Split eta_from_far(const mpq_class& eta) {
+/// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx, and what I6_eta is at 3.
+Split I6_eta_near(const mpq_class& eta, int) {
   const Float at = to_number(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
-  return integral(nodes(), [&](const Node& node) -> Float {
-    return 2 * node.I6_eta * sin(half_sum * node.x) * sin(half_difference * node.x);
-  });
+  return integral([&](const Node& node) -> Float {
+           return 2 * node.cosine / node.z * sin(half_sum * node.z) * sin(half_difference * node.z);
+         })
+      .add(1, I6_eta(far));
 }
 
-/// int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x.
-Split alpha_from_far(const mpq_class& alpha) {
+/// I1, and int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x, and what I6_eta is at 3.
+Split I6_alpha_near(const mpq_class& alpha, int) {
   const Float at = to_number(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
-  return integral(nodes(), [&](const Node& node) -> Float {
-    const Float lifted = sinh(node.x / 2);
-    return 2 * node.I6_alpha *
-           (sin(half_sum * node.x) * sin(half_difference * node.x) - cos(far * node.x) * lifted * lifted);
-  });
+  return integral([&](const Node& node) -> Float {
+           const Float lifted = sinh(node.z / 2);
+           return 2 * node.unit / node.z *
+                  (sin(half_sum * node.z) * sin(half_difference * node.z) -
+                   cos(far * node.z) * lifted * lifted);
+         })
+      .add(1, I1_near(alpha, 0))
+      .add(1, I6_eta(far));
 }
 
 }  // namespace
+
+const Kernel I1{false, 0, [](const Pole& at) -> Complex { return at.sine * at.sine / (at.unit * at.z); },
+                I1_near};
+const Kernel I3 = plain<true>([](const auto& at) { return at.unit; });
+const Kernel I4 = plain<true>([](const auto& at) { return at.sine / at.z; });
+const Kernel I5 = plain<true>([](const auto& at) { return at.cosine; });
+const Kernel I7 = plain<false>([](const auto& at) { return at.sine; });
+const Kernel I6_alpha{false, -1,
+                      [](const Pole& at) -> Complex { return at.cosine * at.cosine / (at.unit * at.z); },
+                      I6_alpha_near};
+const Kernel I6_eta{false, -1, [](const Pole& at) -> Complex { return at.cosine / at.z; }, I6_eta_near};
+
+// Node j is at t = j/256; the coarse rule has the nodes of even j. For |x| <= 3 the integrands are analytic and bounded in
+// the strip |Im t| < 0.3.
+const std::vector<Node>& nodes() {
+  static const std::vector<Node> all = [] {
+    const Float step = Float(1) / 256;
+    std::vector<Node> made;
+    for (int j = -1400; j <= 1600; ++j) {
+      const Float t = j * step, z = exp(t - exp(-t)), weight = step * z * (1 + exp(-t));
+      if (z > 400) break;
+      const Float unit = 2 * weight / (sinh(2 * z) + 2 * z), q = exp(-2 * z);
+      const Float scale = -2 * weight * exp(-3 * z) / (4 * z * q - expm1(-4 * z));
+      made.push_back(
+          {{z, unit, unit * sinh(z), unit * cosh(z)}, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)});
+    }
+    return made;
+  }();
+  return all;
+}
 
 Split& Split::add(const mpq_class& factor, const Split& term) {
   const Float by = to_number(factor);
@@ -91,17 +120,13 @@ Pole pole_by_circle(std::size_t n) {
     const Float angle = 2 * pi() * k / points;
     const Complex arm(radius * cos(angle), radius * sin(angle)), z = centre + arm;
     const Complex sine = sinh(z), cosine = cosh(z);
-    const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));  // of 2/S
+    const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));
     moment += unit * arm;
-    pole.I1 += unit * sine * sine / z;
-    pole.I3 += unit;
-    pole.I4 += unit * sine / z;
-    pole.I5 += unit * cosine;
-    pole.I7 += unit * sine;
-    pole.I6_alpha += unit / z;
-    pole.I6_eta += unit * cosine / z;
+    pole.unit += unit;
+    pole.sine += unit * sine;
+    pole.cosine += unit * cosine;
   }
-  pole.z = centre + moment / pole.I3;
+  pole.z = centre + moment / pole.unit;
   return pole;
 }
 
@@ -125,37 +150,17 @@ Split around_poles(const Float& x, bool is_sine, int size,
           size * exp(-(2 * static_cast<int>(poles) + 1) * pi() / 2 * x) + abs(sum) * Float("1e-90")};
 }
 
-Split kernel_I1(const mpq_class& alpha) {
-  return is_far(alpha) ? even_far(alpha, &Pole::I1) : I1_near(alpha);
-}
-
-Split kernel_I2(const mpq_class& alpha) { return {2 * sgn(alpha), 0, 0}; }
-Split kernel_I3(const mpq_class& alpha) { return odd(alpha, &Node::I3, &Pole::I3); }
-Split kernel_I4(const mpq_class& eta) { return odd(eta, &Node::I4, &Pole::I4); }
-Split kernel_I5(const mpq_class& eta) { return odd(eta, &Node::I5, &Pole::I5); }
-
-Split kernel_I7(const mpq_class& eta) {
-  if (is_far(eta)) return even_far(eta, &Pole::I7);
-  const Float at = to_number(eta);
-  return integral(nodes(), [&](const Node& node) -> Float { return node.I7 * cos(at * node.x); });
-}
-
-Split kernel_I6_eta(const mpq_class& eta) {
-  if (!is_far(eta)) return eta_from_far(eta).add(1, kernel_I6_eta(far));
-  Split value = even_far(eta, &Pole::I6_eta);
-  value.quarters = -abs(eta);
-  return value;
-}
-
-Split kernel_I6_alpha(const mpq_class& alpha) {
-  if (!is_far(alpha)) {
-    Split value = I1_near(alpha);
-    return value.add(1, alpha_from_far(alpha)).add(1, kernel_I6_eta(far));
-  }
-  // The symbol is 2 cosh^2 z/(z S) = 2/(z S) + 2 sinh^2 z/(z S).
-  Split value = even_far(alpha, &Pole::I6_alpha).add(1, even_far(alpha, &Pole::I1));
-  value.quarters = -abs(alpha);
-  return value;
+Split Kernel::operator()(const mpq_class& x, int order) const {
+  const mpq_class size = abs(x);
+  if (size < far) return near(x, order);
+  Split value = around_poles(to_number(size), is_odd, order == 0 ? 8 : 2000, [&](const Pole& at) {
+    const Complex turn(-at.z.imag(), at.z.real());
+    return order == 0   ? residue(at)
+           : order == 1 ? Complex(residue(at) * turn)
+                        : Complex(residue(at) * turn * turn);
+  });
+  if (order == 0) value.quarters = is_odd ? mpq_class(1) : mpq_class(growth * size);
+  return Split{}.add(is_odd == (order % 2 == 0) ? sgn(x) : 1, value);
 }
 
 }  // namespace nipref::verify::confirm

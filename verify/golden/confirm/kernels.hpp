@@ -17,47 +17,32 @@ struct Split {
   [[nodiscard]] Float value() const;
 };
 
-/// made(x, weight) of each node below `end` of the double exponential rule on x > 0. Node j is at t = j/256; the coarse
-/// rule has the nodes of even j. For kernels at |x| <= 3 the integrands are analytic and bounded in the strip |Im t| < 0.3.
-template <class Node>
-std::vector<Node> double_exponential_rule(int end, Node (*made)(const Float& x, const Float& weight)) {
-  const Float step = Float(1) / 256;
-  std::vector<Node> nodes;
-  for (int j = -1400; j <= 1600; ++j) {
-    const Float t = j * step, x = exp(t - exp(-t));
-    if (x > end) break;
-    nodes.push_back(made(x, step * x * (1 + exp(-t))));
-  }
-  return nodes;
-}
+/// What symbols are made of at z: 2/(sinh 2z + 2z) and its products with sinh z and cosh z.
+template <class Number>
+struct SymbolAt {
+  Number z, unit, sine, cosine;
+};
+
+/// A node of the rule for transforms; the symbols are multiplied by its weight.
+struct Node : SymbolAt<Float> {
+  Float sine_rest, cosine_rest;  ///< without 2 e^-z
+};
+const std::vector<Node>& nodes();
 
 /// The sum of `integrand` over the nodes; the error is its difference from twice the sum over the even nodes.
-template <class Node, class Integrand>
-Split integral(const std::vector<Node>& nodes, Integrand integrand) {
+template <class Integrand>
+Split integral(Integrand integrand) {
   Float even = 0, odd = 0;
   bool is_even = true;
-  for (const Node& node : nodes) {
+  for (const Node& node : nodes()) {
     (is_even ? even : odd) += integrand(node);
     is_even = !is_even;
   }
   return {0, even + odd, abs(odd - even) + abs(even) * Float("1e-90")};
 }
 
-Split kernel_I1(const mpq_class& alpha);
-Split kernel_I2(const mpq_class& alpha);
-Split kernel_I3(const mpq_class& alpha);
-Split kernel_I4(const mpq_class& eta);
-Split kernel_I5(const mpq_class& eta);
-Split kernel_I7(const mpq_class& eta);
-/// I6(alpha, eta) is the difference of these two functions of one argument.
-Split kernel_I6_alpha(const mpq_class& alpha);
-Split kernel_I6_eta(const mpq_class& eta);
-
-/// A pole of the kernels in the first quadrant with the residues of their symbols.
-struct Pole {
-  Complex z;
-  Complex I1, I3, I4, I5, I7, I6_alpha, I6_eta;
-};
+/// A pole of the symbols in the first quadrant with their residues.
+using Pole = SymbolAt<Complex>;
 /// The pole of any number from 1 on.
 Pole pole_by_circle(std::size_t n);
 /// The poles are counted from 1 to 16; the terms of the others decay like e^(-16.5 pi x).
@@ -69,24 +54,28 @@ inline constexpr std::size_t poles = 16;
 Split around_poles(const Float& x, bool is_sine, int size,
                    const std::function<Complex(const Pole& at)>& residue);
 
-/// The kernels are sums over the poles for |x| >= far.
+/// Transforms are sums over the poles for |x| >= far.
 inline constexpr int far = 3;
 
-/// A kernel whose history is taken: its values and the residues of its symbol.
-struct Remembered {
-  Split (*at)(const mpq_class& x);
-  Complex Pole::*residue;
+/// A kernel of one argument, the cosine or, if it is odd, the sine transform of its symbol.
+struct Kernel {
   bool is_odd;
+  int growth;  ///< beyond all terms of poles it is an odd kernel's sign times pi/4, or growth |x| pi/4
+  Complex (*residue)(const Pole& at);
+  Split (*near)(const mpq_class& x, int order);
+
+  /// The value or, of I1 and I3, the derivative of the first or second order.
+  [[nodiscard]] Split operator()(const mpq_class& x, int order = 0) const;
 };
-inline constexpr Remembered remembered_I1{kernel_I1, &Pole::I1, false},
-    remembered_I3{kernel_I3, &Pole::I3, true}, remembered_I4{kernel_I4, &Pole::I4, true},
-    remembered_I5{kernel_I5, &Pole::I5, true};
+extern const Kernel I1, I3, I4, I5, I7;
+/// I6(alpha, eta) is the difference of these two functions of one argument.
+extern const Kernel I6_alpha, I6_eta;
 
 /// int e^(-rate (w - from)) I(w) dw from `from` to `to`, or to infinity without `to`; an odd kernel is taken without
 /// its term pi/4 sign w. For |w| < 3 by Gauss's rule on panels with a Chebyshev interpolant of the kernel; beyond, as
 /// the sum of the integrals of the terms that belong to the kernel's poles. The coarse rule has fewer points. The
 /// rate may be complex.
-Complex history(const Remembered& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
+Complex history(const Kernel& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
                 const Complex& rate, bool coarse);
 
 /// The same integral of sign w, in closed form.

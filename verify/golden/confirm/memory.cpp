@@ -97,14 +97,14 @@ class Convolution {
     }
   }
 
-  void add(Long& sum, Float& error, int sign, const Remembered& kernel, const LoadPath& way) const {
+  void add(Long& sum, Float& error, int sign, const Kernel& kernel, const LoadPath& way) const {
     const auto part = [&](const LongComplex& amplitude, const Complex& fine, const Complex& coarse) {
       const LongComplex whole(Long(fine.real()), Long(fine.imag()));
       sum += sign * LongComplex(amplitude * whole).real();
       error += Float(abs(amplitude)) * Float(abs(Complex(fine - coarse)) + abs(fine) * Float("1e-65"));
     };
     if (!kernel.is_odd || sgn(way.alpha) != 0) {
-      const Split now = kernel.at(way.alpha);
+      const Split now = kernel(way.alpha);
       const Float rest = kernel.is_odd ? Float(now.value() - sgn(way.alpha) * pi() / 4) : now.rest;
       const Float exact_rest = now.quarters != 0 ? now.rest : rest;
       part(LongComplex(theta_.instantaneous), exact_rest, exact_rest);
@@ -152,19 +152,17 @@ Confirmation over_pi(const Long& sum, const Float& error) {
 Confirmation Un(const Sheet& sheet, const LoadPath& way) {
   Long sum = 0;
   Float error = 0;
-  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
-    theta->add(sum, error, 1, remembered_I1, way);
+  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2}) theta->add(sum, error, 1, I1, way);
   return over_pi(sum, error);
 }
 
 Confirmation Vn(const Sheet& sheet, const LoadPath& alpha, const LoadPath& eta) {
   Long sum = 0;
   Float error = 0;
-  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
-    theta->add(sum, error, 1, remembered_I3, alpha);
+  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2}) theta->add(sum, error, 1, I3, alpha);
   sheet.theta2.add_sign(sum, -1, mpq_class(1, 2), alpha);
-  sheet.theta2.add(sum, error, 1, remembered_I4, eta);
-  sheet.theta1.add(sum, error, -1, remembered_I5, eta);
+  sheet.theta2.add(sum, error, 1, I4, eta);
+  sheet.theta1.add(sum, error, -1, I5, eta);
   return over_pi(sum, error);
 }
 

@@ -1,10 +1,276 @@
+#include <Eigen/Dense>
+#include <boost/multiprecision/eigen.hpp>
+
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/golden/confirm/contacts.hpp>
+#include <nipref/verify/golden/confirm/interpolant.hpp>
 #include <nipref/verify/golden/confirm/kernels.hpp>
+#include <nipref/verify/golden/confirm/nip.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
+
+using FloatMatrix = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
+using FloatVector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
+
+std::size_t at(long i) { return static_cast<std::size_t>(i); }
+
+/// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2
+/// away from the real axis.
+int smooth_points(double reach, double digits) {
+  const double height = 2 / reach, ellipse = height + std::hypot(1, height);
+  return 2 * static_cast<int>(8 + digits * std::log(10.0) / std::log(ellipse) / 2);
+}
+
+/// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther. In the
+/// plane of w the nearest singularities are images of the ends, seen in the sheet's faces. Beyond the last node the
+/// tractions are taken to decay as at an end, (A - x)^(1/2 +- i epsilon), which leaves out e^(-3 w).
+struct Grid {
+  Float step;
+  int last, beyond;  ///< nodes that are unknown, and those that follow from the last of them
+
+  Grid(double half_length, double digits) {
+    const double strip = (std::atan(2 / half_length) + std::numbers::pi / 2) / 2,
+                 nats = digits * std::log(10.0), about = std::numbers::pi * strip / nats;
+    step = about;
+    last = static_cast<int>(std::ceil(nats / 3 / about));
+    beyond = 2 * last;
+  }
+  [[nodiscard]] Float node(int j) const { return step * j; }
+  [[nodiscard]] Float middle(int k) const { return step * k + step / 2; }
+};
+
+/// The kernels of the sheet's surface without the term -ln|x|, and their slopes; lengths in half-thicknesses.
+struct Kernels {
+  Interpolant normal, stretch, coupling;  ///< I1 + ln|x|, the part of I6 that depends on alpha + ln|x|, I3
+
+  Kernels(double half_length, double digits)
+      : normal(made(
+            half_length, digits, [](const mpq_class& x) { return I1(x).value(); }, true)),
+        stretch(made(
+            half_length, digits, [](const mpq_class& x) { return I6_alpha(x).value(); }, true)),
+        coupling(made(
+            half_length, digits, [](const mpq_class& x) { return I3(x).value(); }, false)) {}
+
+  template <class Kernel>
+  static Interpolant made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
+    return {Float(-2 * half_length), Float(2 * half_length), smooth_points(2 * half_length, digits),
+            [&](const Float& x) {
+              const Float value = kernel(exactly(x));
+              return Float(has_logarithm ? Float(value + log(abs(x))) : value);
+            }};
+  }
+};
+
+Float sinc(const Float& x) {
+  if (x == 0) return 1;
+  const Float angle = pi() * x;
+  return sin(angle) / angle;
+}
+
+/// An elastic contact with full friction by sinc collocation: x = A tanh w, so that the tractions decay in w. The
+/// tractions are values at multiples of a step in w; the pressure is even, the shear odd. The slopes of the surface are
+/// required half a step away from them, where the trapezoidal rule converges although the integrals are principal values.
+class GrippedContact {
+ public:
+  GrippedContact(double half_length, double poisson, double digits)
+      : half_length_(half_length),
+        beta_((1 - 2 * Float(poisson)) / (2 * (1 - Float(poisson)))),
+        grid_(half_length, digits),
+        kernels_(half_length, digits + 5) {
+    const Float turning = 2 * atanh(beta_) / pi();
+    for (int m = 0; m <= grid_.beyond; ++m) {
+      const Float way = grid_.node(m);
+      along_.push_back(exp(-way) * cos(turning * way));
+      across_.push_back(exp(-way) * sin(turning * way));
+    }
+    solve();
+  }
+
+  /// nip.load, .indentation, .creep, .peak_pressure, .peak_shear
+  [[nodiscard]] std::vector<Float> numbers() const {
+    Float load = 0, depth = 0;
+    for (int j = -nodes(); j <= nodes(); ++j) {
+      const Float weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
+      // The distance A - x from the end, without cancellation.
+      const Float distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
+      load += weight * pressure(j);
+      depth += weight * (pressure(j) * (kernels_.normal(distance) - log(distance)) -
+                         shear(j) * kernels_.coupling(distance));
+    }
+    const Float area = square(half_length_);
+    return {load / (8 * area), (depth / pi() + area) / (8 * area), strain_ / (4 * half_length_),
+            pressure(0) / (4 * half_length_), largest_shear() / (4 * half_length_)};
+  }
+
+ private:
+  static Float square(const Float& x) { return x * x; }
+  [[nodiscard]] int nodes() const { return grid_.last + grid_.beyond; }
+  [[nodiscard]] Float pressure(int j) const { return pressure_[at(std::abs(j))]; }
+  [[nodiscard]] Float shear(int j) const { return j < 0 ? Float(-shear_[at(-j)]) : shear_[at(j)]; }
+
+  void solve() {
+    const int last = grid_.last;
+    const auto of_pressure = [](int j) { return std::abs(j); };
+    const auto of_shear = [&](int j) { return last + std::abs(j); };
+    const int of_strain = 2 * last + 1;
+    FloatMatrix system = FloatMatrix::Zero(of_strain + 1, of_strain + 1);
+    FloatVector right = FloatVector::Zero(of_strain + 1);
+    for (int k = 0; k <= last; ++k) {
+      const int slope = k, strain = last + 1 + k;
+      const Float w = grid_.middle(k), x = half_length_ * tanh(w);
+      for (int j = -last; j <= last; ++j) {
+        const int sign = j < 0 ? -1 : 1;
+        const Float way(x - half_length_ * tanh(grid_.node(j)));
+        // They do not change beyond the last node.
+        const Float normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
+            shared(kernels_.coupling.slope(way));
+        for (int m = 0; m <= (std::abs(j) == last ? grid_.beyond : 0); ++m) {
+          const Float v = grid_.node(j + sign * m), weight = half_length_ * grid_.step / square(cosh(v));
+          const Float singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
+          const Float local = pi() * beta_ * sinc((w - v) / grid_.step), coupling = weight * shared;
+          const auto add = [&](int row, const Float& of_p, const Float& of_q) {
+            const Float &c = along_[at(m)], &s = across_[at(m)];
+            system(row, of_pressure(j)) += c * of_p + s * of_q;
+            if (j != 0) system(row, of_shear(j)) += c * of_q - s * of_p;
+          };
+          add(slope, singular + weight * normal, sign * (local - coupling));
+          add(strain, coupling - local, sign * (singular + weight * stretch));
+        }
+      }
+      right(slope) = -2 * pi() * x;
+      system(strain, of_strain) = -pi();
+    }
+    const FloatVector found = system.partialPivLu().solve(right);
+    pressure_.assign(found.begin(), found.begin() + last + 1);
+    shear_.assign(1, Float(0));
+    shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
+    const Float p = pressure_.back(), q = shear_.back();
+    for (int m = 1; m <= grid_.beyond; ++m) {
+      pressure_.emplace_back(along_[at(m)] * p - across_[at(m)] * q);
+      shear_.emplace_back(across_[at(m)] * p + along_[at(m)] * q);
+    }
+    strain_ = found(of_strain);
+  }
+
+  [[nodiscard]] Float shear_at(const Float& w) const {
+    Float sum = 0;
+    for (int j = -nodes(); j <= nodes(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
+    return abs(sum);
+  }
+  /// By golden section search about the largest of the known values.
+  [[nodiscard]] Float largest_shear() const {
+    int largest = 1;
+    for (int j = 1; j < grid_.last; ++j)
+      if (abs(shear(j)) > abs(shear(largest))) largest = j;
+    const Float part = (sqrt(Float(5)) - 1) / 2;
+    Float from = grid_.node(largest - 1), to = grid_.node(largest + 1);
+    for (int i = 0; i < 60; ++i) {
+      const Float left = to - part * (to - from), right = from + part * (to - from);
+      (shear_at(left) < shear_at(right) ? from : to) = shear_at(left) < shear_at(right) ? left : right;
+    }
+    return shear_at((from + to) / 2);
+  }
+
+  Float half_length_, beta_;
+  Grid grid_;
+  Kernels kernels_;
+  std::vector<Float> along_,
+      across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
+  std::vector<Float> pressure_, shear_;
+  Float strain_;
+};
+
+/// A frictionless contact by Kress's rule. The pressure is g(t)/sqrt(1 - t^2), where g is given by its values at the
+/// zeros of T_n. The logarithm of the kernel is integrated exactly on each T_j, the rest by the Gauss-Chebyshev rule.
+/// Two more equations, g(+-1) = 0 for a bounded pressure, determine the position and the depth of the contact.
+/// Lengths are in half-thicknesses, x is from the middle of the contact to its leading end, the pressure is in b/(2 R
+/// N_0).
+class RolledContact {
+ public:
+  /// The half length A > 0, and the displacement of the surface times pi at the distance x downstream of a unit load,
+  /// share(x) (-ln|x|) + rest(x), in which both functions are analytic; `points` > 3.
+  RolledContact(const Float& half_length, const std::function<Float(const Float& x)>& share,
+                const std::function<Float(const Float& x)>& rest, int points)
+      : half_length_(half_length) {
+    const Float half_turn = pi(), step = half_turn / points;
+    // All angles are multiples of half a step; this table has cos(m step/2).
+    std::vector<Float> cosine;
+    for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Float(step * m / 2)));
+    const auto wave = [&](long j, long i) -> const Float& {
+      return cosine[static_cast<std::size_t>((j * (2 * i + 1)) % (4 * points))];
+    };
+    for (int i = 0; i < points; ++i) nodes_.push_back(wave(1, i));
+    // The integral at node k of -ln|t - s| times the interpolant that is 1 at node i and 0 at the other nodes is the
+    // sum of a function of the sum of the two angles and of the same function of their difference.
+    std::vector<Float> logarithm;
+    for (int m = 0; m < 2 * points; ++m) {
+      Float sum = half_turn * log(Float(2)) / 2;
+      for (long j = 1; j < points; ++j)
+        sum += half_turn / j * cosine[static_cast<std::size_t>((2 * j * m) % (4 * points))];
+      logarithm.push_back(sum / points);
+    }
+    const Float own_logarithm = -log(half_length_);
+    FloatMatrix system = FloatMatrix::Zero(points + 2, points + 2);
+    FloatVector right = FloatVector::Zero(points + 2);
+    for (int k = 0; k < points; ++k) {
+      for (int i = 0; i < points; ++i) {
+        const Float x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
+        const Float of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
+        system(k, i) = half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
+      }
+      // The right side is D + slope t - (A t)^2.
+      system(k, points) = -half_turn;
+      system(k, points + 1) = -half_turn * nodes_[at(k)];
+      right(k) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
+    }
+    for (int end = 0; end < 2; ++end) {
+      for (int i = 0; i < points; ++i) {
+        Float sum = 1;
+        for (long j = 1; j < points; ++j) sum += (end == 0 || j % 2 == 0 ? 2 : -2) * wave(j, i);
+        system(points + end, i) = sum;
+      }
+    }
+    const FloatVector found = system.partialPivLu().solve(right);
+    values_.assign(found.begin(), found.end());
+    const Float slope = values_[at(points) + 1], level = values_[at(points)];
+    values_.resize(at(points));
+    // The same parabola is d0 - (offset + A t)^2.
+    offset_ = -slope / (2 * half_length_);
+    indentation_ = level + offset_ * offset_;
+  }
+
+  [[nodiscard]] Float load() const {
+    return integral([](const Float&) { return Float(1); });
+  }
+  [[nodiscard]] Float offset() const { return offset_; }            ///< of the middle towards the leading end
+  [[nodiscard]] Float indentation() const { return indentation_; }  ///< in b^2/(2 R)
+  /// Of the pressure, about the contact's middle.
+  [[nodiscard]] Float moment() const {
+    return integral([](const Float& x) { return x; });
+  }
+  [[nodiscard]] Float middle_pressure() const {
+    const long points = static_cast<long>(nodes_.size());
+    Float sum = 0;
+    for (long i = 0; i < points; ++i) {
+      Float weight = 1;
+      for (long j = 2; j < points; j += 2)
+        weight += (j % 4 == 0 ? 2 : -2) * cos(pi() * j * (2 * i + 1) / (2 * points));
+      sum += weight * values_[at(i)];
+    }
+    return sum / points;
+  }
+  /// The integral of the pressure times f(x).
+  [[nodiscard]] Float integral(const auto& f) const {
+    Float sum = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) sum += values_[i] * f(half_length_ * nodes_[i]);
+    return sum * half_length_ * pi() / nodes_.size();
+  }
+
+ private:
+  Float half_length_, offset_, indentation_;
+  std::vector<Float> nodes_, values_;
+};
 
 using Numbers = std::vector<Confirmation>;
 
@@ -18,7 +284,7 @@ std::vector<Confirmation> compared(const char* method, const std::vector<Float>&
 
 /// The memory term int_0^inf e^(-rate w) I(x - w) dw of a kernel of the rolling sheet, x downstream. An odd kernel is
 /// taken without its term pi/4 sign.
-Float remembered(const Remembered& kernel, const Float& x, const Float& rate, bool coarse) {
+Float remembered(const Kernel& kernel, const Float& x, const Float& rate, bool coarse) {
   // The integration variable is v = w - x, so that an odd kernel changes its sign.
   const Float sum = history(kernel, -exactly(x), {}, Complex(rate), coarse).real();
   return kernel.is_odd ? Float(-sum) : sum;
@@ -38,9 +304,9 @@ std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
     return sum;
   };
   const auto normal = [&](const Float& w) {
-    Float sum = kernel_I1(exactly(w)).value();
+    Float sum = I1(exactly(w)).value();
     for (const auto& memory : sheet.memories)
-      sum += memory.of_normal * memory.rate * remembered(remembered_I1, w, memory.rate, coarse);
+      sum += memory.of_normal * memory.rate * remembered(I1, w, memory.rate, coarse);
     return sum;
   };
   // A memory needs more points, an even number, for the growing exponentials.
@@ -57,10 +323,10 @@ std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
   // The kernel theta2 * I2 - N * I3.
   const auto tangential = [&](const Float& w) {
     const Float quarter = pi() / 4;
-    Float sum = 2 * quarter * sheet.theta2 * (w > 0 ? 1 : -1) - kernel_I3(exactly(w)).value();
+    Float sum = 2 * quarter * sheet.theta2 * (w > 0 ? 1 : -1) - I3(exactly(w)).value();
     for (const auto& memory : sheet.memories) {
       const Float &rate = memory.rate, step = quarter * remembered_sign(w, rate);
-      sum -= memory.of_normal * (rate * remembered(remembered_I3, w, rate, coarse) + step);
+      sum -= memory.of_normal * (rate * remembered(I3, w, rate, coarse) + step);
       sum += 2 * memory.of_theta2 * step;
     }
     return sum;
@@ -82,8 +348,8 @@ Numbers elastic_numbers(Arguments x) {
     return Numbers(5, confirmation("no rule for so long a contact", Float(0), unknown));
   }
   if (x["friction"] != 0)
-    return compared("sinc rule", gripped_numbers(x["L_over_B"], x["poisson"], true),
-                    gripped_numbers(x["L_over_B"], x["poisson"], false));
+    return compared("sinc rule", GrippedContact(x["L_over_B"], x["poisson"], 21).numbers(),
+                    GrippedContact(x["L_over_B"], x["poisson"], 19).numbers());
   const Float poisson = x["poisson"];
   const Numbers all = rolling_numbers({x["L_over_B"], (1 - 2 * poisson) / (2 - 2 * poisson), {}});
   return {all[2], all[3], all[4], all[5], confirmation(all[5].method, Float(0), Float(0))};
