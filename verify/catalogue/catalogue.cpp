@@ -8,10 +8,10 @@ namespace {
 /// In the order of the table; each row has one entry.
 std::vector<Quantity> gather() {
   std::map<std::string, Quantity> entries;
-  for (auto* const group : {root_entries, kernel_entries, displacement_entries, field_entries, memory_entries,
-                            moving_load_entries, half_space_entries, transverse_half_space_entries,
-                            half_space_contact_entries, seed_sphere_entries, anisotropic_entries,
-                            material_entries, elastic_nip_entries, viscoelastic_nip_entries}) {
+  for (auto* const group :
+       {kernel_entries, field_entries, memory_entries, moving_load_entries, half_space_entries,
+        transverse_half_space_entries, half_space_contact_entries, seed_sphere_entries, anisotropic_entries,
+        material_entries, elastic_nip_entries, viscoelastic_nip_entries}) {
     for (Quantity& entry : group()) entries.emplace(entry.name, std::move(entry));
   }
   std::vector<Quantity> all;

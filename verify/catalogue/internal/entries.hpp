@@ -9,8 +9,8 @@ namespace nipref::verify {
 // The quantities with their evaluators. A new quantity is a row of quantities.toml and an entry of one of
 // these groups.
 
-std::vector<Quantity> root_entries();         ///< roots of sinh 2z + 2z = 0, thesis appendix IV
-std::vector<Quantity> kernel_entries();       ///< I1 to I7, thesis (4.9), (4.20)
+/// Roots of sinh 2z + 2z = 0, thesis appendix IV; I1 to I7, thesis (4.9), (4.20); F1, F2, un, vn, us, vs, thesis (4.24), (4.25).
+std::vector<Quantity> kernel_entries();
 std::vector<Quantity> memory_entries();       ///< J1 to J6, thesis (6.20)
 std::vector<Quantity> moving_load_entries();  ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
 std::vector<Quantity> half_space_entries();   ///< K, S, isotropic, brock2012 (18a)
@@ -19,8 +19,7 @@ std::vector<Quantity> half_space_contact_entries();     ///< dies and spheres, b
 std::vector<Quantity> seed_sphere_entries();            ///< the seed's sphere, brock2013 (34), also exactly
 std::vector<Quantity> anisotropic_entries();  ///< K, S, critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, dimensionless, thesis chapter V
-std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
-std::vector<Quantity> field_entries();         ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
+std::vector<Quantity> field_entries();        ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
 std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelastic one, thesis chapter VII
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17

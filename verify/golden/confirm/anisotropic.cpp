@@ -222,16 +222,17 @@ Confirmation branch(Arguments x) {
   return confirmation("eigenvalue in closed form", speed, speed * Float("1e-80"));
 }
 
-SlidingBody sphere(Arguments x) {
-  const auto answer = [solid = transverse_solid(x), x](const Float& degrees) -> LineAnswerByFormula {
+/// The answers of the solid and of a steel sphere on it.
+LineAnswers joint_answers(Arguments x) {
+  return [solid = transverse_solid(x), x](const Float& degrees) -> LineAnswerByFormula {
     const Float speed = x["speed"] * cosine_of(degrees), along = x["patch"] * speed;
     const auto y = solid.admittance(degrees + x["theta_deg"], speed);
     const LineAnswerByFormula steel = isotropic_answer(Float("0.29529"), along * along);
     return {Float(y[2][2].real()) + steel.compliance, Float(-y[2][0].imag()) - steel.coupling,
             Float(-y[2][1].imag()), 0};
   };
-  return {answer, x["friction"]};
 }
+SlidingBody sphere(Arguments x) { return {joint_answers(x), x["friction"]}; }
 
 /// Lines about that with the smallest critical speed, where K may have a peak.
 std::vector<WeightedLine> lines_about_critical(Arguments x, bool coarse) {
@@ -241,7 +242,7 @@ std::vector<WeightedLine> lines_about_critical(Arguments x, bool coarse) {
 }
 
 Float sphere_axis_ratio(Arguments x, bool coarse) {
-  return exp(-ContactEllipse(sphere(x).answers, lines_about_critical(x, coarse), 1).eta);
+  return exp(-ContactEllipse(joint_answers(x), lines_about_critical(x, coarse), 1).eta);
 }
 
 Float sphere_force(Arguments x, bool coarse) { return sphere(x).force(lines_about_critical(x, coarse)); }
