@@ -281,6 +281,35 @@ std::vector<Estimate> compared(std::vector<Estimate> numbers, const std::vector<
   return numbers;
 }
 
+/// Each length is the last one times the cube root of the load over that found. The steps end at a length for which no load
+/// is found.
+template <class Problem, class Method>
+std::vector<SearchStep> steps_to(Problem problem, Method method, double load, double accuracy) {
+  constexpr std::size_t most = 100;
+  const auto loads_of = [&](const Problem& one) { return solution(FastPath(), one, method, accuracy); };
+  double length = problem.nip.sheet_thickness, tolerance = 1e-2;
+  if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
+    tolerance = 2e-3;
+    Problem slipping = problem;
+    slipping.friction = data::Friction::none;
+    if (has_full_friction(problem)) length = loads_of(slipping).contact_length();
+  } else if (!method.trailing_elements) {
+    method.trailing_elements = loads_of(problem).trailing_elements();
+  }
+  std::vector<SearchStep> steps;
+  try {
+    while (steps.size() < most) {
+      problem.given = data::GivenLength{length};
+      steps.push_back({length, loads_of(problem).load()});
+      const double found = steps.back().load;
+      if (!(found > 0) || std::fabs(found / load - 1) <= tolerance) break;
+      length *= std::cbrt(load / found);
+    }
+  } catch (const data::BadInput&) {  // no creep meets the thesis's conditions there
+  }
+  return steps;
+}
+
 SolvedInDouble compared_with_truth(const auto& problem, const auto& line_loads, double accuracy) {
   const std::shared_ptr<const SolvedContact<Estimate>> truth =
       solved<FastPath>(problem, ConvergedMethod(), truth_accuracy);
@@ -315,6 +344,24 @@ Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy)
     }
   };
   return std::visit(solve_by, problem.method);
+}
+
+std::vector<SearchStep> thesis_search(const data::Scene& scene) {
+  return std::visit(
+      [&](const auto& problem) -> std::vector<SearchStep> {
+        using Problem = std::remove_cvref_t<decltype(problem)>;
+        if constexpr (requires { problem.method; } && !std::is_same_v<Problem, PartialSlipProblem>) {
+          const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
+          const auto search = [&](const auto& method) -> std::vector<SearchStep> {
+            if constexpr (requires { method.leading_elements; })
+              if (load != nullptr) return steps_to(problem, method, load->per_length, scene.accuracy);
+            return {};
+          };
+          return std::visit(search, problem.method);
+        }
+        return {};
+      },
+      scene.system);
 }
 
 template SolvedInDouble solve_nip<FastPath>(const ElasticNipProblem&, double);

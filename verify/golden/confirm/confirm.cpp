@@ -63,18 +63,14 @@ Solver solver_of(const data::ElasticNipProblem& problem) {
                        std::move(rows));
 }
 
-using BothFunctions = std::pair<confirm::Exponentials, confirm::Exponentials>;
-
 /// theta1 and theta2 of the numbers that a material's doubles are rounded from; nothing for springs that are not alike.
-std::optional<BothFunctions> functions_of(const data::ViscoelasticMaterial& material) {
-  const auto both = [](const confirm::Compliance& of) {
-    return BothFunctions(in_exponentials(of.theta1), in_exponentials(of.theta2));
-  };
+std::optional<confirm::BothFunctions> functions_of(const data::ViscoelasticMaterial& material) {
+  using Both = confirm::BothFunctions;
   const data::MaterialConstants& constants = material.constants();
   if (const auto* one = std::get_if<data::SingleRelaxationTimeSolid>(&constants))
-    return both({one->bulk, one->shear, one->relaxation_time, one->theta2_rate_factor});
+    return Both({one->bulk, one->shear, one->relaxation_time, one->theta2_rate_factor});
   if (const auto* all = std::get_if<data::DifferentialOperators>(&constants))
-    return both(
+    return Both(
         confirm::Compliance(confirm::operator_moduli(all->p, all->q, all->p_dilatation, all->q_dilatation)));
   if (!std::holds_alternative<std::monostate>(constants)) return {};
   const auto exactly = [](const data::MaterialFunction& function) {
@@ -83,7 +79,7 @@ std::optional<BothFunctions> functions_of(const data::ViscoelasticMaterial& mate
       exact.terms.push_back({{amplitude.real(), amplitude.imag()}, {rate.real(), rate.imag()}});
     return exact;
   };
-  return BothFunctions(exactly(material.functions()->theta1), exactly(material.functions()->theta2));
+  return Both(exactly(material.functions()->theta1), exactly(material.functions()->theta2));
 }
 
 Solver solver_of(const data::ViscoelasticNipProblem& problem) {

@@ -1,6 +1,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <nipref/verify/golden/confirm/half_space.hpp>
+#include <nipref/verify/golden/confirm/rational.hpp>
 #include <nipref/verify/support/mapped.hpp>
 
 namespace nipref::verify::confirm {
@@ -12,15 +13,11 @@ Float squared_ratio(const Float& poisson) { return (1 - 2 * poisson) / (2 - 2 * 
 /// v_R^2/v_S^2, the root in (0, 1) of Rayleigh's cubic.
 Float rayleigh_squared(const Float& poisson) {
   const Float k = squared_ratio(poisson);
-  const auto cubic = [&](const auto& x, const auto& ratio) {
-    return ((x - 8) * x + (24 - 16 * ratio)) * x - 16 * (1 - ratio);
-  };
-  double low = 0, high = 1;
-  const auto rough = static_cast<double>(k);
-  for (int step = 0; step < 50; ++step) (cubic((low + high) / 2, rough) < 0 ? low : high) = (low + high) / 2;
-  Float x = (low + high) / 2;
-  for (int step = 0; step < 6; ++step) x -= cubic(x, k) / ((3 * x - 16) * x + (24 - 16 * k));
-  return x;
+  const PolynomialOf<Float> cubic{Float(16 * k - 16), Float(24 - 16 * k), Float(-8), Float(1)};
+  Float found = 1;
+  for (const Complex& root : roots_of<150>(cubic))
+    if (abs(root.imag()) < Float("1e-60")) found = std::min<Float>(found, root.real());
+  return found;
 }
 
 Float squared_speed(double speed, const Float& cosine) {
@@ -115,14 +112,11 @@ Float rolling_creep(Arguments x) {
 
 /// The ends of panels from 0 to pi/2, radians, whose lengths grow from `first` at 0 and from `last` at pi/2.
 std::vector<Float> panels(const Float& first, const Float& last) {
-  std::vector<Float> ends{Float(0)}, behind{pi() / 2};
   const Float middle = pi() / 4;
-  for (Float step = std::min<Float>(first, middle); ends.back() < middle; step = ends.back())
-    ends.push_back(std::min<Float>(middle, ends.back() + step));
-  for (Float step = std::min<Float>(last, middle); pi() / 2 - behind.back() < middle;
-       step = pi() / 2 - behind.back())
-    behind.push_back(std::max<Float>(middle, behind.back() - step));
-  ends.insert(ends.end(), behind.rbegin() + 1, behind.rend());
+  std::vector<Float> ends{Float(0), middle, 2 * middle};
+  for (Float end = first; end < middle; end *= 2) ends.push_back(end);
+  for (Float end = last; end < middle; end *= 2) ends.push_back(2 * middle - end);
+  std::ranges::sort(ends);
   return ends;
 }
 

@@ -6,10 +6,6 @@
 namespace nipref::verify::confirm {
 namespace {
 
-struct SolidTerms {
-  Exponentials theta1, theta2;
-};
-
 enum class MovingModel { thesis = 1, prony, operators, two_moduli };
 
 /// function: theta1 or theta2.
@@ -22,7 +18,7 @@ Exponentials terms_of(Arguments x, const std::string& function) {
 }
 
 /// The material of a moving load.
-SolidTerms solid_terms(Arguments x) {
+BothFunctions material_of(Arguments x) {
   const auto model = static_cast<MovingModel>(static_cast<int>(x["material"]));
   if (model == MovingModel::prony) return {terms_of(x, "theta1"), terms_of(x, "theta2")};
   const Long bulk = x["bulk"],
@@ -30,7 +26,7 @@ SolidTerms solid_terms(Arguments x) {
   const Compliance of = model == MovingModel::operators ? Compliance(operator_moduli(x))
                                                         : Compliance(bulk, shear, x["relaxation_time"],
                                                                      model == MovingModel::thesis ? 2 : 1);
-  return {in_exponentials(of.theta1), in_exponentials(of.theta2)};
+  return BothFunctions(of);
 }
 
 Confirmation closed_form(const Long& value) {
@@ -136,13 +132,11 @@ class Convolution {
 
 /// The sheet's two convolutions.
 struct Sheet {
-  SolidTerms solid;
   Convolution theta1, theta2;
 
-  explicit Sheet(Arguments x)
-      : solid(solid_terms(x)),
-        theta1(solid.theta1, x["speed"], x["half_thickness"]),
-        theta2(solid.theta2, x["speed"], x["half_thickness"]) {}
+  explicit Sheet(Arguments x) : Sheet(material_of(x), x["speed"], x["half_thickness"]) {}
+  Sheet(const BothFunctions& solid, double speed, double half_thickness)
+      : theta1(solid.theta1, speed, half_thickness), theta2(solid.theta2, speed, half_thickness) {}
 };
 
 Confirmation over_pi(const Long& sum, const Float& error) {

@@ -115,4 +115,14 @@ inline Exponentials in_exponentials(Ratio ratio) {
   return function;
 }
 
+/// Both functions of a material.
+struct BothFunctions {
+  Exponentials theta1, theta2;
+
+  BothFunctions(Exponentials first, Exponentials second)
+      : theta1(std::move(first)), theta2(std::move(second)) {}
+  explicit BothFunctions(const Compliance& of)
+      : theta1(in_exponentials(of.theta1)), theta2(in_exponentials(of.theta2)) {}
+};
+
 }  // namespace nipref::verify::confirm
