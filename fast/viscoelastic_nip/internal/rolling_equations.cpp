@@ -6,6 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/layer.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
 
 namespace nipref::fast {
@@ -119,7 +120,6 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
                             0.5 * (here + -1 * there)};
   const double scale = stiffness_of_layers(modes);
   for (const bool odd : {false, true}) {
-    const double sign = odd ? -1 : 1;
     const auto& [stiffness, first, second] = parts[odd ? 1 : 0];
     const auto& [stiffness_of_other, first_of_other, second_of_other] = parts[odd ? 0 : 1];
     const Sized of_offset = -2 * (y * stiffness_of_other + first),
@@ -139,7 +139,10 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
     equations.size_right(row + odd) = constant.size;
     for (const Mode& mode : modes) {
       const Complex rate = mode.memory.rate;
-      const Complex exponential = 0.5 * (std::exp(-rate * e) + sign * std::exp(-rate * trailing));
+      // Both parts of e^(-rate e), the odd one without its cancellation where the rate is small.
+      const Complex apart = 2 * y * rate;
+      const Complex exponential =
+          0.5 * std::exp(-rate * e) * (odd ? apart * internal::phi1(apart) : 1.0 + std::exp(-apart));
       equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * exponential.real();
       if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * exponential.imag();
     }
