@@ -53,8 +53,8 @@ void SolvedNip::solve_to(double nats) {
   solution_ = solve(sought_);
 }
 
-/// Each contact with its own layout, up to the one from which a secant leads to nearly the length: the load that is left is then
-/// a hundredth of this one, and after the first step of meet_load() a ten thousandth of that.
+/// Each contact with its own layout, up to the one from which a step leads to nearly the length: it leaves about a hundredth of
+/// what the load was off, and so does the first step of meet_load().
 void SolvedNip::search_roughly() {
   constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 5e-2;
   Resolution few_terms = equations_->resolution(few_nats);
