@@ -14,9 +14,9 @@ constexpr int residues = 500;
 constexpr double stated_bulk = data::seed::sheet.young,
                  stated_shear = data::thesis_shear_over_bulk * stated_bulk;
 
-double plain_sum(const Request& request) {
-  const auto number = [&](const char* key) { return request.number(key); };
-  const std::string& name = request.name(1);
+double plain_sum(const Brackets& brackets) {
+  const auto number = [&](const char* key) { return brackets.number(key); };
+  const std::string& name = brackets.name(1);
   if (name == "Un" || name == "Vn") {
     constexpr double half_thickness = 0.0025, speed = 1;
     const fast::PlainMovingLoad load(
@@ -32,15 +32,15 @@ double plain_sum(const Request& request) {
   return name == "I1" ? I1[0] : name == "I3" ? I3[0] : I6[0];
 }
 
-double creep_response(const Request& request) {
-  const std::string& name = request.name(1);
+double creep_response(const Brackets& brackets) {
+  const std::string& name = brackets.name(1);
   const data::ViscoelasticMaterial solid = data::single_relaxation_time_solid(
-      stated_bulk, stated_shear, 1, static_cast<int>(request.number("rate")));
+      stated_bulk, stated_shear, 1, static_cast<int>(brackets.number("rate")));
   const data::MaterialFunctions both = *solid.functions();
   const data::MaterialFunction theta = name == "theta1"   ? both.theta1
                                        : name == "theta2" ? both.theta2
                                                           : both.normal_compliance();
-  const double t = request.number("t");
+  const double t = brackets.number("t");
   double compliance = theta.instantaneous;
   for (const data::RelaxationTerm& term : theta.terms)
     compliance -= (term.amplitude / term.rate * std::expm1(-term.rate.real() * t)).real();
@@ -48,14 +48,14 @@ double creep_response(const Request& request) {
 }
 
 /// The contact of a scene with these values of its keys.
-const SolvedContact<fast::Estimate>& scene_of(const Request& request, const FigureScope& scope,
+const SolvedContact<fast::Estimate>& scene_of(const Brackets& brackets, const FigureScope& scope,
                                               FigureContacts& contacts) {
-  const std::string& name = request.name(1);
-  data::SceneOverrides keys{{"method.kind", request.name(2)}};
-  std::string all = name + " " + request.name(2);
-  for (const auto& [key, formula] : request.given) {
+  const std::string& name = brackets.name(1);
+  data::SceneOverrides keys{{"method.kind", brackets.name(2)}};
+  std::string all = name + " " + brackets.name(2);
+  for (const auto& [key, formula] : brackets.given) {
     if (key == "at") continue;
-    keys.emplace_back(key, fmt::format("{}", request.number(key)));
+    keys.emplace_back(key, fmt::format("{}", brackets.number(key)));
     all += " " + keys.back().second;
   }
   SolvedInDouble& contact = contacts.scenes[all];
@@ -81,16 +81,16 @@ FigureFormulas::FigureFormulas(const FigureScope& of, FigureContacts& contacts)
 }
 
 Propagated FigureFormulas::solve(const std::string& words) {
-  const Request request(words, formulas_);
-  const std::string& kind = request.name(0);
-  if (kind == "plain") return Propagated::exact(plain_sum(request));
-  if (kind == "creep") return Propagated::exact(creep_response(request));
-  if (kind == "nip") return result_of(request, nip());
-  if (kind == "scene") return result_of(request, scene_of(request, scope, contacts_));
+  const Brackets brackets(words, formulas_);
+  const std::string& kind = brackets.name(0);
+  if (kind == "plain") return Propagated::exact(plain_sum(brackets));
+  if (kind == "creep") return Propagated::exact(creep_response(brackets));
+  if (kind == "nip") return result_of(brackets, nip());
+  if (kind == "scene") return result_of(brackets, scene_of(brackets, scope, contacts_));
   if (kind != "replayed") return contacts_.others(words, formulas_);
-  if (replayed_ == nullptr || !replayed_->contains(request.name(1)))
-    request.refuse("a column of a nip's table");
-  return Propagated::exact(replayed_->at(request.name(1)));
+  if (replayed_ == nullptr || !replayed_->contains(brackets.name(1)))
+    brackets.refuse("a column of a nip's table");
+  return Propagated::exact(replayed_->at(brackets.name(1)));
 }
 
 const SolvedContact<fast::Estimate>& FigureFormulas::nip() {

@@ -10,14 +10,14 @@ using boost::math::quadrature::gauss;
 
 /// I1 + ln |w|, or the odd kernel over w, for |w| < 3. The nearest singularity, +-i, is on Bernstein's ellipse of parameter
 /// 2.4.
-const Interpolant& smooth_part(const Kernel& kernel) {
-  static const auto made = [](const Kernel& of) {
+const Interpolant& smooth_part(const SymbolTransform& kernel) {
+  static const auto made = [](const SymbolTransform& of) {
     return Interpolant(0, far, 180, [of](const Float& w) {
       const Float value = of(exactly(w)).value();
       return of.is_odd ? Float(value / w) : Float(value + log(w));
     });
   };
-  static const std::map<const Kernel*, Interpolant> all{
+  static const std::map<const SymbolTransform*, Interpolant> all{
       {&I1, made(I1)}, {&I3, made(I3)}, {&I4, made(I4)}, {&I5, made(I5)}};
   return all.at(&kernel);
 }
@@ -27,7 +27,7 @@ constexpr int forgotten = 200;
 
 /// The integrals of a history over distances x from the load on one side of it: w is x on the side 1, -x on the side -1.
 struct History {
-  const Kernel& kernel;
+  const SymbolTransform& kernel;
   Float from;
   Complex rate;
   bool coarse;
@@ -121,7 +121,7 @@ struct History {
 
 }  // namespace
 
-Complex history(const Kernel& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
+Complex history(const SymbolTransform& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
                 const Complex& rate, bool coarse) {
   const History over{kernel, to_number(from), rate, coarse};
   Complex sum = 0;

@@ -21,7 +21,7 @@ Split along_axis(const mpq_class& x, bool is_sine, int order, Symbol symbol) {
 
 /// A kernel whose symbol can be integrated as it is.
 template <bool is_odd, class Symbol>
-constexpr Kernel plain(Symbol) {
+constexpr SymbolTransform plain(Symbol) {
   return {is_odd, 0, [](const Pole& at) -> Complex { return Symbol()(at); },
           [](const mpq_class& x, int order) { return along_axis(x, is_odd, order, Symbol()); }};
 }
@@ -69,16 +69,17 @@ Split I6_alpha_near(const mpq_class& alpha, int) {
 
 }  // namespace
 
-const Kernel I1{false, 0, [](const Pole& at) -> Complex { return at.sine * at.sine / (at.unit * at.z); },
-                I1_near};
-const Kernel I3 = plain<true>([](const auto& at) { return at.unit; });
-const Kernel I4 = plain<true>([](const auto& at) { return at.sine / at.z; });
-const Kernel I5 = plain<true>([](const auto& at) { return at.cosine; });
-const Kernel I7 = plain<false>([](const auto& at) { return at.sine; });
-const Kernel I6_alpha{false, -1,
-                      [](const Pole& at) -> Complex { return at.cosine * at.cosine / (at.unit * at.z); },
-                      I6_alpha_near};
-const Kernel I6_eta{false, -1, [](const Pole& at) -> Complex { return at.cosine / at.z; }, I6_eta_near};
+const SymbolTransform I1{
+    false, 0, [](const Pole& at) -> Complex { return at.sine * at.sine / (at.unit * at.z); }, I1_near};
+const SymbolTransform I3 = plain<true>([](const auto& at) { return at.unit; });
+const SymbolTransform I4 = plain<true>([](const auto& at) { return at.sine / at.z; });
+const SymbolTransform I5 = plain<true>([](const auto& at) { return at.cosine; });
+const SymbolTransform I7 = plain<false>([](const auto& at) { return at.sine; });
+const SymbolTransform I6_alpha{
+    false, -1, [](const Pole& at) -> Complex { return at.cosine * at.cosine / (at.unit * at.z); },
+    I6_alpha_near};
+const SymbolTransform I6_eta{false, -1, [](const Pole& at) -> Complex { return at.cosine / at.z; },
+                             I6_eta_near};
 
 // Node j is at t = j/256; the coarse rule has the nodes of even j. For |x| <= 3 the integrands are analytic and bounded in
 // the strip |Im t| < 0.3.
@@ -150,7 +151,7 @@ Split around_poles(const Float& x, bool is_sine, int size,
           size * exp(-(2 * static_cast<int>(poles) + 1) * pi() / 2 * x) + abs(sum) * Float("1e-90")};
 }
 
-Split Kernel::operator()(const mpq_class& x, int order) const {
+Split SymbolTransform::operator()(const mpq_class& x, int order) const {
   const mpq_class size = abs(x);
   if (size < far) return near(x, order);
   Split value = around_poles(to_number(size), is_odd, order == 0 ? 8 : 2000, [&](const Pole& at) {

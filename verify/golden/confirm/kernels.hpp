@@ -58,7 +58,7 @@ Split around_poles(const Float& x, bool is_sine, int size,
 inline constexpr int far = 3;
 
 /// A kernel of one argument, the cosine or, if it is odd, the sine transform of its symbol.
-struct Kernel {
+struct SymbolTransform {
   bool is_odd;
   int growth;  ///< beyond all terms of poles it is an odd kernel's sign times pi/4, or growth |x| pi/4
   Complex (*residue)(const Pole& at);
@@ -67,15 +67,15 @@ struct Kernel {
   /// The value or, of I1 and I3, the derivative of the first or second order.
   [[nodiscard]] Split operator()(const mpq_class& x, int order = 0) const;
 };
-extern const Kernel I1, I3, I4, I5, I7;
+extern const SymbolTransform I1, I3, I4, I5, I7;
 /// I6(alpha, eta) is the difference of these two functions of one argument.
-extern const Kernel I6_alpha, I6_eta;
+extern const SymbolTransform I6_alpha, I6_eta;
 
 /// int e^(-rate (w - from)) I(w) dw from `from` to `to`, or to infinity without `to`; an odd kernel is taken without
 /// its term pi/4 sign w. For |w| < 3 by Gauss's rule on panels with a Chebyshev interpolant of the kernel; beyond, as
 /// the sum of the integrals of the terms that belong to the kernel's poles. The coarse rule has fewer points. The
 /// rate may be complex.
-Complex history(const Kernel& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
+Complex history(const SymbolTransform& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
                 const Complex& rate, bool coarse);
 
 /// The same integral of sign w, in closed form.

@@ -93,7 +93,7 @@ class Convolution {
     }
   }
 
-  void add(Long& sum, Float& error, int sign, const Kernel& kernel, const LoadPath& way) const {
+  void add(Long& sum, Float& error, int sign, const SymbolTransform& kernel, const LoadPath& way) const {
     const auto part = [&](const LongComplex& amplitude, const Complex& fine, const Complex& coarse) {
       const LongComplex whole(Long(fine.real()), Long(fine.imag()));
       sum += sign * LongComplex(amplitude * whole).real();

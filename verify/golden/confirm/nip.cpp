@@ -284,7 +284,7 @@ std::vector<Confirmation> compared(const char* method, const std::vector<Float>&
 
 /// The memory term int_0^inf e^(-rate w) I(x - w) dw of a kernel of the rolling sheet, x downstream. An odd kernel is
 /// taken without its term pi/4 sign.
-Float remembered(const Kernel& kernel, const Float& x, const Float& rate, bool coarse) {
+Float remembered(const SymbolTransform& kernel, const Float& x, const Float& rate, bool coarse) {
   // The integration variable is v = w - x, so that an odd kernel changes its sign.
   const Float sum = history(kernel, -exactly(x), {}, Complex(rate), coarse).real();
   return kernel.is_odd ? Float(-sum) : sum;

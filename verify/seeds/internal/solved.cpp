@@ -12,9 +12,9 @@ namespace {
 
 using data::ViscoelasticMaterial;
 
-const auto& entry_of(const auto& table, const std::string& key, const Request& request) {
+const auto& entry_of(const auto& table, const std::string& key, const Brackets& brackets) {
   const auto found = table.find(key);
-  if (found == table.end()) request.refuse(fmt::format("no '{}'", key));
+  if (found == table.end()) brackets.refuse(fmt::format("no '{}'", key));
   return found->second;
 }
 
@@ -25,18 +25,18 @@ Propagated as_propagated(const ref::Estimate& reference) {
 
 /// A quantity of the catalogue at decimal arguments. The error by fast is what fast promises at the doubles nearest to
 /// them, and the change of the quantity from the decimals to the doubles.
-Propagated of_quantity(const Request& request) {
+Propagated of_quantity(const Brackets& brackets) {
   constexpr int digits = 20;
-  const std::string& kind = request.name(0);
-  const Quantity& quantity = find_quantity(request.name(1));
-  const ParsedArguments arguments = parse_arguments(quantity, request.arguments());
+  const std::string& kind = brackets.name(0);
+  const Quantity& quantity = find_quantity(brackets.name(1));
+  const ParsedArguments arguments = parse_arguments(quantity, brackets.arguments());
   const Point point = arguments.nearest(quantity);
   if (kind == "double") return Propagated::exact(quantity.by_fast(point, {}));
   const Propagated by_ref = as_propagated(quantity.by_ref(arguments.exact, digits));
   if (kind == "ref") return by_ref;
   if (kind == "printed") {
     const auto form = std::ranges::find(quantity.seed_forms, "printed", &SeedForm::name);
-    if (form == quantity.seed_forms.end()) request.refuse("a quantity that the seed prints");
+    if (form == quantity.seed_forms.end()) brackets.refuse("a quantity that the seed prints");
     return printed_form(form->value(point));
   }
   const double value = quantity.by_fast(point, {});
@@ -60,13 +60,13 @@ Propagated second_moment(const SolvedContact<fast::Estimate>& contact) {
 
 }  // namespace
 
-Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact) {
-  const std::string& name = request.names.back();
+Propagated result_of(const Brackets& brackets, const SolvedContact<fast::Estimate>& contact) {
+  const std::string& name = brackets.names.back();
   if (name == "second_moment") return second_moment(contact);
   const data::SceneResult* const what = data::find_scene_result(name);
-  if (what == nullptr || !contact.has(what->id)) request.refuse(fmt::format("no '{}'", name));
+  if (what == nullptr || !contact.has(what->id)) brackets.refuse(fmt::format("no '{}'", name));
   if (what->shape == data::Shape::number) return contact.number(what->id);
-  const double at = request.number("at", "0");
+  const double at = brackets.number("at", "0");
   if (what->shape == data::Shape::list) return contact.get(what->id).at(static_cast<std::size_t>(at));
   return contact.at(what->id, at);
 }
@@ -75,8 +75,8 @@ namespace {
 
 constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
 
-ViscoelasticMaterial solid_of(const Request& request) {
-  const double memory = request.number("memory", "1");
+ViscoelasticMaterial solid_of(const Brackets& brackets) {
+  const double memory = brackets.number("memory", "1");
   using Make = std::function<ViscoelasticMaterial()>;
   const std::map<std::string, Make> all{
       {"elastic", [] { return data::elastic_solid(thesis_sheet); }},
@@ -92,11 +92,11 @@ ViscoelasticMaterial solid_of(const Request& request) {
          return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
                                   {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
        }}};
-  return entry_of(all, request.text_of("solid", "thesis"), request)();
+  return entry_of(all, brackets.text_of("solid", "thesis"), brackets)();
 }
 
-Propagated of_material(const Request& request) {
-  const data::MaterialFunctions functions = solid_of(request).functions().value();
+Propagated of_material(const Brackets& brackets) {
+  const data::MaterialFunctions functions = solid_of(brackets).functions().value();
   const data::MaterialFunction normal = functions.normal_compliance();
   // The functions are sums of a few products, so that this bounds their rounding.
   const auto rounded = [](double value) { return Propagated(value, 0x1p-48 * std::fabs(value)); };
@@ -108,49 +108,49 @@ Propagated of_material(const Request& request) {
   };
   using Number = std::function<Propagated()>;
   const std::map<std::string, Number> all{
-      {"theta1", [&] { return rounded(functions.theta1.transform(request.number("p", "0")).real()); }},
-      {"theta2", [&] { return rounded(functions.theta2.transform(request.number("p", "0")).real()); }},
+      {"theta1", [&] { return rounded(functions.theta1.transform(brackets.number("p", "0")).real()); }},
+      {"theta2", [&] { return rounded(functions.theta2.transform(brackets.number("p", "0")).real()); }},
       {"normal_at_once", [&] { return rounded(normal.instantaneous); }},
       {"normal_long_time", [&] { return rounded(normal.long_time()); }},
       {"sum_of_amplitudes", [&] { return sum(0); }},
       {"sum_of_amplitudes_over_squared_rates", [&] { return sum(2); }}};
-  return entry_of(all, request.name(1), request)();
+  return entry_of(all, brackets.name(1), brackets)();
 }
 
-Propagated printed_cell(const Request& request) {
-  const data::Table table = data::load_table_by_id(request.name(1));
-  const std::string& column = request.given.at(0).second;
-  const auto& [key, value] = request.given.at(1);
-  const double wanted = request.formulas.value(value).value();
+Propagated printed_cell(const Brackets& brackets) {
+  const data::Table table = data::load_table_by_id(brackets.name(1));
+  const std::string& column = brackets.given.at(0).second;
+  const auto& [key, value] = brackets.given.at(1);
+  const double wanted = brackets.formulas.value(value).value();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const auto& here = table.cell(row, key).number;
     const auto& printed = table.cell(row, column).number;
     if (here && printed && std::fabs(here->value / wanted - 1) < 1e-6)
       return Propagated::exact(printed->value);
   }
-  request.refuse("a row that is printed");
+  brackets.refuse("a row that is printed");
 }
 
 /// mu_R by ten line loads on the leading side that start at `distance` before the nip.
-Propagated started_resistance(const Request& request) {
-  const data::ViscoelasticNip nip{6, request.number("thickness", "2"), solid_of(request), 1};
-  const double half_thicknesses = request.number("distance", "1") / nip.half_thickness();
+Propagated started_resistance(const Brackets& brackets) {
+  const data::ViscoelasticNip nip{6, brackets.number("thickness", "2"), solid_of(brackets), 1};
+  const double half_thicknesses = brackets.number("distance", "1") / nip.half_thickness();
   const data::ViscoelasticLineLoads method{10, {}, half_thicknesses, 0};
   return printed_form(
-      fast::line_loads_for_load(nip, method, request.number("load", "0")).rolling_resistance());
+      fast::line_loads_for_load(nip, method, brackets.number("load", "0")).rolling_resistance());
 }
 
-SolvedInDouble contact_of_nip(const Request& request) {
+SolvedInDouble contact_of_nip(const Brackets& brackets) {
   const auto number = [&](const char* key, double otherwise) {
-    return request.number(key, fmt::format("{}", otherwise));
+    return brackets.number(key, fmt::format("{}", otherwise));
   };
   const double radius = number("radius", 6), thickness = number("thickness", 2), length = number("length", 0),
                accuracy = number("accuracy", 1e-9);
   data::Given given = data::GivenLength{length};
   if (!(length > 0)) given = data::GivenLoad{number("load", 0)};
-  if (request.name(0) == "rolling")
+  if (brackets.name(0) == "rolling")
     return solve_nip(
-        data::ViscoelasticNipProblem{.nip = {radius, thickness, solid_of(request), number("speed", 1)},
+        data::ViscoelasticNipProblem{.nip = {radius, thickness, solid_of(brackets), number("speed", 1)},
                                      .given = given},
         accuracy);
   const data::ElasticNip nip{
@@ -160,26 +160,26 @@ SolvedInDouble contact_of_nip(const Request& request) {
                                               .given = given},
                      accuracy);
   const auto friction =
-      request.text_of("friction", "none") == "full" ? data::Friction::full : data::Friction::none;
+      brackets.text_of("friction", "none") == "full" ? data::Friction::full : data::Friction::none;
   return solve_nip(data::ElasticNipProblem{.nip = nip, .given = given, .friction = friction}, accuracy);
 }
 
 /// The exact contact of the steel sphere that slides over the graphite epoxy, whose axis is in the surface along x2.
-SolvedInDouble contact_of_sliding_sphere(const Request& request) {
+SolvedInDouble contact_of_sliding_sphere(const Brackets& brackets) {
   const data::IsotropicSolid& of_sphere = data::seed::steel;
   return solve_half_space(
       {.body = data::ElasticSphere{1, of_sphere, true},
        .half_space =
            data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
-       .speed = request.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
-       .direction = request.number("direction", "0"),
+       .speed = brackets.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
+       .direction = brackets.number("direction", "0"),
        .given = data::GivenNormalForce{1e-6}});
 }
 
-const std::map<std::string, SolvedInDouble (*)(const Request&)> contacts_by_kind{
+const std::map<std::string, SolvedInDouble (*)(const Brackets&)> contacts_by_kind{
     {"elastic", contact_of_nip}, {"rolling", contact_of_nip}, {"sliding_sphere", contact_of_sliding_sphere}};
 
-const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
+const std::map<std::string, Propagated (*)(const Brackets&)> other_kinds{
     {"ref", of_quantity},
     {"fast", of_quantity},
     {"printed", of_quantity},
@@ -187,11 +187,11 @@ const std::map<std::string, Propagated (*)(const Request&)> other_kinds{
     {"material", of_material},
     {"table", printed_cell},
     {"started", started_resistance},
-    {"computed", [](const Request& one) { return entry_of(computed_numbers(), one.name(1), one)(); }}};
+    {"computed", [](const Brackets& one) { return entry_of(computed_numbers(), one.name(1), one)(); }}};
 
 }  // namespace
 
-Request::Request(const std::string& words, StatedFormulas& scope) : text(words), formulas(scope) {
+Brackets::Brackets(const std::string& words, StatedFormulas& scope) : text(words), formulas(scope) {
   for (const std::string& word : words_of(words)) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {
@@ -202,26 +202,26 @@ Request::Request(const std::string& words, StatedFormulas& scope) : text(words),
   }
 }
 
-void Request::refuse(std::string_view lacking) const {
+void Brackets::refuse(std::string_view lacking) const {
   throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
 }
 
-const std::string& Request::name(std::size_t i) const {
+const std::string& Brackets::name(std::size_t i) const {
   if (i >= names.size()) refuse(fmt::format("{} names", i + 1));
   return names[i];
 }
 
-std::string Request::text_of(const std::string& key, const std::optional<std::string>& otherwise) const {
+std::string Brackets::text_of(const std::string& key, const std::optional<std::string>& otherwise) const {
   if (const auto* const found = item_with(given, &Assignments::value_type::first, key)) return found->second;
   if (!otherwise) refuse(key + "=VALUE");
   return *otherwise;
 }
 
-double Request::number(const std::string& key, const std::optional<std::string>& otherwise) const {
+double Brackets::number(const std::string& key, const std::optional<std::string>& otherwise) const {
   return formulas.value(text_of(key, otherwise)).value();
 }
 
-Assignments Request::arguments() const {
+Assignments Brackets::arguments() const {
   Assignments all = given;
   for (auto& [key, value] : all)
     if (value.starts_with('$')) value = fmt::format("{}", formulas.value(value.substr(1)).value());
@@ -243,21 +243,21 @@ std::string with_fields(const std::string& text,
 }
 
 Propagated SolvedNumbers::operator()(const std::string& words, StatedFormulas& formulas) const {
-  const Request request(words, formulas);
-  if (request.names.size() != 2) request.refuse("2 names");
-  return contacts_by_kind.contains(request.name(0))
-             ? result_of(request, contact(request))
-             : entry_of(other_kinds, request.name(0), request)(request);
+  const Brackets brackets(words, formulas);
+  if (brackets.names.size() != 2) brackets.refuse("2 names");
+  return contacts_by_kind.contains(brackets.name(0))
+             ? result_of(brackets, contact(brackets))
+             : entry_of(other_kinds, brackets.name(0), brackets)(brackets);
 }
 
-const SolvedContact<fast::Estimate>& SolvedNumbers::contact(const Request& request) const {
-  std::map<std::string, std::string> inputs{{"", request.name(0)}};
-  for (const auto& [key, text] : request.given) {
+const SolvedContact<fast::Estimate>& SolvedNumbers::contact(const Brackets& brackets) const {
+  std::map<std::string, std::string> inputs{{"", brackets.name(0)}};
+  for (const auto& [key, text] : brackets.given) {
     const bool is_word = key == "friction" || key == "solid";
-    if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", request.number(key));
+    if (key != "at") inputs[key] = is_word ? text : fmt::format("{}", brackets.number(key));
   }
   SolvedInDouble& solved = (*contacts_)[inputs];
-  if (solved == nullptr) solved = entry_of(contacts_by_kind, request.name(0), request)(request);
+  if (solved == nullptr) solved = entry_of(contacts_by_kind, brackets.name(0), brackets)(brackets);
   return *solved;
 }
 

@@ -23,13 +23,13 @@ struct FormulaWords<Propagated> {
 using StatedFormulas = Formulas<Propagated>;
 
 /// The words of a formula's brackets, [KIND NAME ... KEY=VALUE ...], whose values are formulas of the same scope.
-struct Request {
+struct Brackets {
   std::string text;
   StatedFormulas& formulas;
   std::vector<std::string> names = {};  ///< the kind first
   Assignments given = {};
 
-  Request(const std::string& words, StatedFormulas& scope);
+  Brackets(const std::string& words, StatedFormulas& scope);
   /// Throws BadInput that names the brackets.
   [[noreturn]] void refuse(std::string_view lacking) const;
   [[nodiscard]] const std::string& name(std::size_t i) const;
@@ -42,7 +42,7 @@ struct Request {
 };
 
 /// A result of the contact by the last of the names, or one that follows from it.
-Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact);
+Propagated result_of(const Brackets& brackets, const SolvedContact<fast::Estimate>& contact);
 
 /// The text with each field {NAME} or {NAME:FORMAT} replaced by written(NAME, ":FORMAT").
 std::string with_fields(const std::string& text,
@@ -65,7 +65,7 @@ class SolvedNumbers {
  public:
   Propagated operator()(const std::string& words, StatedFormulas& formulas) const;
   /// The contact that is asked for, whatever the name of the result.
-  [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const Request& request) const;
+  [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const Brackets& brackets) const;
 
  private:
   using Contacts = std::map<std::map<std::string, std::string>, SolvedInDouble>;
