@@ -14,8 +14,8 @@ using Zones = Row<SlipZone>;
 constexpr int most_newton_steps = 40, most_corrections = 8;
 /// Digits of the grid on which zones are first sought, which is refined once, and of both last grids beyond those asked for.
 constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
-/// A relative change of a zone's length. Next to ends slopes have lost three digits in double, which leaves seven of their change.
-constexpr double step_of_lengths = 1e-6;
+/// A relative change of a zone's length.
+constexpr double step_of_lengths = 0x1p-50;
 /// Of a zone's length in a step of Newton's method, as a logarithm.
 constexpr double most_change = 0.7;
 /// A residual that is so much smaller after a step: the slopes are renewed if it is not.
@@ -104,18 +104,14 @@ class Newton {
 
   void make_slopes() {
     const GridIndex linear = unknowns_.size();
-    const Eigen::MatrixXd system = slopes(*contact_);
-    Eigen::VectorXd values(linear + 1);
-    for (GridIndex i = 0; i < linear; ++i)
-      values(i) = static_cast<double>(Float(unknowns_(i) / contact_->sizes()[i]));
-    values(linear) = 1;
-    Eigen::MatrixXd matrix(system.rows(), system.rows());
-    matrix.leftCols(linear) = system.leftCols(linear);
+    Eigen::MatrixXd matrix(rest_.size(), rest_.size());
+    matrix.leftCols(linear) = slopes(*contact_).leftCols(linear);
     for (GridIndex i = 0; i < zones_.count(); ++i) {
       Zones longer = zones_;
       longer[i].length *= 1 + step_of_lengths;
-      const Eigen::MatrixXd change = slopes(SlipContact(grid_, kernels_, longer)) - system;
-      matrix.col(linear + i) = change * values / step_of_lengths;
+      SlipContact changed(grid_, kernels_, longer);
+      changed.set(unknowns_);
+      matrix.col(linear + i) = in_double(changed.residual() - rest_, step_of_lengths);
     }
     eliminated_.compute(matrix);
   }
@@ -180,10 +176,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
                                         int digits, const SlipField* near) {
   std::unique_ptr<const SlipField> field;
   for (int correction = 0; correction < most_corrections; ++correction) {
-    double longest = 0;
-    for (const SlipZone& zone : zones)
-      longest = std::max(longest, std::min(longest_panel, static_cast<double>(zone.length)));
-    Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, longest), kernels, zones);
+    Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, zones), kernels, zones);
     newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
     if (converges) field = std::make_unique<SlipField>(newton.result());

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double pi_as_double = std::numbers::pi;
 
+/// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
+constexpr double longest_panel = 3;
+
 /// The angle between a panel and the arc through its ends that rises to the height 2, where the kernels have poles; at most
 /// pi, the angle of what lies beyond its ends.
 double free_angle(double length) { return 2 * std::atan(4 / length); }
@@ -47,7 +50,14 @@ OfBoth<ComplexFloat> quotients(const CauchyTerms& terms, const OfBoth<Row<Float>
 
 }  // namespace
 
-ZoneGrid::ZoneGrid(const SlipProblem& problem, double nats, double longest) : problem_(problem), nats_(nats) {
+ZoneGrid::ZoneGrid(const SlipProblem& problem, double nats, const Row<SlipZone>& zones)
+    : problem_(problem), nats_(nats) {
+  double longest = 0;
+  for (const SlipZone& zone : zones) {
+    const auto length = static_cast<double>(zone.length);
+    panels_of_zones_.push_back(std::max(1, static_cast<int>(std::ceil(length / longest_panel))));
+    longest = std::max(longest, length / panels_of_zones_.back());
+  }
   const double angle = free_angle(longest), reach = std::asinh(4 * pi_as_double / angle);
   const double exponent = nats / least_part;
   const double wanted_step = 4 * pi_as_double * pi_as_double / (exponent * exponent);
@@ -86,8 +96,9 @@ Float ZoneGrid::slope_at(const Float& place) const {
 
 ZonePanels::ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid) {
   Float left = 0;
-  for (const auto& [sign, whole] : zones) {
-    const int parts = std::max(1, static_cast<int>(std::ceil(static_cast<double>(whole) / longest_panel)));
+  for (GridIndex zone = 0; zone < zones.count(); ++zone) {
+    const auto& [sign, whole] = zones[zone];
+    const int parts = grid.panels_of(zone);
     for (int part = 0; part < parts; ++part) {
       push_back({sign, left, whole / parts, sign * grid.problem().friction, values_});
       left += back().length;

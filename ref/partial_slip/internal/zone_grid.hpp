@@ -75,11 +75,14 @@ struct PanelPoint {
 /// at the nodes, whose number is even; x = 1/2 is halfway between two. ref/partial_slip/README.md, The map.
 class ZoneGrid {
  public:
-  /// With errors of about e^-nats on panels of up to `longest` half-thicknesses.
-  ZoneGrid(const SlipProblem& problem, double nats, double longest);
+  /// With errors of about e^-nats on the panels of zones of about these lengths. Each zone keeps its number of panels when its
+  /// length changes, so that unknowns stay what they are.
+  ZoneGrid(const SlipProblem& problem, double nats, const Row<SlipZone>& zones);
 
   [[nodiscard]] const SlipProblem& problem() const { return problem_; }
   [[nodiscard]] double nats() const { return nats_; }
+  /// Into which a zone is divided.
+  [[nodiscard]] int panels_of(GridIndex zone) const { return panels_of_zones_[zone]; }
   [[nodiscard]] GridIndex nodes() const { return from_left_.count(); }
   [[nodiscard]] const Row<Float>& from_left() const { return from_left_; }
   [[nodiscard]] const Row<Float>& from_right() const { return from_right_; }
@@ -100,13 +103,11 @@ class ZoneGrid {
  private:
   SlipProblem problem_;
   double nats_;
+  Row<int> panels_of_zones_;
   Float step_, steepness_, middle_;
   Row<Float> from_left_, from_right_, weight_;
   std::array<Row<PanelPoint>, 3> points_;
 };
-
-/// Of panels, in half-thicknesses: longer ones need more nodes, shorter ones are more.
-inline constexpr double longest_panel = 3;
 
 /// A part of a zone. It has values of p and of q: what is left of them at the nodes when their linear interpolation between
 /// the panel's ends is taken off, then those at its left and right end. Rows of all values are by panels.
@@ -123,7 +124,7 @@ struct ContactPoint {
   PanelPoint at;
 };
 
-/// Of all zones, from the leading end.
+/// Of all zones, from the leading end. They are those of the grid, but for their lengths.
 class ZonePanels : public Row<ZonePanel> {
  public:
   ZonePanels(const Row<SlipZone>& zones, const ZoneGrid& grid);

@@ -1,7 +1,10 @@
 // The contact with partial slip in multiprecision: against closed limits, its own inequalities and balances.
+#include <algorithm>
+
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/nip/internal/sheet_kernels.hpp>
+#include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 #include <nipref/ref/partial_slip/partial_slip.hpp>
 
 #include "support/reference_values.hpp"
@@ -145,4 +148,29 @@ TEST_CASE("ref partial slip: without slip that is opposed all of a fast roller's
   CHECK(apart(nip.traction().value, Float(0.25) * nip.load().value) <= nip.load().error);
   check_balance(nip);
   check_inequalities(nip, 0.25);
+}
+
+TEST_CASE("ref partial slip: a zone keeps its panels when its length changes") {
+  const ref::WorkingDigits working(20);
+  ref::SlipProblem problem;
+  problem.beta = 0.25;
+  problem.friction = 0.5;
+  ref::Row<ref::SlipZone> zones;
+  zones.push_back({0, 2.75});
+  const ref::ZoneGrid grid(problem, 10, zones);
+  zones[0].length = 3.25;
+  CHECK(ref::ZonePanels(zones, grid).count() == 1);
+  CHECK(ref::ZonePanels(zones, ref::ZoneGrid(problem, 10, zones)).count() == 2);
+}
+
+TEST_CASE("ref partial slip: what nearly slides is guessed to stick somewhere") {
+  const ref::WorkingDigits working(40);
+  ref::SlipProblem problem;
+  problem.beta = 0.25;
+  problem.friction = 0.0625;
+  problem.load = 1e-6;
+  problem.shear = -0.9999 * problem.friction * problem.load;
+  ref::SheetKernels kernels(20);
+  const ref::Row<ref::SlipZone> zones = ref::plain_zones(problem, kernels, 1e-3);
+  CHECK(std::ranges::count(zones, 0, &ref::SlipZone::sign) == 1);
 }
