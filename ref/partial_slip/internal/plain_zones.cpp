@@ -1,15 +1,20 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <numbers>
+#include <optional>
+#include <utility>
 
+#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {
 namespace {
 
-constexpr int elements = 120, most_changes = 200, most_lengths = 12;
+constexpr int elements = 120, most_changes = 200;
 
 class PlainContact {
  public:
@@ -33,27 +38,52 @@ class PlainContact {
       }
     }
     normal_.col(leading).setConstant(-2);
-    tangential_.col(creep).setConstant(-1);
   }
 
   /// Signs of the elements' slip, from a guess at them; 0 where they stick.
   void settle(Row<int>& signs) {
-    for (int change = 0; change < most_changes; ++change) {
-      solve(signs);
-      if (!is_changed(signs)) return;
+    if (problem_.creep) {
+      settle_at(static_cast<double>(*problem_.creep), signs);
+      return;
     }
+    // The traction grows with creep. Of a load that is not yet met it is to be the same share.
+    const auto excess = [&](double creep) {
+      settle_at(creep, signs);
+      const double share = problem_.length ? 1 : load() / static_cast<double>(problem_.load);
+      return element_ * shear_.sum() - static_cast<double>(problem_.shear) * share;
+    };
+    constexpr int most_steps = 40, digits = 40;
+    double from = 0, to = 0, before = excess(from), after = before;
+    for (int step = 0; before * after > 0; ++step) {
+      if (step == most_steps) return;
+      from = std::exchange(to, to + std::ldexp(after < 0 ? element_ : -element_, step));
+      before = std::exchange(after, excess(to));
+    }
+    if (!(before * after < 0)) return;
+    if (to < from) std::swap(from, to), std::swap(before, after);
+    std::uintmax_t most_calls = 100;
+    const auto found = boost::math::tools::toms748_solve(
+        excess, from, to, before, after, boost::math::tools::eps_tolerance<double>(digits), most_calls);
+    excess(found.second);
   }
   [[nodiscard]] double load() const { return element_ * pressure_.sum(); }
   /// Of the shear at the trailing end, where no sheet sticks.
   [[nodiscard]] int trailing_sign() const { return shear_(elements - 1) < 0 ? -1 : 1; }
 
  private:
-  static constexpr int leading = 2 * elements, creep = 2 * elements + 1, unknowns = 2 * elements + 2;
+  static constexpr int leading = 2 * elements, unknowns = 2 * elements + 1;
 
-  void solve(const Row<int>& signs) {
+  void settle_at(double creep, Row<int>& signs) {
+    for (int change = 0; change < most_changes; ++change) {
+      solve(creep, signs);
+      if (!is_changed(signs, change < most_changes / 2)) return;
+    }
+  }
+
+  void solve(double creep, const Row<int>& signs) {
     Eigen::MatrixXd matrix(unknowns, unknowns);
-    matrix << normal_, tangential_;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+    matrix << normal_, tangential_.topRows(elements);
+    Eigen::VectorXd right = Eigen::VectorXd::Constant(unknowns, creep);
     right.head(elements + 1) = Eigen::VectorXd::LinSpaced(elements + 1, 0, -2 * elements * element_);
     for (int i = 0; i < elements; ++i) {
       if (signs[i] == 0) continue;
@@ -61,43 +91,30 @@ class PlainContact {
       row.setZero();
       row(elements + i) = 1;
       row(i) = -signs[i] * problem_.friction;
-    }
-    auto last = matrix.row(unknowns - 1);
-    last.setZero();
-    if (problem_.creep) {
-      last(creep) = 1;
-      right(unknowns - 1) = static_cast<double>(*problem_.creep);
-    } else {
-      last.segment(elements, elements).setConstant(element_);
-      right(unknowns - 1) = static_cast<double>(problem_.shear);
+      right(elements + 1 + i) = 0;
     }
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     pressure_ = solution.head(elements);
     shear_ = solution.segment(elements, elements);
-    slip_ = tangential_ * solution;
+    slip_ = (tangential_ * solution).array() - creep;
   }
 
-  bool is_changed(Row<int>& signs) const {
+  /// Changes the signs that violate their conditions: all of them, or the first.
+  bool is_changed(Row<int>& signs, bool all) const {
     const Row<int> before = signs;
-    int nearest = 0;
-    double least = HUGE_VAL;
-    for (int i = 0; i < elements; ++i) {
+    for (int i = 0; i < elements && (all || signs == before); ++i) {
       int& sign = signs[i];
-      const double excess = std::fabs(shear_(i)) - problem_.friction * pressure_(i);
-      if (sign == 0 && excess > 0)
+      if (sign == 0 && std::fabs(shear_(i)) > problem_.friction * pressure_(i))
         sign = shear_(i) > 0 ? 1 : -1;
       else if (sign * slip_(i) > 0)
         sign = 0;
-      if (excess < least) least = excess, nearest = i;
     }
-    // A traction that is given needs a place that sticks.
-    if (!problem_.creep && std::ranges::count(signs, 0) == 0) signs[nearest] = 0;
     return signs != before;
   }
 
   const SlipProblem& problem_;
   double element_;
-  /// Both equations at the edges of elements, by their tractions, L1 and creep.
+  /// Both equations at the edges of elements, by their tractions and L1.
   Eigen::MatrixXd normal_ = Eigen::MatrixXd::Zero(elements + 1, unknowns), tangential_ = normal_;
   Eigen::VectorXd pressure_, shear_, slip_;
 };
@@ -105,17 +122,21 @@ class PlainContact {
 }  // namespace
 
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length) {
+  constexpr int digits_of_length = 4;
   Row<int> signs(GridIndex{elements});
   int trailing = 0;
-  for (int i = 0; i < most_lengths; ++i) {
-    PlainContact contact(problem, kernels, length);
-    contact.settle(signs);
-    trailing = contact.trailing_sign();
-    if (problem.length) break;
-    // Loads grow like the second to third power of the length.
-    const double change = std::pow(static_cast<double>(problem.load) / contact.load(), 0.4);
-    length *= std::clamp(change, 0.5, 2.0);
-    if (std::fabs(change - 1) < 1e-4) break;
+  const auto contact_of = [&](const Lengths& lengths) {
+    std::optional<PlainContact> contact(std::in_place, problem, kernels, static_cast<double>(lengths.length));
+    contact->settle(signs);
+    trailing = contact->trailing_sign();
+    return contact;
+  };
+  if (problem.length) {
+    contact_of({*problem.length});
+  } else {
+    LengthSearch search{Exact(static_cast<double>(problem.load)), length};
+    search.seek(digits_of_length, contact_of);
+    length = static_cast<double>(search.length);
   }
   Row<SlipZone> zones;
   for (int sign : signs) add_zone(zones, sign, length / elements);
