@@ -1,4 +1,5 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/partial_slip/partial_slip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
@@ -49,10 +50,21 @@ struct LikelySeconds {
              seconds_for_places(scene, problem, length);
     });
   }
-  /// With three zones; with five it takes some four times as long.
+  /// Zones are divided into panels of at most one and a half thicknesses.
   double operator()(const data::PartialSlipProblem& problem) const {
-    return std::holds_alternative<data::ConvergedMethod>(problem.method) ? 4 * std::pow(digits / 16.0, 3.5)
-                                                                         : 0;
+    if (!std::holds_alternative<data::ConvergedMethod>(problem.method)) return 0;
+    const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
+    const auto contact =
+        load != nullptr
+            ? fast::partial_slip_for_load(problem.nip, load->per_length, rough_enough)
+            : fast::partial_slip_for_length(
+                  problem.nip, std::get<data::GivenLength>(problem.given).contact_length, rough_enough);
+    const double longest_panel = 1.5 * problem.nip.sheet_thickness;
+    const std::vector<fast::Estimate> ends = contact.zone_boundaries();
+    double panels = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      panels += std::max(1.0, std::ceil(std::fabs(ends[i].value - ends[i - 1].value) / longest_panel));
+    return 4 * std::pow(panels / 2, 2.3) * std::pow(digits / 16.0, 3.5);
   }
   /// The displacements at a place, computed together, ask for about 2500 lines at 20 digits.
   double operator()(const data::HalfSpaceProblem& problem) const {

@@ -11,9 +11,10 @@ using fast::Estimate;
 using Solution = SceneSolution<Estimate>;
 
 constexpr double best_accuracy = 1e-13;
-constexpr int ref_digits = 20;
+/// Of half-spaces, and of nips, each digit of which costs more.
+constexpr int ref_digits = 20, ref_digits_of_nips = 16;
 constexpr double longest_by_ref = 20, longest_inside_by_ref = 1;  // L/B
-constexpr double most_seconds_by_ref = 10;                        // as foreseen
+constexpr double most_seconds_by_ref = 20;                        // as foreseen
 /// The share of scenes that are compared with results for which the reference takes seconds, or ten where the lines
 /// of a half-space differ.
 constexpr double costly_share = 1.0 / 16, costliest_share = 1.0 / 64;
@@ -216,9 +217,9 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
   });
   drawn.set_wanted(known);
   const data::Scene scene = drawn.scene();
-  if (!is_quick && likely_seconds_by_ref(scene, ref_digits) > most_seconds_by_ref) return;
+  if (!is_quick && likely_seconds_by_ref(scene, ref_digits_of_nips) > most_seconds_by_ref) return;
   try {
-    const auto truth = solvers.ref(scene, ref_digits);
+    const auto truth = solvers.ref(scene, ref_digits_of_nips);
     comparisons.against("ref", true, known, [&](const Solution::Result& result, std::size_t i) {
       const auto* const other = counterpart(truth.profile(result.what->id), result, i,
                                             [](const ref::Estimate& one) { return value_of(one); });
