@@ -354,7 +354,7 @@ class Tractions::Sums {
     if (!kernel_.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
     const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
     const int points = points_of_rule(fall, -std::log(tolerance_) + rate * reach);
-    if (points > most_points) return false;
+    if (points > most_points_within) return false;
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
                times_logarithm =
                    product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
@@ -367,6 +367,7 @@ class Tractions::Sums {
     for (int i = 0; i < kernel_.functionals; ++i) {
       const Eigen::RowVectorXd of_logarithm = factor.row(i),
                                rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
+      if (!rest.any()) continue;  // the imaginary part of a real memory
       of_.add_sums(p, rule->weight, rest, rest, rows.row(i));
       of_.add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
     }

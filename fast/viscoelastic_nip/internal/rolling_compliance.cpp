@@ -42,9 +42,9 @@ RollingCompliance rolling_compliance(std::vector<Memory> terms) {
     OctupleComplex slope;
     std::vector<OctupleComplex> ratios;
     for (const Memory& term : result.terms) {
-      const OctupleComplex difference = root + exactly(term.rate);
-      ratios.push_back(exactly(term.amplitude) / difference);
-      slope -= ratios.back() / difference;
+      const OctupleComplex over_difference = 1 / (root + exactly(term.rate));
+      ratios.push_back(exactly(term.amplitude) * over_difference);
+      slope -= ratios.back() * over_difference;
     }
     const OctupleComplex amplitude = 1 / slope;
     result.inverse.push_back({rounded(amplitude), -rounded(root)});

@@ -137,15 +137,22 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
     set(offset, of_offset);
     equations.right(row + odd) = constant.value;
     equations.size_right(row + odd) = constant.size;
-    for (const Mode& mode : modes) {
-      const Complex rate = mode.memory.rate;
-      // Both parts of e^(-rate e), the odd one without its cancellation where the rate is small.
-      const Complex apart = 2 * y * rate;
-      const Complex exponential =
-          0.5 * std::exp(-rate * e) * (odd ? apart * internal::phi1(apart) : 1.0 + std::exp(-apart));
-      equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * exponential.real();
-      if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * exponential.imag();
+  }
+  // Both parts of e^(-rate e), the odd one without its cancellation where the rate is small.
+  const auto set_exponential = [&](const Mode& mode, auto rate) {
+    const auto apart = 2 * y * rate, half = 0.5 * std::exp(-rate * e),
+               difference = apart * internal::phi1(apart);
+    for (const int odd : {0, 1}) {
+      const Complex part = half * (odd == 1 ? difference : 2.0 - difference);
+      equations.on_unknowns(row + odd, mode.unknown) = -mode.columns * part.real();
+      if (mode.columns == 2) equations.on_unknowns(row + odd, mode.unknown + 1) = 2 * part.imag();
     }
+  };
+  for (const Mode& mode : modes) {
+    if (const Complex rate = mode.memory.rate; rate.imag() == 0)
+      set_exponential(mode, rate.real());
+    else
+      set_exponential(mode, rate);
   }
 }
 
