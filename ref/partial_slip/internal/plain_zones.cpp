@@ -14,7 +14,7 @@
 namespace nipref::ref {
 namespace {
 
-constexpr int elements = 120, most_changes = 200;
+constexpr int elements = 120, most_changes = 40;
 
 class PlainContact {
  public:
@@ -52,21 +52,25 @@ class PlainContact {
       const double share = problem_.length ? 1 : load() / static_cast<double>(problem_.load);
       return element_ * shear_.sum() - static_cast<double>(problem_.shear) * share;
     };
-    constexpr int most_steps = 40, digits = 40;
-    double from = 0, to = 0, before = excess(from), after = before;
-    for (int step = 0; before * after > 0; ++step) {
-      if (step == most_steps) return;
-      from = std::exchange(to, to + std::ldexp(after < 0 ? element_ : -element_, step));
-      before = std::exchange(after, excess(to));
-    }
+    // So much creep that all elements slip one way.
+    const double most = 8 * (1 + problem_.friction) * element_ * elements;
+    const double before = excess(-most), after = excess(most);
     if (!(before * after < 0)) return;
-    if (to < from) std::swap(from, to), std::swap(before, after);
+    constexpr int digits = 40;
     std::uintmax_t most_calls = 100;
     const auto found = boost::math::tools::toms748_solve(
-        excess, from, to, before, after, boost::math::tools::eps_tolerance<double>(digits), most_calls);
+        excess, -most, most, before, after, boost::math::tools::eps_tolerance<double>(digits), most_calls);
     excess(found.second);
   }
   [[nodiscard]] double load() const { return element_ * pressure_.sum(); }
+  /// About the length that sticks around an element between opposite slips. With q = -mu p in front of it, mu p behind it and a slip
+  /// that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins: so
+  /// q' = 2 mu p/pi (x/(l - x))^(1/2)/l, 0 < x < l, with l = 4 mu p/(pi s').
+  [[nodiscard]] double sticking(int element) const {
+    const int from = std::max(element - 1, 0), to = std::min(element + 2, elements);
+    const double slope = (slip_(to) - slip_(from)) / ((to - from) * element_);
+    return std::fabs(4 * problem_.friction * pressure_(element) / (std::numbers::pi * slope));
+  }
   /// Of the shear at the trailing end, where no sheet sticks.
   [[nodiscard]] int trailing_sign() const { return shear_(elements - 1) < 0 ? -1 : 1; }
 
@@ -119,16 +123,34 @@ class PlainContact {
   Eigen::VectorXd pressure_, shear_, slip_;
 };
 
+/// Where opposite slips are next to each other, or one element apart, it sticks for the length of that element in `sticking`.
+void stick_between_slips(Row<SlipZone>& zones, const Row<double>& sticking, double element) {
+  Float left = 0;
+  for (GridIndex k = 1; k + 1 < zones.count(); ++k) {
+    SlipZone &before = zones[k - 1], &here = zones[k], &behind = zones[k + 1];
+    left += before.length;
+    if (before.sign * behind.sign >= 0 || here.length > 1.5 * element) continue;
+    const Float most = std::max(here.length, Float(std::min(before.length, behind.length) / 4)),
+                change = std::min(Float(sticking[static_cast<int>(left / element)]), most) - here.length;
+    here.length += change;
+    before.length -= change / 2;
+    behind.length -= change / 2;
+    left -= change / 2;
+  }
+}
+
 }  // namespace
 
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length) {
   constexpr int digits_of_length = 4;
   Row<int> signs(GridIndex{elements});
+  Row<double> sticking(GridIndex{elements});
   int trailing = 0;
   const auto contact_of = [&](const Lengths& lengths) {
     std::optional<PlainContact> contact(std::in_place, problem, kernels, static_cast<double>(lengths.length));
     contact->settle(signs);
     trailing = contact->trailing_sign();
+    for (int i = 0; i < elements; ++i) sticking[i] = contact->sticking(i);
     return contact;
   };
   if (problem.length) {
@@ -139,7 +161,13 @@ Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, dou
     length = static_cast<double>(search.length);
   }
   Row<SlipZone> zones;
-  for (int sign : signs) add_zone(zones, sign, length / elements);
+  for (int sign : signs) {
+    const bool turns = !zones.empty() && zones.back().sign * sign < 0;
+    if (turns) zones.push_back({0, 0});
+    if (zones.empty() || zones.back().sign != sign) zones.push_back({sign, 0});
+    zones.back().length += length / elements;
+  }
+  stick_between_slips(zones, sticking, length / elements);
   if (zones.back().sign == 0 && !problem.may_stick_all_along(zones)) {
     zones.back().length -= length / (2 * elements);
     zones.push_back({trailing, length / (2 * elements)});

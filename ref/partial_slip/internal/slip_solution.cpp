@@ -27,13 +27,15 @@ Eigen::VectorXd in_double(const Vector& x, const Float& unit) {
   return result;
 }
 
-/// Without zones too short to matter, e^-nats of the contact.
+/// Without zones too short to matter, e^-nats of the contact, but for those that stick between opposite slips.
 Zones without_short(const Zones& zones, double nats) {
   Float least = 0;
   for (const SlipZone& zone : zones) least += zone.length * exp(Float(-nats));
   Zones rest;
-  for (const auto& [sign, length] : zones)
-    if (length > least) add_zone(rest, sign, length);
+  for (GridIndex i = 0; i < zones.count(); ++i) {
+    const bool turns = 0 < i && i + 1 < zones.count() && zones[i - 1].sign * zones[i + 1].sign < 0;
+    if (turns || zones[i].length > least) add_zone(rest, zones[i].sign, zones[i].length);
+  }
   return rest;
 }
 

@@ -1,5 +1,6 @@
 // The contact with partial slip in multiprecision: against closed limits, its own inequalities and balances.
 #include <algorithm>
+#include <numbers>
 
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
@@ -173,4 +174,25 @@ TEST_CASE("ref partial slip: what nearly slides is guessed to stick somewhere") 
   ref::SheetKernels kernels(20);
   const ref::Row<ref::SlipZone> zones = ref::plain_zones(problem, kernels, 1e-3);
   CHECK(std::ranges::count(zones, 0, &ref::SlipZone::sign) == 1);
+}
+
+TEST_CASE("ref partial slip: with little friction, zones are guessed as half-spaces have them") {
+  const ref::WorkingDigits working(40);
+  constexpr double a = 0x1p-11;  // half the length
+  ref::SlipProblem problem;
+  problem.beta = 0.25;
+  problem.friction = 1e-6;
+  problem.load = std::numbers::pi * a * a;
+  ref::SheetKernels kernels(20);
+  const ref::Row<ref::SlipZone> zones = ref::plain_zones(problem, kernels, 2 * a);
+  REQUIRE(zones.count() == 5);
+  // p = 2 (a^2 - x^2)^(1/2) stretches the surface by beta p. Without traction half of the load is between -x and x. An element is
+  // a sixtieth of a long, which makes some hundredths of the slope of the slip.
+  constexpr double x = 0.40397 * a;
+  for (int outer : {0, 4}) CHECK(apart(zones[outer].length, a - x) < 0.02 * a);
+  for (int sticks : {1, 3}) {
+    CHECK(zones[sticks].sign == 0);
+    const double length = 4 * problem.friction * (a * a - x * x) / (std::numbers::pi * 0.25 * x);
+    CHECK(apart(zones[sticks].length, length) < 0.1 * length);
+  }
 }
