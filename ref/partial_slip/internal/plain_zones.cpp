@@ -54,7 +54,11 @@ class PlainContact {
     };
     // So much creep that all elements slip one way.
     const double most = 8 * (1 + problem_.friction) * element_ * elements;
-    const double before = excess(-most), after = excess(most);
+    const auto sliding = [&](int sign) {
+      std::ranges::fill(signs, sign);
+      return excess(sign * most);
+    };
+    const double before = sliding(-1), after = sliding(1);
     if (!(before * after < 0)) return;
     constexpr int digits = 40;
     std::uintmax_t most_calls = 100;
