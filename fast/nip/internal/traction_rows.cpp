@@ -16,7 +16,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double decayed = 40;  ///< nats after which something counts no more
-/// Of a product rule, beyond which other rules need fewer: beside a singularity, and in a panel in which the kernel has none.
+/// Of a product rule, beyond which other rules need fewer: beside a singularity, and in a panel in which the kernel has none or
+/// its logarithm is integrated apart.
 constexpr int most_points = 64, most_points_within = 256;
 
 /// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and once it
@@ -367,7 +368,7 @@ class Tractions::Sums {
     for (int i = 0; i < kernel_.functionals; ++i) {
       const Eigen::RowVectorXd of_logarithm = factor.row(i),
                                rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
-      if (!rest.any()) continue;  // the imaginary part of a real memory
+      if (!rest.any()) continue;  // as the imaginary part of a memory whose rate is real
       of_.add_sums(p, rule->weight, rest, rest, rows.row(i));
       of_.add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
     }

@@ -60,16 +60,16 @@ class PlainContact {
     };
     const double before = sliding(-1), after = sliding(1);
     if (!(before * after < 0)) return;
-    constexpr int digits = 40;
+    constexpr int bits = 40;
     std::uintmax_t most_calls = 100;
     const auto found = boost::math::tools::toms748_solve(
-        excess, -most, most, before, after, boost::math::tools::eps_tolerance<double>(digits), most_calls);
+        excess, -most, most, before, after, boost::math::tools::eps_tolerance<double>(bits), most_calls);
     excess(found.second);
   }
   [[nodiscard]] double load() const { return element_ * pressure_.sum(); }
   /// About the length that sticks around an element between opposite slips. With q = -mu p in front of it, mu p behind it and a slip
   /// that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins: so
-  /// q' = 2 mu p/pi (x/(l - x))^(1/2)/l, 0 < x < l, with l = 4 mu p/(pi s').
+  /// q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from there, with l = 4 mu p/(pi s').
   [[nodiscard]] double sticking(int element) const {
     const int from = std::max(element - 1, 0), to = std::min(element + 2, elements);
     const double slope = (slip_(to) - slip_(from)) / ((to - from) * element_);
@@ -135,7 +135,7 @@ void stick_between_slips(Row<SlipZone>& zones, const Row<double>& sticking, doub
     left += before.length;
     if (before.sign * behind.sign >= 0 || here.length > 1.5 * element) continue;
     const Float most = std::max(here.length, Float(std::min(before.length, behind.length) / 4)),
-                change = std::min(Float(sticking[static_cast<int>(left / element)]), most) - here.length;
+                change = std::min(most, Float(sticking[static_cast<int>(left / element)])) - here.length;
     here.length += change;
     before.length -= change / 2;
     behind.length -= change / 2;

@@ -14,7 +14,7 @@ using Zones = Row<SlipZone>;
 constexpr int most_newton_steps = 40, most_corrections = 8;
 /// Digits of the grid on which zones are first sought, which is refined once, and of both last grids beyond those asked for.
 constexpr int first_digits = 6, coarse_guard = 3, fine_guard = 5;
-/// A relative change of a zone's length.
+/// A relative change of a zone's length. In full precision what it changes keeps more digits than a double has.
 constexpr double step_of_lengths = 0x1p-50;
 /// Of a zone's length in a step of Newton's method, as a logarithm.
 constexpr double most_change = 0.7;
