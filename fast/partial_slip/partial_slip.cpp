@@ -12,7 +12,6 @@
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/internal/checks.hpp>
-#include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
 #include <nipref/fast/partial_slip/internal/solutions.hpp>
 #include <nipref/fast/partial_slip/partial_slip.hpp>
@@ -338,7 +337,7 @@ PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits&
                             const PartialSlipTask& task, double accuracy) {
   // Zones are looked for with the better accuracy, and a better one still where the lesser one lacks them.
   std::optional<Solutions> solutions;
-  double load = task.load ? *task.load : load_guess(*task.length);
+  double load = task.load ? *task.load : load_guess(*task.length / 2);
   const double least = std::max(std::log(8 / accuracy), least_nats);
   for (const int finer : {0, 1, 2}) {
     const double nats = least + finer * nats_apart;

@@ -29,10 +29,12 @@ double load_over_square(double half_length) {
 
 }  // namespace
 
+double load_guess(double half_length) { return load_over_square(half_length) * half_length * half_length; }
+
 double half_length_guess(double load) {
   double length = std::min(std::sqrt(load / std::numbers::pi), std::cbrt(load / springs));
   for (int i = 0; i < 3; ++i)
-    length *= std::pow(load / load_over_square(length) / (length * length), 1 / load_exponent(length));
+    length *= std::pow(load / load_guess(length), 1 / load_exponent(length));
   return std::min(length, longest_sought / 2);
 }
 

@@ -6,6 +6,8 @@ namespace nipref::fast {
 /// Half length, in half-thicknesses, of a frictionless elastic contact of about this dimensionless load
 /// (solved_nip.hpp): between half-space and independent springs.
 double half_length_guess(double load);
+/// The load of which that is the half length.
+double load_guess(double half_length);
 
 /// d ln load/d ln length of that contact.
 double load_exponent(double half_length);

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
-#include <nipref/fast/number/internal/bisection.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/sheet/internal/regular_parts.hpp>
@@ -191,35 +190,8 @@ class ActiveSet {
 
 }  // namespace
 
-double load_guess(double length) {
-  return std::exp(internal::last_that(
-      [&](double log_load) { return half_length_guess(std::exp(log_load)) < length / 2; }, -80.0, 40.0));
-}
-
 ElementContact element_contact(const PartialSlipTask& task, int elements) {
-  double load = task.load ? *task.load : load_guess(*task.length);
-  const auto solved = [&] {
-    return ActiveSet(task, load, element_reach * half_length_guess(load), elements).solved();
-  };
-  ElementContact contact = solved();
-  if (task.load) return contact;
-  // With friction a contact of this length carries another load.
-  load *= std::pow(*task.length / contact.length(), load_exponent(*task.length / 2));
-  return solved();
-}
-
-double ElementContact::length() const {
-  return width * static_cast<double>(std::ranges::count_if(elements, &Element::presses));
-}
-
-Zones ElementContact::zones() const {
-  Zones zones;
-  for (const Element& element : elements) {
-    if (!element.presses) continue;
-    if (zones.empty() || zones.back().sign != element.sign) zones.push_back({0, element.sign});
-    zones.back().length += width;
-  }
-  return zones;
+  return ActiveSet(task, *task.load, element_reach * half_length_guess(*task.load), elements).solved();
 }
 
 }  // namespace nipref::fast

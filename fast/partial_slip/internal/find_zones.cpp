@@ -1,20 +1,18 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
-#include <nipref/fast/partial_slip/internal/element_contact.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
+#include <nipref/fast/partial_slip/internal/plain_zones.hpp>
 
 namespace nipref::fast {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// How large new zones are in what they are cut from, to begin with: anywhere, and of slip at the trailing end.
-constexpr double usual_part = 0.2, least_part = 0.01;
+/// How large new zones are in what they are cut from, to begin with.
+constexpr double usual_part = 0.2;
 /// Zones are looked for in contacts of so many nats first: with fewer, those next to much shorter ones are not found.
 constexpr double rough = 20;
 /// A contact that is this wrong lacks more than short zones.
@@ -44,16 +42,6 @@ bool leave_out_shortest_slip(Zones& zones) {
   return true;
 }
 
-/// The zones of slip shorter than that are taken out, but not the only zone.
-void leave_out_short_slips(Zones& zones, double shortest) {
-  while (zones.size() > 1) {
-    const auto zone =
-        std::ranges::find_if(zones, [&](const Zone& one) { return one.sign != 0 && one.length < shortest; });
-    if (zone == zones.end()) return;
-    remove(zones, static_cast<std::size_t>(zone - zones.begin()));
-  }
-}
-
 /// Between two opposite slips it sticks, in so large a part of the shorter one.
 void separate_slips(Zones& zones, double part) {
   for (std::size_t k = 1; k < zones.size(); ++k) {
@@ -63,35 +51,6 @@ void separate_slips(Zones& zones, double part) {
     zones[k - 1].length -= length / 2;
     zones.insert(zones.begin() + static_cast<long>(k), {length, 0});
   }
-}
-
-/// At the trailing end it slips: sticking there asks for one number more than there is. But where it sticks everywhere, the
-/// traction is 0.
-void slip_at_end(const PartialSlipTask& task, Zones& zones, int sign, double part = least_part) {
-  if (zones.back().sign != 0 || (zones.size() == 1 && task.traction == 0.0)) return;
-  zones.push_back({part * zones.back().length, sign});
-  zones[zones.size() - 2].length *= 1 - part;
-}
-
-Zones first_zones(const PartialSlipTask& task, const ElementContact& elements) {
-  Zones zones = elements.zones();
-  // Where elements slip by turns, one or two of them tell of no zone.
-  if (!elements.settled) leave_out_short_slips(zones, 2.5 * elements.width);
-  // The first element slips in this scheme even where the sheet sticks from the end on.
-  if (zones.size() > 1 && zones.front().sign != 0 && zones.front().length < 1.5 * elements.width)
-    remove(zones, 0);
-  if (zones.size() > 1 && zones.back().sign == 0 && zones.back().length < 2.5 * elements.width)
-    remove(zones, zones.size() - 1);
-  const auto last = std::find_if(elements.elements.rbegin(), elements.elements.rend(),
-                                 [](const auto& element) { return element.presses; });
-  slip_at_end(task, zones, last->shear < 0 ? -1 : 1);
-  // Less than an element may stick.
-  if (task.traction && zones.size() == 1 && zones.front().sign != 0) {
-    zones.insert(zones.begin(), {usual_part * zones.back().length, 0});
-    zones.back().length *= 1 - usual_part;
-  }
-  separate_slips(zones, usual_part);
-  return zones;
 }
 
 struct Part {
@@ -184,7 +143,7 @@ Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSli
     zones.back().length -= sticks + slips;
     zones.insert(zones.end(), {{sticks, 0}, {slips, -sign}});
   }
-  slip_at_end(task, zones, parts.back().sign);
+  if (zones.back().sign == 0 && !sticks_everywhere(task, zones)) slip_at_end(zones, parts.back().sign);
   separate_slips(zones, size.part);
   return zones;
 }
@@ -249,76 +208,6 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
   return contact;
 }
 
-/// From here downwards zones are followed from those of more friction.
-constexpr double little_friction = 5e-3;
-
-/// As friction tends to 0 zones of slip tend to those of a contact without friction, and the zones that stick between them, in
-/// proportion to friction, become too short for elements to tell. They are extrapolated linearly from step to step: as they move
-/// by about their lengths, Newton's method needs good starts.
-std::optional<ZoneContact> followed_from_more_friction(const PartialSlipTask& task) {
-  const auto with_friction = [&](double friction) {
-    PartialSlipTask other = task;
-    other.friction = friction;
-    if (other.traction) *other.traction *= friction / task.friction;
-    return other;
-  };
-  // Lengths that stick are over the friction.
-  const auto scaled = [](Zones zones, double factor) {
-    for (Zone& zone : zones)
-      if (zone.sign == 0) zone.length *= factor;
-    return zones;
-  };
-  double friction = little_friction, friction_before = 0;
-  auto contact = find_zones(with_friction(friction), rough);
-  Zones last, before;
-  while (contact && friction > task.friction) {
-    before = std::exchange(last, scaled(contact->zones(), 1 / friction));
-    const bool is_extrapolated = in_same_order(before, last);
-    const double next = std::max((is_extrapolated ? 0.5 : 0.8) * friction, task.friction);
-    Zones zones = last;
-    for (std::size_t k = 0; k < zones.size() && is_extrapolated; ++k)
-      zones[k].length +=
-          (last[k].length - before[k].length) * (next - friction) / (friction - friction_before);
-    zones = scaled(zones, next);
-    const PartialSlipTask less = with_friction(next);
-    contact = mended(less, ZoneContact::solved(less, zones, rough), zones, rough);
-    friction_before = std::exchange(friction, next);
-  }
-  return contact;
-}
-
-bool is_right(const std::optional<ZoneContact>& contact, double friction) {
-  return contact && wrongness(*contact, friction) < left_by_accuracy(rough);
-}
-
-/// With a given creep elements may slip by turns. But the creep grows with the traction, from full slip one way to the other:
-/// the traction is bisected until Newton's method finds the contact of the creep from that of the traction.
-std::optional<ZoneContact> found_by_traction(const PartialSlipTask& task) {
-  PartialSlipTask other = task;
-  other.creep.reset();
-  other.length.reset();
-  other.load = task.load ? *task.load : load_guess(*task.length);
-  const double length = 2 * half_length_guess(*other.load);
-  for (const int sign : {-1, 1})
-    if (auto slips = ZoneContact::solved(task, {{length, sign}}, rough); is_right(slips, task.friction))
-      return slips;
-  constexpr int most_tractions = 16;
-  double low = -task.friction * *other.load, high = -low;
-  for (int i = 0; i < most_tractions; ++i) {
-    other.traction = std::midpoint(low, high);
-    const auto near = find_zones(other, rough);
-    if (!near) return std::nullopt;
-    const double stretch = task.length ? *task.length / near->length() : 1;
-    Zones zones = near->zones();
-    for (Zone& zone : zones) zone.length *= stretch;
-    if (auto contact = mended(task, ZoneContact::solved(task, zones, rough), zones, rough);
-        is_right(contact, task.friction))
-      return contact;
-    (stretch * near->creep() < *task.creep ? low : high) = *other.traction;
-  }
-  return std::nullopt;
-}
-
 /// With rough many nats, whether or not short zones are missing.
 std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
   std::optional<ZoneContact> best;
@@ -330,7 +219,8 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
       least = wrong;
       best = std::move(contact);
     }
-    return least < left_by_accuracy(rough);
+    // In the mean a contact with the right zones is wrong by no more than its accuracy.
+    return least < std::exp(-rough);
   };
   const auto is_found_from = [&](const Zones& zones) {
     const auto first = solved_in_two_stages(task, zones, rough);
@@ -338,55 +228,19 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     auto again = ZoneContact::solved(task, zones, rough);
     return !(first && again && again->is_like(*first)) && is_found_by(std::move(again), zones);
   };
-  const auto by_following = [&] {
-    const auto contact = followed_from_more_friction(task);
-    return contact && is_found_by(contact, contact->zones());
-  };
-  const auto by_traction = [&] {
-    const auto contact = task.creep ? found_by_traction(task) : std::nullopt;
-    return contact && is_found_by(contact, contact->zones());
-  };
-  const auto by_search = [&] {
-    const ElementContact elements = element_contact(task, 60);
-    const auto by_elements = [&] {
-      return is_found_from(first_zones(task, elements)) ||
-             is_found_from(first_zones(task, element_contact(task, 120))) ||
-             is_found_from(first_zones(task, element_contact(task, 240)));
-    };
-    // From contacts that stick all along, but for their trailing ends.
-    const auto by_sticking = [&] {
-      return std::ranges::any_of(std::array{least_part, usual_part}, [&](double part) {
-        Zones zones{{elements.length(), 0}};
-        slip_at_end(task, zones, task.traction && *task.traction < 0 ? -1 : 1, part);
-        return is_found_from(zones);
-      });
-    };
-    // With much friction elements may slip by turns, whatever their number, and tell little.
-    return elements.settled ? by_elements() || by_traction() || by_sticking()
-                            : by_traction() || by_sticking() || by_elements();
-  };
-  const bool is_found = (task.friction < little_friction && by_following()) || by_search();
-  return is_found || least <= too_wrong ? best : std::nullopt;
-}
-
-/// Where no zones are found, those of a lesser traction are followed, or without one those of less friction.
-std::optional<ZoneContact> followed_from_less(const PartialSlipTask& task) {
-  const auto with_part = [&](double part) {
-    PartialSlipTask less = task;
-    (less.traction && *less.traction != 0 ? *less.traction : less.friction) *= part;
-    return less;
-  };
-  for (const double part : {0.98, 0.9}) {
-    auto contact = found_roughly(with_part(part));
-    constexpr int steps = 4;
-    for (int i = 1; contact && i <= steps; ++i) {
-      const PartialSlipTask less = with_part(std::lerp(part, 1.0, i / double{steps}));
-      const Zones zones = contact->zones();
-      contact = mended(less, ZoneContact::solved(less, zones, rough), zones, rough);
-    }
-    if (contact && wrongness(*contact, task.friction) <= too_wrong) return contact;
+  for (const int elements : {60, 120, 240, 480}) {
+    const std::optional<Zones> zones = plain_zones(task, elements);
+    if (zones && is_found_from(*zones)) return best;
   }
-  return std::nullopt;
+  // Elements do not tell of much shorter zones next to the trailing end.
+  const Zones sticking{{task.length ? *task.length : 2 * half_length_guess(*task.load), 0}};
+  if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;
+  for (const int sign : {-1, 1}) {
+    Zones zones = sticking;
+    slip_at_end(zones, sign);
+    if (is_found_from(zones)) return best;
+  }
+  return least <= too_wrong ? best : std::nullopt;
 }
 
 }  // namespace
@@ -397,7 +251,6 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   auto best = found_roughly(task);
-  if (!best) best = followed_from_less(task);
   if (!best) return std::nullopt;
   // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
   constexpr double stride = 5;

@@ -8,10 +8,8 @@ namespace nipref::fast {
 
 /// The contact that sticks and slips where it should: zones of equal elements to begin with, Newton's method for their
 /// boundaries, then a zone more wherever shear in a zone that sticks is larger than friction allows, or slip goes along
-/// the shear, until there is no such place. With little friction it begins with zones of more friction, with a given creep, where
-/// elements do not settle, with those of given tractions, and where all this fails with those of a lesser traction or of less
-/// friction. Nothing if none is found. nats: as for a ZoneMesh; a zone of slip at an
-/// end that is shorter than e^-nats of its neighbour is left out.
+/// the shear, until there is no such place. Nothing if none is found. nats: as for a ZoneMesh; a zone of slip at an end that is
+/// shorter than e^-nats of its neighbour is left out.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
 /// The same from a contact that is nearly right.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneContact& near, double nats);

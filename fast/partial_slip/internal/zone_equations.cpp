@@ -56,10 +56,6 @@ bool ZoneEquations::solve_from(const Eigen::VectorXd& unknowns) {
   return iterate();
 }
 
-bool ZoneEquations::sticks_everywhere() const {
-  return zones_.size() == 1 && zones_.front().sign == 0 && task_.traction == 0.0;
-}
-
 Eigen::VectorXd ZoneEquations::weights() const {
   return Eigen::VectorXd::NullaryExpr(static_cast<Index>(mesh_.nodes().size()), [&](Index j) {
     return mesh_.weight(mesh_.nodes()[static_cast<std::size_t>(j)]);
@@ -154,7 +150,7 @@ void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::Ve
 }
 
 ZoneEquations::Index ZoneEquations::equations() const {
-  return std::ssize(normal_) + std::ssize(along_) + (sticks_everywhere() ? 1 : 2);
+  return std::ssize(normal_) + std::ssize(along_) + (sticks_everywhere(task_, zones_) ? 1 : 2);
 }
 
 bool ZoneEquations::is_square() const { return equations() == unknowns_.size() + std::ssize(zones_); }
@@ -164,7 +160,7 @@ Eigen::VectorXd ZoneEquations::of_equations(const Misfits& at_midpoints, double 
   Eigen::VectorXd numbers(equations());
   const Eigen::Vector2d further(of_load, of_creep);
   numbers << at_midpoints.normal(normal_), at_midpoints.along(along_),
-      further.head(sticks_everywhere() ? 1 : 2);
+      further.head(sticks_everywhere(task_, zones_) ? 1 : 2);
   return numbers;
 }
 
@@ -233,7 +229,7 @@ Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
   else
     for (Index z = 0; z < zones; ++z) jacobian(row, lengths + z) = zones_[static_cast<std::size_t>(z)].length;
   if (task_.length) ++row;
-  if (sticks_everywhere()) return jacobian;
+  if (sticks_everywhere(task_, zones_)) return jacobian;
   if (task_.creep)
     jacobian(row, unknowns + 1) = 1;
   else

@@ -94,8 +94,6 @@ class ZoneEquations {
   }
   bool iterate();
   void step(const Eigen::VectorXd& change, double part);
-  /// Then there is no traction, by symmetry, which is an equation less.
-  [[nodiscard]] bool sticks_everywhere() const;
 
   PartialSlipTask task_;
   Zones zones_;

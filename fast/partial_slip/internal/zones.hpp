@@ -39,6 +39,19 @@ struct PartialSlipTask {
   std::shared_ptr<Work> work = std::make_shared<Work>();  ///< grows with each system that is solved for it
 };
 
+/// Whether it sticks from end to end and has no traction, by symmetry, which is an equation less. Otherwise it slips at the trailing end:
+/// sticking there asks for one number more than there is.
+inline bool sticks_everywhere(const PartialSlipTask& task, const Zones& zones) {
+  return zones.size() == 1 && zones.front().sign == 0 && task.traction == 0.0;
+}
+
+/// A hundredth of the last zone, which sticks, slips at the end.
+inline void slip_at_end(Zones& zones, int sign) {
+  const double length = 0.01 * zones.back().length;
+  zones.back().length -= length;
+  zones.push_back({length, sign});
+}
+
 ContactUnits units_of(const data::ElasticNip& nip);
 
 /// BadInput as from partial_slip_for_load.

@@ -1,0 +1,262 @@
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
+#include <nipref/fast/partial_slip/internal/plain_zones.hpp>
+#include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
+
+/// The tractions of a contact of a given length at the nodes of the Gauss-Chebyshev rule for functions like the root of the distance
+/// from both ends, e = L sin^2(theta/2), theta = pi k/(n + 1), k = 1 to n. The equations hold midway between them in theta, where
+/// the rule is as accurate for Cauchy's kernel as for a smooth function. The equation of u' determines the pressures, p = p0 + P q
+/// for any shear q, and with them the strains are v' = v0 + V q. An element is what lies around a node, and has the sign of its
+/// slip, 0 where it sticks.
+class Elements {
+ public:
+  Elements(const PartialSlipTask& task, double length, int count)
+      : task_(task), count_(count), length_(length), signs_(static_cast<std::size_t>(count)) {
+    const double step = std::numbers::pi / (count + 1);
+    const ArrayXd angles = ArrayXd::LinSpaced(count, step, count * step),
+                  edges = length *
+                          ArrayXd::LinSpaced(count + 1, step / 4, (count + 0.5) * step / 2).sin().square(),
+                  nodes = length * (angles / 2).sin().square();
+    weights_ = length / 2 * step * angles.sin();
+    const MatrixXd forces = weights_.asDiagonal(), none = MatrixXd::Zero(count, count);
+    const SlopeKernels rests(length, edges, nodes);
+    const auto [normal_rest, coupling_rest] = rests.values(forces, none);
+    const MatrixXd along_rest = rests.values(none, forces).along;
+    MatrixXd normal(count + 1, count + 1), coupling = coupling_rest, along(count + 1, count);
+    for (int i = 0; i < count; ++i) {
+      const VectorXd cauchy = -weights_(i) / (std::numbers::pi * (edges - nodes(i)));
+      normal.col(i) = normal_rest.col(i) + cauchy;
+      along.col(i) = along_rest.col(i) + cauchy;
+      coupling.col(i).segment(i, 2).array() -= task.beta / 2;
+    }
+    normal.col(count).setConstant(-2);  // times L1
+    MatrixXd right(count + 1, count + 1);
+    right << coupling, -2 * edges.matrix();
+    const MatrixXd pressures = Elimination(std::move(normal)).solve_columns(right);
+    pressure_by_shear_ = pressures.topLeftCorner(count, count);
+    pressure_without_ = pressures.col(count).head(count);
+    coupling.conservativeResize(count, count);  // an element strains at its leading edge
+    strain_by_shear_ = along.topRows(count) + product(coupling, pressure_by_shear_);
+    strain_without_ = coupling * pressure_without_;
+    edges_ = edges;
+    edges_(0) = 0;
+    edges_(count) = length;
+  }
+
+  /// Changes signs until none violates its condition, from these and from this creep, where none is given.
+  void settle(const std::vector<int>& signs, double creep) {
+    for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = signs[i * signs.size() / signs_.size()];
+    creep_ = task_.creep ? *task_.creep : creep;
+    is_settled_ = task_.creep ? settles_anyhow() : settles_for_traction();
+  }
+  [[nodiscard]] bool is_settled() const { return is_settled_; }
+  [[nodiscard]] const std::vector<int>& signs() const { return signs_; }
+  [[nodiscard]] double creep() const { return creep_; }
+  /// Where an element begins and the one before it ends.
+  [[nodiscard]] double edge(int element) const { return edges_(element); }
+
+  /// What sticks between opposite slips of two elements.
+  struct Turn {
+    double place, length;
+  };
+  /// It is where the slip between them is 0, and about as long as little friction makes it. With q = -mu p in front of it, mu p behind
+  /// it and a slip that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins:
+  /// so q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from there, with l = 4 mu p/(pi s').
+  [[nodiscard]] Turn turn(int before, int behind) const {
+    const double slope = (slip_(behind) - slip_(before)) / (edges_(behind) - edges_(before));
+    return {edges_(behind) - slip_(behind) / slope,
+            std::fabs(4 * task_.friction * pressure_(before) / (std::numbers::pi * slope))};
+  }
+
+ private:
+  /// Changes signs until none violates its condition at this creep; false where this comes to no end.
+  bool settles() {
+    constexpr int most_changes = 20;
+    for (int change = 0; change < most_changes; ++change) {
+      solve();
+      if (!change_signs()) return true;
+    }
+    return false;
+  }
+  /// The same at that creep or, where it comes to no end, at one that is nearer to this one.
+  bool settles_towards(double creep) {
+    constexpr int most_halvings = 6;
+    const std::vector<int> signs = signs_;
+    const double from = creep_;
+    for (int halving = 0; halving < most_halvings; ++halving) {
+      creep_ = std::lerp(from, creep, std::ldexp(1, -halving));
+      signs_ = signs;
+      if (settles()) return true;
+    }
+    return false;
+  }
+  /// The same at this creep, from these signs or from so much creep that all elements slip one way.
+  bool settles_anyhow() {
+    if (settles()) return true;
+    constexpr int most_steps = 20;
+    const double wanted = creep_;
+    for (const int sliding : {-1, 1}) {
+      std::ranges::fill(signs_, sliding);
+      creep_ = sliding * most_creep();
+      for (int step = 0; step < most_steps && settles_towards(wanted); ++step)
+        if (creep_ == wanted) return true;
+    }
+    return false;
+  }
+  /// All elements slip one way.
+  [[nodiscard]] double most_creep() const { return 8 * (1 + task_.friction) * length_; }
+
+  /// The traction grows with the creep, from sliding one way to sliding the other, and linearly as long as the signs stay: Newton's
+  /// method in a bracket. Elements may have several states at one creep, and none with this traction: the nearest is the result.
+  bool settles_for_traction() {
+    if (!settles_anyhow()) return false;
+    double most = most_creep(), least = -most;
+    constexpr double tolerance = 1e-6;
+    constexpr int most_steps = 40;
+    std::vector<int> signs;
+    double creep = 0, least_missing = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < most_steps; ++step) {
+      // A load that is given is another one here: its traction is to be the same share.
+      const double of_load = task_.load ? *task_.traction / *task_.load : 0, load = weights_.dot(pressure_);
+      const double missing = (task_.load ? of_load * load : *task_.traction) - weights_.dot(shear_);
+      if (std::fabs(missing) < least_missing) {
+        signs = signs_;
+        creep = creep_;
+        least_missing = std::fabs(missing);
+      }
+      (missing > 0 ? least : most) = creep_;
+      if (least_missing < tolerance * task_.friction * load) break;
+      const double by_creep =
+          weights_.dot(shear_by_creep_) - of_load * weights_.dot(pressure_by_shear_ * shear_by_creep_);
+      const double next = creep_ + missing / by_creep;
+      if (!settles_towards(next > least && next < most ? next : std::midpoint(least, most))) break;
+    }
+    signs_ = signs;
+    creep_ = creep;
+    solve();
+    return true;
+  }
+
+  /// With these signs.
+  void solve() {
+    MatrixXd matrix = strain_by_shear_, right(count_, 2);  // without creep, and by it
+    right << -strain_without_, VectorXd::Ones(count_);
+    for (int i = 0; i < count_; ++i) {
+      const double ratio = task_.friction * signs_[static_cast<std::size_t>(i)];
+      if (ratio == 0) continue;
+      matrix.row(i) = -ratio * pressure_by_shear_.row(i);
+      matrix(i, i) += 1;
+      right.row(i) << ratio * pressure_without_(i), 0;
+    }
+    const MatrixXd shears = Elimination(std::move(matrix)).solve_columns(right);
+    ++task_.work->systems;
+    task_.work->unknowns = std::max(task_.work->unknowns, count_);
+    shear_by_creep_ = shears.col(1);
+    shear_ = shears.col(0) + creep_ * shear_by_creep_;
+    pressure_ = pressure_without_ + pressure_by_shear_ * shear_;
+    slip_ = (strain_without_ + strain_by_shear_ * shear_).array() - creep_;
+  }
+
+  /// Of all elements whose conditions are violated, unless there are none but the last; that one changes from slip to slip.
+  bool change_signs() {
+    const std::vector<int> before = signs_;
+    for (int i = 0; i < count_; ++i) {
+      int& sign = signs_[static_cast<std::size_t>(i)];
+      const bool is_last = i + 1 == count_;
+      if (sign == 0 && (is_last || std::fabs(shear_(i)) > task_.friction * pressure_(i)))
+        sign = shear_(i) > 0 ? 1 : -1;
+      else if (sign * slip_(i) > 0)
+        sign = is_last ? -sign : 0;
+    }
+    if (before.back() == 0 || !std::equal(before.begin(), before.end() - 1, signs_.begin())) return true;
+    signs_ = before;
+    return false;
+  }
+
+  const PartialSlipTask& task_;
+  int count_;
+  double length_, creep_ = 0;
+  VectorXd weights_, edges_;
+  MatrixXd pressure_by_shear_, strain_by_shear_;
+  VectorXd pressure_without_, strain_without_;
+  std::vector<int> signs_;
+  bool is_settled_ = false;
+  VectorXd pressure_, shear_, slip_, shear_by_creep_;
+};
+
+/// Few elements settle from any signs, and more from those of half as many.
+Elements settled(const PartialSlipTask& task, double length, int count) {
+  constexpr int few = 30;
+  Elements elements(task, length, count);
+  if (count < 2 * few) {
+    elements.settle({0}, 0);
+  } else {
+    const Elements fewer = settled(task, length, count / 2);
+    elements.settle(fewer.signs(), fewer.creep());
+  }
+  return elements;
+}
+
+/// Puts what sticks between opposite slips, one element or none, where they turn. `first` has the first element of each zone.
+void stick_where_slips_turn(Zones& zones, const std::vector<int>& first, const Elements& elements) {
+  double start = 0;
+  for (std::size_t k = 1; k + 1 < zones.size(); start += zones[k - 1].length, ++k) {
+    Zone &before = zones[k - 1], &here = zones[k], &behind = zones[k + 1];
+    if (before.sign * behind.sign >= 0 || first[k + 1] > first[k] + 1) continue;
+    const auto [place, length] = elements.turn(first[k] - 1, first[k + 1]);
+    const double most = std::max(here.length, std::min(before.length, behind.length) / 4),
+                 end = start + before.length + here.length + behind.length;
+    here.length = std::min({length, most, place - start, end - place});
+    before.length = place - here.length / 2 - start;
+    behind.length = end - start - before.length - here.length;
+  }
+}
+
+}  // namespace
+
+std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
+  const Elements elements =
+      settled(task, task.length ? *task.length : 2 * half_length_guess(*task.load), count);
+  if (!elements.is_settled()) return std::nullopt;
+  // The last element slips whatever happens: behind another slip that tells nothing, nor where all else sticks without traction.
+  std::vector<int> signs = elements.signs();
+  const auto sticking = static_cast<int>(std::ranges::count(signs, 0));
+  if (signs[signs.size() - 2] != 0 || (sticking == count - 1 && task.traction == 0.0))
+    signs.back() = signs[signs.size() - 2];
+  Zones zones;
+  std::vector<int> first;
+  const auto begin = [&](int sign, int element) {
+    zones.push_back({0, sign});
+    first.push_back(element);
+  };
+  for (int i = 0; i < count; ++i) {
+    const int sign = signs[static_cast<std::size_t>(i)];
+    if (i > 0 && zones.back().sign * sign < 0) begin(0, i);
+    if (i == 0 || zones.back().sign != sign) begin(sign, i);
+    zones.back().length += elements.edge(i + 1) - elements.edge(i);
+  }
+  stick_where_slips_turn(zones, first, elements);
+  // With a given traction something sticks, if less than an element.
+  if (task.traction && zones.size() == 1 && zones.front().sign != 0) {
+    zones.insert(zones.begin(), {elements.edge(1) / 2, 0});
+    zones.back().length -= elements.edge(1) / 2;
+  }
+  return zones;
+}
+
+}  // namespace nipref::fast
