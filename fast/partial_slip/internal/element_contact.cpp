@@ -40,11 +40,8 @@ Influence influence(double beta, double width, int count) {
 
 class ActiveSet {
  public:
-  ActiveSet(const PartialSlipTask& task, double load, double half_region, int count)
-      : task_(task),
-        load_(load),
-        elements_(static_cast<std::size_t>(count)),
-        width_(2 * half_region / count) {
+  ActiveSet(const PartialSlipTask& task, double half_region, int count)
+      : task_(task), elements_(static_cast<std::size_t>(count)), width_(2 * half_region / count) {
     influence_ = influence(task.beta, width_, count + 1);
     for (int k = 0; k < count; ++k)
       elements_[static_cast<std::size_t>(k)] = {(k + 0.5) * width_ - half_region, true, 0, 0, 0};
@@ -112,7 +109,7 @@ class ActiveSet {
         matrix(creep, pressure_[k]) = width_ * task_.friction * element.sign;
       }
     }
-    right(approach) = load_;
+    right(approach) = *task_.load;
     right(creep) = task_.creep ? *task_.creep : *task_.traction;
     if (task_.creep) matrix.row(creep) = RowVectorXd::Unit(unknowns_, creep);
     solution_ = Elimination(matrix).solve(right);
@@ -179,7 +176,6 @@ class ActiveSet {
   }
 
   PartialSlipTask task_;
-  double load_;
   std::vector<ElementContact::Element> elements_;
   double width_, creep_ = 0;
   Influence influence_;
@@ -191,7 +187,7 @@ class ActiveSet {
 }  // namespace
 
 ElementContact element_contact(const PartialSlipTask& task, int elements) {
-  return ActiveSet(task, *task.load, element_reach * half_length_guess(*task.load), elements).solved();
+  return ActiveSet(task, element_reach * half_length_guess(*task.load), elements).solved();
 }
 
 }  // namespace nipref::fast

@@ -5,7 +5,7 @@
 
 namespace nipref::fast {
 
-/// The same contact by equal elements with constant tractions, held to the rollers at their middles: in steady rolling
+/// A contact by equal elements with constant tractions, for line loads, held to the rollers at their middles: in steady rolling
 /// an element slips by how far its surface moves against the roller from the middle of the element before it to its own.
 /// The elements that press, stick or slip are found by an active set.
 struct ElementContact {
@@ -23,8 +23,8 @@ struct ElementContact {
 /// How far elements reach, over half the length of a contact without friction.
 inline constexpr double element_reach = 1.3;
 
-/// `elements` of them over so many lengths of a contact of about the task's load. In rare cases they do not settle; the last state is
-/// the result.
+/// `elements` of them over so many lengths of a contact of the task's load, which is given. In rare cases they do not settle; the
+/// last state is the result.
 ElementContact element_contact(const PartialSlipTask& task, int elements);
 
 }  // namespace nipref::fast

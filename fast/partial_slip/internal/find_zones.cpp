@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/partial_slip/internal/find_zones.hpp>
 #include <nipref/fast/partial_slip/internal/plain_zones.hpp>
 
@@ -233,7 +232,7 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     if (zones && is_found_from(*zones)) return best;
   }
   // Elements do not tell of much shorter zones next to the trailing end.
-  const Zones sticking{{task.length ? *task.length : 2 * half_length_guess(*task.load), 0}};
+  const Zones sticking{{length_guess(task), 0}};
   if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;
   for (const int sign : {-1, 1}) {
     Zones zones = sticking;

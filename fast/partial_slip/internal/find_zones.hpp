@@ -6,9 +6,9 @@
 
 namespace nipref::fast {
 
-/// The contact that sticks and slips where it should: zones told by few elements (plain_zones.hpp) to begin with, Newton's method for their
-/// boundaries, then a zone more wherever shear in a zone that sticks is larger than friction allows, or slip goes along
-/// the shear, until there is no such place. Nothing if none is found. nats: as for a ZoneMesh; a zone of slip at an end that is
+/// The contact that sticks and slips where it should: the zones of few elements (plain_zones.hpp) to begin with, Newton's method
+/// for their boundaries, then a zone more wherever shear in a zone that sticks is larger than friction allows, or slip goes
+/// along the shear, until there is no such place. Nothing if none is found. nats: as for a ZoneMesh; a zone of slip at an end that is
 /// shorter than e^-nats of its neighbour is left out.
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats);
 /// The same from a contact that is nearly right.

@@ -1,6 +1,5 @@
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -118,7 +117,7 @@ class Elements {
     }
     return false;
   }
-  /// All elements slip one way.
+  /// So much that all elements slip one way.
   [[nodiscard]] double most_creep() const { return 8 * (1 + task_.friction) * length_; }
 
   /// The traction grows with the creep, from sliding one way to sliding the other, and linearly as long as the signs stay: Newton's
@@ -172,7 +171,7 @@ class Elements {
     slip_ = (strain_without_ + strain_by_shear_ * shear_).array() - creep_;
   }
 
-  /// Of all elements whose conditions are violated, unless there are none but the last; that one changes from slip to slip.
+  /// Changes the signs whose conditions are violated, the last one from slip to slip; false and no change where that is the only one.
   bool change_signs() {
     const std::vector<int> before = signs_;
     for (int i = 0; i < count_; ++i) {
@@ -212,7 +211,7 @@ Elements settled(const PartialSlipTask& task, double length, int count) {
   return elements;
 }
 
-/// Puts what sticks between opposite slips, one element or none, where they turn. `first` has the first element of each zone.
+/// Puts what sticks between opposite slips, one element or none, where they turn. Each zone begins with an element of `first`.
 void stick_where_slips_turn(Zones& zones, const std::vector<int>& first, const Elements& elements) {
   double start = 0;
   for (std::size_t k = 1; k + 1 < zones.size(); start += zones[k - 1].length, ++k) {
@@ -229,9 +228,12 @@ void stick_where_slips_turn(Zones& zones, const std::vector<int>& first, const E
 
 }  // namespace
 
+double length_guess(const PartialSlipTask& task) {
+  return task.length ? *task.length : 2 * half_length_guess(*task.load);
+}
+
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
-  const Elements elements =
-      settled(task, task.length ? *task.length : 2 * half_length_guess(*task.load), count);
+  const Elements elements = settled(task, length_guess(task), count);
   if (!elements.is_settled()) return std::nullopt;
   // The last element slips whatever happens: behind another slip that tells nothing, nor where all else sticks without traction.
   std::vector<int> signs = elements.signs();

@@ -11,4 +11,7 @@ namespace nipref::fast {
 /// violated; nothing in the rare cases where this comes to no end. elements >= 4.
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int elements);
 
+/// That length: the task's, or without friction that of its load.
+double length_guess(const PartialSlipTask& task);
+
 }  // namespace nipref::fast

@@ -39,8 +39,8 @@ struct PartialSlipTask {
   std::shared_ptr<Work> work = std::make_shared<Work>();  ///< grows with each system that is solved for it
 };
 
-/// Whether it sticks from end to end and has no traction, by symmetry, which is an equation less. Otherwise it slips at the trailing end:
-/// sticking there asks for one number more than there is.
+/// Whether it sticks from end to end. Then there is no traction, by symmetry, which is an equation less. All other contacts slip
+/// at the trailing end: sticking there asks for one number more than there is.
 inline bool sticks_everywhere(const PartialSlipTask& task, const Zones& zones) {
   return zones.size() == 1 && zones.front().sign == 0 && task.traction == 0.0;
 }
