@@ -5,7 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/partial_slip/internal/zone_equations.hpp>
 
 namespace nipref::fast {
@@ -186,11 +185,7 @@ Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
                         2 * (leading_length() - places(mesh_.midpoints())).abs(),
                     along.array() + rest + task_.beta * p_here.array().abs() + std::fabs(creep())},
                    task_.load ? normal.sum() : length(), task_.creep ? std::fabs(creep()) : tangential.sum());
-  const Eigen::MatrixXd units =
-      Eigen::MatrixXd::Identity(sizes.size(), sizes.size()).rightCols(static_cast<Index>(zones_.size()));
-  const Eigen::MatrixXd by_equations =
-      Elimination(jacobian(kernels).transpose()).solve_columns(units).cwiseAbs();
-  return operations * 0x1p-53 * (by_equations.transpose() * sizes);
+  return operations * 0x1p-53 * (lengths_by_equations_.cwiseAbs().transpose() * sizes);
 }
 
 Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
@@ -245,6 +240,17 @@ void ZoneEquations::step(const Eigen::VectorXd& change, double part) {
 }
 
 bool ZoneEquations::iterate() {
+  Elimination derivatives;
+  if (!converges(derivatives)) return false;
+  const Index zones = std::ssize(zones_);
+  lengths_by_equations_.resize(derivatives.size(), zones);
+  for (Index z = 0; z < zones; ++z)
+    lengths_by_equations_.col(z) =
+        derivatives.solve_transposed(Eigen::VectorXd::Unit(derivatives.size(), unknowns_.size() + z));
+  return true;
+}
+
+bool ZoneEquations::converges(Elimination& derivatives) {
   // Further than this the zones' order does not last; Newton's steps are cut to it.
   constexpr double longest_step = 0.7, least_part = 1.0 / 64;
   // After a shorter step the same derivatives do.
@@ -257,7 +263,6 @@ bool ZoneEquations::iterate() {
     return change.tail(static_cast<Index>(zones_.size())).cwiseAbs().maxCoeff();
   };
   double last_step = std::numeric_limits<double>::infinity();
-  Elimination derivatives;
   Kernels kernels = this->kernels();
   Eigen::VectorXd remains = residual(kernels);
   for (int number = 0; number < most_steps; ++number) {

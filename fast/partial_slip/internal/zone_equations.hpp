@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
 #include <nipref/fast/partial_slip/internal/zone_mesh.hpp>
 
@@ -44,7 +45,7 @@ class ZoneEquations {
   [[nodiscard]] Misfits misfits() const { return misfits(kernels()); }
   /// How far rounding moves the logarithms of the zones' lengths: |J^-1|, J the derivatives of the equations by all unknowns and
   /// these, times the sizes of the equations' terms, times 2^-53 for each operation that makes a term: four for a weight, two
-  /// for a traction, five for a kernel, and their product.
+  /// for a traction, five for a kernel, and their product. J is the one of Newton's last steps.
   [[nodiscard]] Eigen::VectorXd rounding_of_lengths() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
@@ -93,6 +94,8 @@ class ZoneEquations {
     return {range.begin() - points.begin(), std::ssize(range)};
   }
   bool iterate();
+  /// Whether Newton's method finds a solution; `derivatives` becomes the one of its last steps.
+  bool converges(Elimination& derivatives);
   void step(const Eigen::VectorXd& change, double part);
 
   PartialSlipTask task_;
@@ -101,6 +104,7 @@ class ZoneEquations {
   std::vector<Index> normal_, along_;  ///< the midpoints at which the equations of u' and of v' hold
   Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at them
   Eigen::VectorXd unknowns_;
+  Eigen::MatrixXd lengths_by_equations_;  ///< rows of J^-1 as columns, a column for each zone
 };
 
 }  // namespace nipref::fast
