@@ -1,25 +1,23 @@
 #include <Eigen/LU>
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <numbers>
-#include <optional>
+#include <numeric>
 #include <utility>
 
-#include <nipref/ref/nip/internal/length_search.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 
 namespace nipref::ref {
 namespace {
 
-constexpr int elements = 120, most_changes = 40;
+constexpr int elements = 120;
 
+/// The tractions of elements of one length, whose equations hold at their edges. An element has the sign of its slip, 0 where it
+/// sticks.
 class PlainContact {
  public:
   PlainContact(const SlipProblem& problem, SheetKernels& kernels, double length)
-      : problem_(problem), element_(length / elements) {
+      : problem_(problem), element_(length / elements), most_creep_(8 * (1 + problem.friction) * length) {
     for (int way = 0; way <= elements; ++way) {
       // U, V and S from the middle of an element to an edge beside it, or so many elements away.
       const Float alpha = (way + 0.5) * element_, normal = kernels.smooth_normal_slope(alpha) - 1 / alpha;
@@ -40,33 +38,14 @@ class PlainContact {
     normal_.col(leading).setConstant(-2);
   }
 
-  /// Signs of the elements' slip, from a guess at them; 0 where they stick.
-  void settle(Row<int>& signs) {
-    if (problem_.creep) {
-      settle_at(static_cast<double>(*problem_.creep), signs);
-      return;
-    }
-    // The traction grows with creep. Of a load that is not yet met it is to be the same share.
-    const auto excess = [&](double creep) {
-      settle_at(creep, signs);
-      const double share = problem_.length ? 1 : load() / static_cast<double>(problem_.load);
-      return element_ * shear_.sum() - static_cast<double>(problem_.shear) * share;
-    };
-    // So much creep that all elements slip one way.
-    const double most = 8 * (1 + problem_.friction) * element_ * elements;
-    const auto sliding = [&](int sign) {
-      std::ranges::fill(signs, sign);
-      return excess(sign * most);
-    };
-    const double before = sliding(-1), after = sliding(1);
-    if (!(before * after < 0)) return;
-    constexpr int bits = 40;
-    std::uintmax_t most_calls = 100;
-    const auto found = boost::math::tools::toms748_solve(
-        excess, -most, most, before, after, boost::math::tools::eps_tolerance<double>(bits), most_calls);
-    excess(found.second);
+  /// Changes signs until none violates its condition, or none of them helps.
+  void settle() {
+    if (problem_.creep)
+      slides_to(static_cast<double>(*problem_.creep));
+    else if (slides_to(0))
+      meet_traction();
   }
-  [[nodiscard]] double load() const { return element_ * pressure_.sum(); }
+  [[nodiscard]] int sign(int element) const { return signs_[element]; }
   /// About the length that sticks around an element between opposite slips. With q = -mu p in front of it, mu p behind it and a slip
   /// that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins: so
   /// q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from there, with l = 4 mu p/(pi s').
@@ -75,56 +54,117 @@ class PlainContact {
     const double slope = (slip_(to) - slip_(from)) / ((to - from) * element_);
     return std::fabs(4 * problem_.friction * pressure_(element) / (std::numbers::pi * slope));
   }
-  /// Of the shear at the trailing end, where no sheet sticks.
-  [[nodiscard]] int trailing_sign() const { return shear_(elements - 1) < 0 ? -1 : 1; }
 
  private:
   static constexpr int leading = 2 * elements, unknowns = 2 * elements + 1;
 
-  void settle_at(double creep, Row<int>& signs) {
+  /// From these signs at this creep.
+  bool settles() {
+    constexpr int most_changes = 20;
     for (int change = 0; change < most_changes; ++change) {
-      solve(creep, signs);
-      if (!is_changed(signs, change < most_changes / 2)) return;
+      solve();
+      if (!change_signs()) return true;
     }
+    return false;
   }
 
-  void solve(double creep, const Row<int>& signs) {
-    Eigen::MatrixXd matrix(unknowns, unknowns);
+  /// At that creep or, where signs change without end, at one that is nearer to this one.
+  bool settles_towards(double creep) {
+    constexpr int most_halvings = 6;
+    const Row<int> signs = signs_;
+    const double from = creep_;
+    for (int halving = 0; halving < most_halvings; ++halving) {
+      creep_ = std::lerp(from, creep, std::ldexp(1, -halving));
+      signs_ = signs;
+      if (settles()) return true;
+    }
+    return false;
+  }
+
+  /// From so much creep that all elements slip one way.
+  bool slides_to(double creep) {
+    constexpr int most_steps = 20;
+    for (const int sliding : {-1, 1}) {
+      std::ranges::fill(signs_, sliding);
+      creep_ = sliding * most_creep_;
+      for (int step = 0; step < most_steps && settles_towards(creep); ++step)
+        if (creep_ == creep) return true;
+    }
+    return false;
+  }
+
+  /// The traction grows with creep, and linearly while the signs stay: Newton's method in a bracket. Of a load that is not met the
+  /// traction is to be the same share. Where no creep has it the nearest is taken.
+  void meet_traction() {
+    constexpr int most_steps = 40;
+    constexpr double tolerance = 1e-10;
+    const double share = problem_.length ? 0 : static_cast<double>(problem_.shear / problem_.load),
+                 wanted = problem_.length ? static_cast<double>(problem_.shear) : 0;
+    double least = -most_creep_, most = most_creep_, nearest = HUGE_VAL, creep = 0;
+    Row<int> signs;
+    for (int step = 0; step < most_steps; ++step) {
+      const Eigen::VectorXd missing = share * pressure_ - shear_,
+                            by_creep = slope_shear_ - share * slope_pressure_;
+      const double rest = wanted + element_ * missing.sum();
+      if (std::fabs(rest) < nearest) {
+        nearest = std::fabs(rest);
+        signs = signs_;
+        creep = creep_;
+      }
+      if (nearest < tolerance * problem_.friction * element_ * pressure_.sum()) break;
+      (rest > 0 ? least : most) = creep_;
+      const double next = creep_ + rest / (element_ * by_creep.sum());
+      if (!settles_towards(next > least && next < most ? next : std::midpoint(least, most))) break;
+    }
+    signs_ = signs;
+    creep_ = creep;
+    solve();
+  }
+
+  /// With these signs and this creep, and the slopes of the tractions by it.
+  void solve() {
+    Eigen::MatrixXd matrix(unknowns, unknowns), right = Eigen::MatrixXd::Zero(unknowns, 2);
     matrix << normal_, tangential_.topRows(elements);
-    Eigen::VectorXd right = Eigen::VectorXd::Constant(unknowns, creep);
-    right.head(elements + 1) = Eigen::VectorXd::LinSpaced(elements + 1, 0, -2 * elements * element_);
+    right.col(0).head(elements + 1) = Eigen::VectorXd::LinSpaced(elements + 1, 0, -2 * elements * element_);
     for (int i = 0; i < elements; ++i) {
-      if (signs[i] == 0) continue;
       auto row = matrix.row(elements + 1 + i);
+      right.row(elements + 1 + i) << (signs_[i] == 0 ? creep_ : 0), (signs_[i] == 0 ? 1 : 0);
+      if (signs_[i] == 0) continue;
       row.setZero();
       row(elements + i) = 1;
-      row(i) = -signs[i] * problem_.friction;
-      right(elements + 1 + i) = 0;
+      row(i) = -signs_[i] * problem_.friction;
     }
-    const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
-    pressure_ = solution.head(elements);
-    shear_ = solution.segment(elements, elements);
-    slip_ = (tangential_ * solution).array() - creep;
+    const Eigen::MatrixXd solution = matrix.partialPivLu().solve(right);
+    pressure_ = solution.col(0).head(elements);
+    shear_ = solution.col(0).segment(elements, elements);
+    slope_pressure_ = solution.col(1).head(elements);
+    slope_shear_ = solution.col(1).segment(elements, elements);
+    slip_ = (tangential_ * solution.col(0)).array() - creep_;
   }
 
-  /// Changes the signs that violate their conditions: all of them, or the first.
-  bool is_changed(Row<int>& signs, bool all) const {
-    const Row<int> before = signs;
-    for (int i = 0; i < elements && (all || signs == before); ++i) {
-      int& sign = signs[i];
+  /// Changes the signs that violate their conditions; false and no change where that is the last one alone. This slips whatever
+  /// happens: what sticks up to the trailing end is a difference of large numbers.
+  bool change_signs() {
+    constexpr int last = elements - 1;
+    const Row<int> before = signs_;
+    for (int i = 0; i < elements; ++i) {
+      int& sign = signs_[i];
       if (sign == 0 && std::fabs(shear_(i)) > problem_.friction * pressure_(i))
         sign = shear_(i) > 0 ? 1 : -1;
       else if (sign * slip_(i) > 0)
-        sign = 0;
+        sign = i == last ? -sign : 0;
     }
-    return signs != before;
+    if (!std::equal(before.begin(), before.end() - 1, signs_.begin())) return true;
+    signs_ = before;
+    return false;
   }
 
   const SlipProblem& problem_;
-  double element_;
+  double element_, most_creep_, creep_ = 0;
   /// Both equations at the edges of elements, by their tractions and L1.
   Eigen::MatrixXd normal_ = Eigen::MatrixXd::Zero(elements + 1, unknowns), tangential_ = normal_;
-  Eigen::VectorXd pressure_, shear_, slip_;
+  Row<int> signs_ = Row<int>(GridIndex{elements});
+  Eigen::VectorXd pressure_, shear_, slip_, slope_pressure_, slope_shear_;  ///< slopes: by creep
 };
 
 /// Where opposite slips are next to each other, or one element apart, it sticks for the length of that element in `sticking`.
@@ -146,35 +186,24 @@ void stick_between_slips(Row<SlipZone>& zones, const Row<double>& sticking, doub
 }  // namespace
 
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length) {
-  constexpr int digits_of_length = 4;
-  Row<int> signs(GridIndex{elements});
-  Row<double> sticking(GridIndex{elements});
-  int trailing = 0;
-  const auto contact_of = [&](const Lengths& lengths) {
-    std::optional<PlainContact> contact(std::in_place, problem, kernels, static_cast<double>(lengths.length));
-    contact->settle(signs);
-    trailing = contact->trailing_sign();
-    for (int i = 0; i < elements; ++i) sticking[i] = contact->sticking(i);
-    return contact;
-  };
-  if (problem.length) {
-    contact_of({*problem.length});
-  } else {
-    LengthSearch search{Exact(static_cast<double>(problem.load)), length};
-    search.seek(digits_of_length, contact_of);
-    length = static_cast<double>(search.length);
-  }
+  PlainContact contact(problem, kernels, length);
+  const double element = length / elements;
+  contact.settle();
   Row<SlipZone> zones;
-  for (int sign : signs) {
+  Row<double> sticking(GridIndex{elements});
+  for (int i = 0; i < elements; ++i) {
+    // The last one's sign tells nothing behind another slip.
+    const int sign = contact.sign(std::min(i, elements - 2));
     const bool turns = !zones.empty() && zones.back().sign * sign < 0;
     if (turns) zones.push_back({0, 0});
     if (zones.empty() || zones.back().sign != sign) zones.push_back({sign, 0});
-    zones.back().length += length / elements;
+    zones.back().length += element;
+    sticking[i] = contact.sticking(i);
   }
-  stick_between_slips(zones, sticking, length / elements);
+  stick_between_slips(zones, sticking, element);
   if (zones.back().sign == 0 && !problem.may_stick_all_along(zones)) {
-    zones.back().length -= length / (2 * elements);
-    zones.push_back({trailing, length / (2 * elements)});
+    zones.back().length -= element / 2;
+    zones.push_back({contact.sign(elements - 1), element / 2});
   }
   return zones;
 }

@@ -73,7 +73,7 @@ class Newton {
       const Float size = largest_entry(rest_);
       if (size < enough) return true;
       if (is_new) make_slopes();
-      const Eigen::VectorXd change = eliminated_.solve(in_double(rest_, size));
+      const Eigen::VectorXd change = newton_step(in_double(rest_, size));
       if (!change.allFinite()) return false;
       const double most = change.tail(zones_.count()).cwiseAbs().maxCoeff() * static_cast<double>(size);
       const Float part = size * std::min(1.0, most_change / most);
@@ -106,16 +106,23 @@ class Newton {
 
   void make_slopes() {
     const GridIndex linear = unknowns_.size();
-    Eigen::MatrixXd matrix(rest_.size(), rest_.size());
-    matrix.leftCols(linear) = slopes(*contact_).leftCols(linear);
+    slopes_.resize(rest_.size(), rest_.size());
+    slopes_.leftCols(linear) = slopes(*contact_).leftCols(linear);
     for (GridIndex i = 0; i < zones_.count(); ++i) {
       Zones longer = zones_;
       longer[i].length *= 1 + step_of_lengths;
       SlipContact changed(grid_, kernels_, longer);
       changed.set(unknowns_);
-      matrix.col(linear + i) = in_double(changed.residual() - rest_, step_of_lengths);
+      slopes_.col(linear + i) = in_double(changed.residual() - rest_, step_of_lengths);
     }
-    eliminated_.compute(matrix);
+    eliminated_.compute(slopes_);
+  }
+
+  /// Refined once, as rows of zones of 1e-12 of the contact are small differences of the others: the rounding of each equation is
+  /// then relative to its own terms (Skeel 1980).
+  [[nodiscard]] Eigen::VectorXd newton_step(const Eigen::VectorXd& rest) const {
+    const Eigen::VectorXd first = eliminated_.solve(rest);
+    return first + eliminated_.solve(rest - slopes_ * first);
   }
 
   std::shared_ptr<const ZoneGrid> grid_;
@@ -123,6 +130,7 @@ class Newton {
   Zones zones_;
   std::unique_ptr<SlipContact> contact_;
   Vector unknowns_, rest_;
+  Eigen::MatrixXd slopes_;
   Eigen::PartialPivLU<Eigen::MatrixXd> eliminated_;
 };
 
@@ -163,11 +171,16 @@ Zones corrected(const SlipField& field) {
   return without_short(zones, nats);
 }
 
-/// At the trailing end no sheet sticks, unless it does all along. Where slip there is wrong up to the end, or vanishes, it turns
-/// around.
-void turn_around(Zones& zones, const Zones& before, const SlipProblem& problem) {
+/// At the trailing end no sheet sticks, unless it does all along. Where slip there is wrong up to the end, or is all that vanishes, it
+/// turns around; where it vanishes behind other slip, that goes on to the end.
+void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, bool vanishes) {
   const auto& [sign, length] = before.back();
   if (zones.back().sign != 0 || sign == 0 || problem.may_stick_all_along(zones)) return;
+  if (vanishes && zones.count() > 1) {
+    zones[zones.count() - 2].length += zones.back().length;
+    zones.pop_back();
+    return;
+  }
   const Float part = std::min(length, zones.back().length) / 3;
   zones.back().length -= part;
   zones.push_back({-sign, part});
@@ -183,7 +196,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
     const bool converges = newton.converges();
     if (converges) field = std::make_unique<SlipField>(newton.result());
     Zones better = converges ? corrected(*field) : newton.zones();
-    turn_around(better, zones, problem);
+    slip_at_end(better, zones, problem, !converges);
     const bool is_same = are_alike(better, zones);
     zones = converges && is_same ? newton.zones() : better;
     if (is_same) return converges ? std::move(field) : nullptr;

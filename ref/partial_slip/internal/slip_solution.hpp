@@ -7,8 +7,8 @@
 namespace nipref::ref {
 
 /// A guess at the zones of a contact, to about a hundredth of its length, from equal elements in double: where an element sticks
-/// its leading edge strains like the roller, and elements change between stick and slip until no inequality is violated.
-/// `length` is that of the contact, or a guess at it where the load is given.
+/// its leading edge strains like the roller, and elements change between stick and slip until no inequality is violated, at a
+/// creep that is found by the traction. They are as long together as `length`, also where the load is given.
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length);
 
 /// The residual of a contact is this matrix times its unknowns over their sizes, followed by 1; each entry is precise in double,

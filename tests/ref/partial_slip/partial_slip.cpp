@@ -176,6 +176,37 @@ TEST_CASE("ref partial slip: what nearly slides is guessed to stick somewhere") 
   CHECK(std::ranges::count(zones, 0, &ref::SlipZone::sign) == 1);
 }
 
+TEST_CASE("ref partial slip: with large friction and coupling, zones are guessed to an element of 1/120") {
+  const ref::WorkingDigits working(60);
+  ref::SlipProblem problem;
+  problem.beta = 0.6875;
+  problem.friction = 0.75;
+  problem.load = 1e-3;
+  problem.unit = 0.03125;
+  for (const double part : {0.375, 0.875}) {
+    problem.shear = part * problem.friction * problem.load;
+    ref::SheetKernels kernels(20);
+    const ref::Row<ref::SlipZone> guess = ref::plain_zones(problem, kernels, 0.03125);
+    const ref::SolvedSlip solved = ref::solved_slip(problem, kernels, guess, 6);
+    REQUIRE(solved.fine != nullptr);
+    CHECK(guess.back().sign == solved.fine->zones().back().sign);
+    CHECK(apart(guess.back().length / 0.03125, solved.fine->zones().back().length / solved.fine->length()) <
+          1.0 / 120);
+  }
+}
+
+TEST_CASE("ref partial slip: a zone that shrinks to nothing at the trailing end leaves the slip before it") {
+  const ref::WorkingDigits working(60);
+  ref::SlipProblem problem;
+  problem.beta = 0.6875;
+  problem.friction = 0.75;
+  problem.length = problem.unit = 0.0625;
+  problem.shear = 1.875e-4;
+  ref::SheetKernels kernels(20);
+  const ref::Row<ref::SlipZone> guess{{-1, 0.004}, {0, 0.0455}, {1, 0.0115}, {0, 0.0013}, {-1, 0.0002}};
+  CHECK(ref::solved_slip(problem, kernels, guess, 2).fine != nullptr);
+}
+
 TEST_CASE("ref partial slip: with little friction, zones are guessed as half-spaces have them") {
   const ref::WorkingDigits working(40);
   constexpr double a = 0x1p-11;  // half the length
