@@ -118,8 +118,9 @@ Solution::Parts Solution::parts(const Functional& f) const {
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
   // Far away kernels underflow, which act on the tractions over the whole contact.
   const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
+  // Squares of z underflow there long before.
   return {value(f), tails_.dot(of_left_out.cwiseAbs()),
-          equation_errors_.cwiseProduct(z).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};
+          equation_errors_.cwiseProduct(z).stableNorm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};
 }
 
 }  // namespace nipref::fast
