@@ -211,10 +211,13 @@ std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const 
   std::vector<Peak> found;
   for (auto sample = samples_.begin(); sample != samples_.end();) {
     const int panel = sample->point.panel;
-    std::vector<double> places{-ZoneMesh::farthest, -ZoneMesh::farthest / 2};
+    // Next to a boundary a traction may be like A t - B t^(3/2), largest at any s: nearer than the samples, too.
+    std::vector<double> places, beyond;
+    for (double s = -ZoneMesh::farthest; s < sample->point.s; ++s) places.push_back(s);
     for (; sample != samples_.end() && sample->point.panel == panel; ++sample)
       places.push_back(sample->point.s);
-    places.insert(places.end(), {ZoneMesh::farthest / 2, ZoneMesh::farthest});
+    for (double s = ZoneMesh::farthest; s > places.back(); --s) beyond.push_back(s);
+    places.insert(places.end(), beyond.rbegin(), beyond.rend());
     // A cusp at a boundary may be like a small power of t: the farthest places stand for the boundary itself.
     const auto size_at = [&](double s) {
       if (std::fabs(s) >= ZoneMesh::farthest) s = std::copysign(std::numeric_limits<double>::infinity(), s);
