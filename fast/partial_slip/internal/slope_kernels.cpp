@@ -86,27 +86,36 @@ void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of
 
 }  // namespace
 
-SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
+SlopeKernels::Series::Series(int eighths) : length(std::exp2(eighths / 8.0)) {
   const int count = chebyshev_points(length);
   const ArrayXd points = ArrayXd::NullaryExpr(count, [&](Index number) {
     return length * internal::shifted_chebyshev_zero(static_cast<int>(number), count);
   });
-  // Lagrange's polynomials of the points.
-  MatrixXd coefficients = 2.0 / count * chebyshev(points, length, count).transpose();
-  coefficients.row(0) /= 2;
-  at_targets_ = product(chebyshev(targets, length, count), coefficients);
-  at_sources_ = product(chebyshev(sources, length, count), coefficients).transpose();
-  values_.resize(2 * count, 2 * count);
-  slopes_.resize(2 * count, 2 * count);
+  values.resize(2 * count, 2 * count);
+  slopes.resize(2 * count, 2 * count);
   for (Index a = 0; a < count; ++a) {
     for (Index b = 0; b <= a; ++b) {
       const Rests of = rests(points(a) - points(b));
-      set(values_, a, b, of.value);
-      set(values_, b, a, value_parity * of.value);
-      set(slopes_, a, b, of.slope);
-      set(slopes_, b, a, -value_parity * of.slope);
+      set(values, a, b, of.value);
+      set(values, b, a, value_parity * of.value);
+      set(slopes, a, b, of.slope);
+      set(slopes, b, a, -value_parity * of.slope);
     }
   }
+  MatrixXd of_points = 2.0 / count * chebyshev(points, length, count).transpose();
+  of_points.row(0) /= 2;
+  MatrixXd of_both = MatrixXd::Zero(2 * count, 2 * count);
+  of_both.topLeftCorner(count, count) = of_both.bottomRightCorner(count, count) = of_points;
+  for (MatrixXd* const kernels : {&values, &slopes})
+    *kernels = product(product(of_both, *kernels), of_both.transpose());
+}
+
+SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
+  static Cache<int, Series> kept([](const int& eighths) { return Series(eighths); });
+  series_ = kept.at(static_cast<int>(std::ceil(8 * std::log2(length))));
+  const Index terms = series_->values.rows() / 2;
+  at_targets_ = chebyshev(targets, series_->length, terms);
+  at_sources_ = chebyshev(sources, series_->length, terms).transpose();
 }
 
 }  // namespace nipref::fast
