@@ -118,7 +118,7 @@ Solution::Parts Solution::parts(const Functional& f) const {
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
   // Far away kernels underflow, which act on the tractions over the whole contact.
   const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
-  // Squares of z underflow there long before.
+  // The scaled norm, as squares of z underflow long before z does.
   return {value(f), tails_.dot(of_left_out.cwiseAbs()),
           equation_errors_.cwiseProduct(z).stableNorm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};
 }

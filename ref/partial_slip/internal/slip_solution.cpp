@@ -171,8 +171,8 @@ Zones corrected(const SlipField& field) {
   return without_short(zones, nats);
 }
 
-/// At the trailing end no sheet sticks, unless it does all along. Where slip there is wrong up to the end, or is all that vanishes, it
-/// turns around; where it vanishes behind other slip, that goes on to the end.
+/// At the trailing end no sheet sticks, unless it does all along. Slip that is wrong up to that end turns around. Slip that vanishes
+/// there leaves what slips before it up to the end, and turns around where nothing does.
 void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, bool vanishes) {
   const auto& [sign, length] = before.back();
   if (zones.back().sign != 0 || sign == 0 || problem.may_stick_all_along(zones)) return;
