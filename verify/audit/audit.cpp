@@ -1,7 +1,6 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
 
@@ -19,10 +18,10 @@ std::size_t AuditOptions::points_of(const Quantity& quantity) const {
 }
 
 std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options) {
-  const AuditPlan plan(quantity, options);
+  const QuantityWork work(quantity, options);
   std::vector<Point> points;
-  for (std::size_t block = 0; block < plan.blocks(); ++block)
-    std::ranges::move(plan.points(block), std::back_inserter(points));
+  for (std::size_t block = 0; block < work.blocks(); ++block)
+    std::ranges::move(work.points(block), std::back_inserter(points));
   return points;
 }
 
@@ -46,16 +45,6 @@ AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const Au
 
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
   return audit_of({quantity, options, true}, options.progress);
-}
-
-AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
-                         std::span<const double> values, const AuditOptions& options) {
-  const Comparator comparator(
-      quantity, [](auto, auto) {}, options);
-  const auto findings = parallel_mapped(
-      points.size(), [&](std::size_t i) { return comparator(points[i], values[i]); }, options.progress);
-  const Compared compared = compared_of({points.begin(), points.end()}, findings);
-  return result_of(quantity, options, tally_of(compared), compared, points.front());
 }
 
 std::string point_text(const Quantity& quantity, const Point& point) {

@@ -5,19 +5,13 @@ namespace nipref::verify {
 namespace {
 
 /// The first argument that is a number and differs between the points.
-std::size_t varied_argument(const Quantity& quantity, std::span<const Point> points) {
+std::size_t varied_argument(const Quantity& quantity, std::span<const Finding> findings) {
   for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
     if (quantity.arguments[i].kind == ArgumentKind::choice) continue;
-    const auto differs = [&](const Point& point) { return point[i] != points.front()[i]; };
-    if (std::ranges::any_of(points, differs)) return i;
+    const auto differs = [&](const Finding& one) { return one.point[i] != findings.front().point[i]; };
+    if (std::ranges::any_of(findings, differs)) return i;
   }
   return 0;
-}
-
-/// A percentile of sorted errors.
-double percentile(std::span<const double> sorted, double share) {
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  return sorted[std::clamp(rank, std::size_t{1}, sorted.size()) - 1];
 }
 
 std::optional<int> exponent_of(double argument) {
@@ -25,42 +19,25 @@ std::optional<int> exponent_of(double argument) {
   return static_cast<int>(std::floor(std::log10(std::fabs(argument))));
 }
 
-std::vector<Decade> decades_of(std::size_t along, std::span<const Point> points,
-                               std::span<const Finding> findings) {
+std::vector<Decade> decades_of(std::size_t along, std::span<const Finding> findings) {
   std::map<std::optional<int>, std::vector<double>> errors;  // those without an exponent come first
   std::map<std::optional<int>, std::size_t> above;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto exponent = exponent_of(points[i][along]);
-    errors[exponent].push_back(findings[i].ulps);
-    if (findings[i].allowance_used > 1) ++above[exponent];
+  for (const Finding& finding : findings) {
+    const auto exponent = exponent_of(finding.point[along]);
+    errors[exponent].push_back(finding.ulps);
+    if (finding.allowance_used > 1) ++above[exponent];
   }
   std::vector<Decade> decades;
-  for (auto& [exponent, of_decade] : errors) {
-    std::ranges::sort(of_decade);
+  for (auto& [exponent, sorted] : errors) {
+    std::ranges::sort(sorted);
     decades.push_back(
-        {exponent, of_decade.size(), above[exponent], of_decade.back(), percentile(of_decade, 0.5)});
+        {exponent, sorted.size(), above[exponent], sorted.back(), sorted[(sorted.size() - 1) / 2]});
   }
   return decades;
 }
 
 constexpr std::size_t parts_of_axis = 100;
 constexpr std::size_t dots_of_part = 3;
-
-struct PlacedError {
-  double place;  ///< on the axis
-  ErrorDot dot;
-};
-
-std::vector<PlacedError> placed_errors(ArgumentKind kind, std::size_t along, std::span<const Point> points,
-                                       std::span<const Finding> findings) {
-  std::vector<PlacedError> placed;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!std::isfinite(findings[i].ulps)) continue;
-    const double at = place_on_axis(kind, points[i][along]);
-    placed.push_back({spans_decades(kind) ? std::log10(at) : at, {at, findings[i].ulps, false}});
-  }
-  return placed;
-}
 
 /// The largest error, and others at equal distances in their order.
 void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
@@ -74,16 +51,21 @@ void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
   std::ranges::copy(kept, std::back_inserter(dots));
 }
 
-std::vector<ErrorDot> dots_of(const Quantity& quantity, std::size_t along, std::span<const Point> points,
+std::vector<ErrorDot> dots_of(const Quantity& quantity, std::size_t along,
                               std::span<const Finding> findings) {
-  const auto placed = placed_errors(quantity.arguments[along].kind, along, points, findings);
-  if (placed.empty()) return {};
-  const auto [least, most] = std::ranges::minmax_element(placed, {}, &PlacedError::place);
-  const double width = (most->place - least->place) / parts_of_axis;
+  const ArgumentKind kind = quantity.arguments[along].kind;
+  const auto place = [&](const ErrorDot& dot) { return spans_decades(kind) ? std::log10(dot.at) : dot.at; };
+  std::vector<ErrorDot> all;
+  for (const Finding& finding : findings)
+    if (std::isfinite(finding.ulps))
+      all.push_back({place_on_axis(kind, finding.point[along]), finding.ulps, false});
+  if (all.empty()) return {};
+  const auto [first, last] = std::ranges::minmax_element(all, {}, place);
+  const double least = place(*first), width = (place(*last) - least) / parts_of_axis;
   std::vector<std::vector<ErrorDot>> parts(parts_of_axis);
-  for (const PlacedError& one : placed) {
-    const double part = width > 0 ? std::floor((one.place - least->place) / width) : 0;
-    parts[std::min(static_cast<std::size_t>(part), parts_of_axis - 1)].push_back(one.dot);
+  for (const ErrorDot& dot : all) {
+    const double part = width > 0 ? std::floor((place(dot) - least) / width) : 0;
+    parts[std::min(static_cast<std::size_t>(part), parts_of_axis - 1)].push_back(dot);
   }
   std::vector<ErrorDot> dots;
   for (auto& part : parts)
@@ -97,21 +79,20 @@ bool is_inside(const WrongRegion& region, const Point& point) {
   return true;
 }
 
-std::optional<WrongRegion> wrong_region(std::span<const Point> points, std::span<const Finding> findings) {
+std::optional<WrongRegion> wrong_region(std::span<const Finding> findings) {
   std::optional<WrongRegion> region;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (findings[i].allowance_used <= 1) continue;
-    if (!region) region = {points[i], points[i], 0, 0};
-    for (std::size_t j = 0; j < points[i].size(); ++j) {
-      region->lower[j] = std::min(region->lower[j], points[i][j]);
-      region->upper[j] = std::max(region->upper[j], points[i][j]);
+  for (const auto& [point, ulps, relative, allowance_used] : findings) {
+    if (allowance_used <= 1) continue;
+    if (!region) region = {point, point, 0, 0};
+    for (std::size_t j = 0; j < point.size(); ++j) {
+      region->lower[j] = std::min(region->lower[j], point[j]);
+      region->upper[j] = std::max(region->upper[j], point[j]);
     }
     ++region->above;
   }
-  if (region) {
-    region->points = static_cast<std::size_t>(
-        std::ranges::count_if(points, [&](const Point& point) { return is_inside(*region, point); }));
-  }
+  if (region)
+    region->points = static_cast<std::size_t>(std::ranges::count_if(
+        findings, [&](const Point& point) { return is_inside(*region, point); }, &Finding::point));
   return region;
 }
 
@@ -125,11 +106,9 @@ double place_on_axis(ArgumentKind kind, double value) {
   return spans_decades(kind) ? std::clamp(std::fabs(value), 1e-12, 1e12) : value;
 }
 
-ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
-                         std::span<const Finding> findings) {
-  const std::size_t along = varied_argument(quantity, points);
-  return {along, decades_of(along, points, findings), wrong_region(points, findings),
-          dots_of(quantity, along, points, findings)};
+ErrorSpread error_spread(const Quantity& quantity, std::span<const Finding> findings) {
+  const std::size_t along = varied_argument(quantity, findings);
+  return {along, decades_of(along, findings), wrong_region(findings), dots_of(quantity, along, findings)};
 }
 
 }  // namespace nipref::verify

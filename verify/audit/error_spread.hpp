@@ -50,13 +50,13 @@ struct ErrorSpread {
 
 /// The error at one point.
 struct Finding {
+  Point point;
   double ulps;            ///< units in the last place of the scale
   double relative;        ///< of the value
   double allowance_used;  ///< error over the allowed error
 };
 
-/// There must be a point, and a finding for each.
-ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
-                         std::span<const Finding> findings);
+/// There must be a finding.
+ErrorSpread error_spread(const Quantity& quantity, std::span<const Finding> findings);
 
 }  // namespace nipref::verify

@@ -9,21 +9,19 @@ using namespace nipref::verify;
 
 namespace {
 
-const Quantity& two_positions() { return find_quantity("I6"); }
-
-Finding of_ulps(double ulps) { return {ulps, ulps * 1e-16, ulps / 10}; }
-
-ErrorSpread spread_of(std::span<const Point> points, std::span<const Finding> findings) {
-  return error_spread(two_positions(), points, findings);
+/// The spread of errors in ulps, each with the point before it.
+ErrorSpread spread_of(const std::vector<std::pair<Point, double>>& errors) {
+  return error_spread(find_quantity("I6"), mapped(errors, [](const auto& error) -> Finding {
+                        const auto& [point, ulps] = error;
+                        return {point, ulps, ulps * 1e-16, ulps / 10};
+                      }));
 }
 
 }  // namespace
 
 TEST_CASE("errors are sorted by decades of the first argument that varies") {
-  const std::vector<Point> points{{2, 0}, {2, 0.05}, {2, -0.07}, {2, 3}, {2, 9.99}, {2, 10}};
-  const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(20),
-                                      of_ulps(4), of_ulps(3), of_ulps(5)};
-  const ErrorSpread spread = spread_of(points, findings);
+  const ErrorSpread spread =
+      spread_of({{{2, 0}, 1}, {{2, 0.05}, 2}, {{2, -0.07}, 20}, {{2, 3}, 4}, {{2, 9.99}, 3}, {{2, 10}, 5}});
   CHECK(spread.along == 1);
   REQUIRE(spread.decades.size() == 4);
   CHECK_FALSE(spread.decades[0].exponent.has_value());
@@ -37,25 +35,20 @@ TEST_CASE("errors are sorted by decades of the first argument that varies") {
 }
 
 TEST_CASE("where the promise is broken is said by the smallest box of arguments") {
-  const std::vector<Point> points{{1, 1}, {2, 5}, {3, 2}, {4, 3}, {2.5, 4}};
-  const std::vector<Finding> findings{of_ulps(1), of_ulps(11), of_ulps(12), of_ulps(1), of_ulps(2)};
-  const auto wrong = spread_of(points, findings).wrong;
+  const auto wrong = spread_of({{{1, 1}, 1}, {{2, 5}, 11}, {{3, 2}, 12}, {{4, 3}, 1}, {{2.5, 4}, 2}}).wrong;
   REQUIRE(wrong.has_value());
   CHECK(wrong->lower == Point{2, 2});
   CHECK(wrong->upper == Point{3, 5});
   CHECK(wrong->above == 2);
   CHECK(wrong->points == 3);
-  CHECK_FALSE(spread_of({points.data(), 1}, {findings.data(), 1}).wrong.has_value());
+  CHECK_FALSE(spread_of({{{1, 1}, 1}}).wrong.has_value());
 }
 
 TEST_CASE("dots for a plot hold the largest error of each part of the axis, spikes among them") {
-  std::vector<Point> points;
-  std::vector<Finding> findings;
-  for (int i = 0; i < 5000; ++i) {
-    points.push_back({std::pow(10, i / 1000.0), 1});
-    findings.push_back(of_ulps(i == 1234 ? 7 : 0.1 + 1e-5 * i));
-  }
-  const auto dots = spread_of(points, findings).dots;
+  std::vector<std::pair<Point, double>> errors;
+  for (int i = 0; i < 5000; ++i)
+    errors.push_back({{std::pow(10, i / 1000.0), 1}, i == 1234 ? 7 : 0.1 + 1e-5 * i});
+  const auto dots = spread_of(errors).dots;
   CHECK(dots.size() > 200);
   CHECK(dots.size() <= 300);
   CHECK(std::ranges::is_sorted(dots, {}, &ErrorDot::at));
@@ -63,13 +56,12 @@ TEST_CASE("dots for a plot hold the largest error of each part of the axis, spik
   const auto spike = std::ranges::find(dots, 7.0, &ErrorDot::ulps);
   REQUIRE(spike != dots.end());
   CHECK(spike->largest);
-  CHECK(spike->at == points[1234][0]);
+  CHECK(spike->at == errors[1234].first[0]);
 }
 
 TEST_CASE("in a plot arguments beyond their axis lie at its ends, and errors without a number nowhere") {
-  const std::vector<Point> points{{0, 1}, {-1e-300, 1}, {-2, 1}, {3, 1}, {1e300, 1}};
-  const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(3), of_ulps(infinite), of_ulps(4)};
-  const auto dots = spread_of(points, findings).dots;
+  const auto dots =
+      spread_of({{{0, 1}, 1}, {{-1e-300, 1}, 2}, {{-2, 1}, 3}, {{3, 1}, infinite}, {{1e300, 1}, 4}}).dots;
   REQUIRE(dots.size() == 4);
   CHECK(dots[0].at == 1e-12);
   CHECK(dots[1].at == 1e-12);

@@ -9,16 +9,13 @@ using namespace nipref;
 
 namespace {
 
-verify::SceneFindings findings(std::uint64_t index, double ratio, double seconds) {
-  verify::SceneFindings found;
-  found.index = index;
-  found.numbers = 40;
-  found.unchecked = 2;
-  found.largest_ratio = ratio;
-  found.where = "load";
-  found.toml = "scene " + std::to_string(index) + "\n";
-  found.seconds = seconds;
-  found.overestimates = {3, 5};
+/// What is found about one scene that is neither refused nor fails, unless it is said why.
+verify::SceneTally findings(std::uint64_t index, double ratio, double seconds,
+                            const std::string& refused = "", const std::string& failed = "") {
+  verify::SceneTally found{.scenes = 1, .numbers = 40, .unchecked = 2};
+  found.overestimates.add(3);
+  found.overestimates.add(5);
+  found.keep({index, refused, failed, ratio, "load", "scene " + std::to_string(index) + "\n", seconds});
   return found;
 }
 
@@ -26,14 +23,12 @@ verify::SceneFindings findings(std::uint64_t index, double ratio, double seconds
 
 TEST_CASE("findings are summed by kind, with the worst and the slowest scene of each") {
   const std::uint64_t kinds = verify::drawn_kinds().size();
-  verify::SceneFindings refused, uncovered = findings(1 + kinds, 7, 0.1);
-  refused.index = 2 * kinds;
-  refused.refused = "must not";
+  verify::SceneTally refused{.scenes = 1}, uncovered = findings(1 + kinds, 7, 0.1);
+  refused.keep({.index = 2 * kinds, .refused = "must not"});
   uncovered.uncovered = 3;
-  const auto tallies = verify::tally(
+  const auto tallies = verify::summed(
       {findings(0, 0.5, 0.1), findings(kinds, 0.9, 0.2), refused, findings(1, 0.1, 0.3), uncovered});
-  REQUIRE(tallies.size() == kinds);
-  CHECK(verify::without_empty(tallies).size() == 2);
+  REQUIRE(tallies.size() == 2);
   CHECK(tallies[0].kind() == verify::drawn_kinds()[0]);
   CHECK(tallies[0].scenes == 3);
   CHECK(tallies[0].refused == 1);
@@ -53,17 +48,14 @@ TEST_CASE("findings are summed by kind, with the worst and the slowest scene of 
 
 TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
   const std::uint64_t kinds = verify::drawn_kinds().size();
-  verify::SceneFindings refused = findings(3 * kinds, 0, 0.1), failed = findings(kinds, 0.5, 0.1);
-  refused.refused = "must not";
-  failed.failed = "a fault";
-  const std::vector<verify::SceneFindings> all{findings(2 * kinds, 0.5, 0.3), refused, failed,
-                                               findings(0, 0.1, 0.3)};
+  const std::vector<verify::SceneTally> all{findings(2 * kinds, 0.5, 0.3),
+                                            findings(3 * kinds, 0, 0.1, "must not"),
+                                            findings(kinds, 0.5, 0.1, "", "a fault"), findings(0, 0.1, 0.3)};
   const auto told = [](const verify::SceneTally& tally) { return verify::stored(tally).line(); };
   verify::SceneTally forward, backward;
   for (std::size_t i = 0; i < all.size(); ++i) {
     forward.add(all[i]);
-    backward.add(verify::restored<verify::SceneTally>(
-        verify::stored(verify::tally({all[all.size() - 1 - i]}).front())));
+    backward.add(verify::restored<verify::SceneTally>(verify::stored(all[all.size() - 1 - i])));
   }
   CHECK(told(forward) == told(backward));
   CHECK(forward.worst.index == kinds);
@@ -76,23 +68,21 @@ TEST_CASE("tallies of a kind are the same in any order, and as they are told") {
 
 TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its accuracy without saying so") {
   const auto kept_with = [](auto change) {
-    verify::SceneFindings found = findings(0, 0.5, 0.1);
+    verify::SceneTally found = findings(0, 0.5, 0.1);
     change(found);
-    return verify::all_kept(verify::tally({found}));
+    return verify::all_kept(verify::summed({found}));
   };
   CHECK(kept_with([](auto&) {}));
   CHECK(kept_with([](auto& found) { found.miss_reported = 9; }));
   CHECK_FALSE(kept_with([](auto& found) { found.miss_unreported = 1; }));
   CHECK_FALSE(kept_with([](auto& found) { found.uncovered = 1; }));
-  CHECK_FALSE(kept_with([](auto& found) { found.failed = "broken"; }));
+  CHECK_FALSE(kept_with([](auto& found) { found.failed = 1; }));
 }
 
 TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved again") {
-  verify::SceneFindings uncovered = findings(1, infinite, 0.1);
+  verify::SceneTally uncovered = findings(1, infinite, 0.1);
   uncovered.uncovered = 1;
-  verify::SceneFindings failed = findings(2, 0, 0.1);
-  failed.failed = "a fault";
-  const auto tallies = verify::without_empty(verify::tally({findings(0, 0.5, 0.1), uncovered, failed}));
+  const auto tallies = verify::summed({findings(0, 0.5, 0.1), uncovered, findings(2, 0, 0.1, "", "a fault")});
   verify::Json members = verify::audits_json({{}, {}, tallies}, {});
   members.append({{"_of_contacts", true}, {"_of_nothing", false}});
   const std::string text = verify::text_of("audit.txt", members);
@@ -118,14 +108,14 @@ TEST_CASE("a few random scenes of each kind are audited on all cores, each as it
     throw data::BadInput("scene", scene.title, "must be another");
   };
   double part = 0;
-  const auto tallies = verify::tally(verify::audit_scenes(
-      0, 2 * kinds, "few", [&](double done) { part = done; }, solvers));
+  const auto tallies = verify::audit_scenes(
+      0, 2 * kinds, "few", [&](double done) { part = done; }, solvers);
   REQUIRE(tallies.size() == kinds);
   CHECK(part == 1);
   for (std::size_t k = 0; k < kinds; ++k) {
     CHECK(tallies[k].kind() == verify::drawn_kinds()[k]);
     CHECK(tallies[k].scenes == 2);
     CHECK(tallies[k].refused == 2);
-    CHECK(tallies[k].refusal.refused == verify::audit_scene("few", k, solvers).refused);
+    CHECK(tallies[k].refusal.refused == verify::audit_scene("few", k, solvers).refusal.refused);
   }
 }

@@ -55,7 +55,7 @@ TEST_CASE("the blocks of an audit have each listed point once, and one dense poi
   const Quantity& quantity = find_quantity("I3");
   AuditOptions options{20'000, {}, {}};
   options.more_points = {{0.7296875}, {0.8296875}};
-  const AuditPlan plan(quantity, options);
+  const QuantityWork plan(quantity, options);
   CHECK(plan.blocks() == 5);
   std::multiset<Point> points;
   for (std::size_t block = 0; block < plan.blocks(); ++block) {
@@ -94,7 +94,7 @@ TEST_CASE("another seed has other points and other inputs, and a block of its ow
   QuantityWork work(quantity, in_small_blocks()), other(quantity, in_small_blocks("2"));
   CHECK(work.inputs() != other.inputs());
   CHECK(sent(work, 3).line() != sent(other, 3).line());
-  CHECK(AuditPlan(quantity, in_small_blocks("2")).seed(17) == "2/I3/block/17");
+  CHECK(other.seed(17) == "2/I3/block/17");
 }
 
 TEST_CASE("what is no finding about the quantity is not read") {

@@ -5,6 +5,7 @@
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -135,6 +136,21 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
   auto audits = mapped(elements, [&](int m) { return audit_line_loads(friction, ratio, poisson, m); });
   audits.push_back(audit_converged(friction, ratio, poisson));
   return audits;
+}
+
+Json HardCasesWork::do_block(std::size_t block, const OnProgress& /*on_progress*/) {
+  stop_if_interrupted();
+  return stored(audits_[block] = audit_hard_cases(block));
+}
+
+void HardCasesWork::add(std::size_t block, const Json& found) {
+  audits_[block] = restored<std::vector<ContactAudit>>(found);
+}
+
+std::vector<ContactAudit> HardCasesWork::result() const {
+  std::vector<ContactAudit> all;
+  for (const auto& [block, audits] : audits_) all.insert(all.end(), audits.begin(), audits.end());
+  return all;
 }
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {

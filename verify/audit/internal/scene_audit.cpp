@@ -35,7 +35,7 @@ RefNumber ref_number(const ref::Estimate& number) {
 class Comparisons {
  public:
   /// `given` are results that the scene itself gives, whose error is 0.
-  Comparisons(SceneFindings& findings, const Solution& solved, std::vector<ResultId> given)
+  Comparisons(SceneTally& findings, const Solution& solved, std::vector<ResultId> given)
       : findings_(findings), solved_(solved), given_(std::move(given)) {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
@@ -63,7 +63,7 @@ class Comparisons {
         if (checked.missed) ++findings_.miss_unreported;
         if (!result.allowed.empty() && !(result.numbers[i].error <= result.allowed[i]))
           ++findings_.miss_reported;
-        if (checked.overestimate) findings_.overestimates.push_back(*checked.overestimate);
+        if (checked.overestimate) findings_.overestimates.add(*checked.overestimate);
       }
     }
   }
@@ -112,12 +112,12 @@ class Comparisons {
 
   void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
                     const RefNumber& other) {
-    if (ratio <= findings_.largest_ratio) return;
-    findings_.largest_ratio = ratio;
+    if (ratio <= findings_.worst.largest_ratio) return;
+    findings_.worst.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
-    findings_.where = fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}",
-                                  result.what->name, place_of(result, i), mine.value, mine.error, name,
-                                  static_cast<double>(other.value), other.error);
+    findings_.worst.where = fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}",
+                                        result.what->name, place_of(result, i), mine.value, mine.error, name,
+                                        static_cast<double>(other.value), other.error);
   }
 
   [[nodiscard]] std::string place_of(const Solution::Result& result, std::size_t i) const {
@@ -126,7 +126,7 @@ class Comparisons {
            (depth ? fmt::format(", depth {}", *depth) : "");
   }
 
-  SceneFindings& findings_;
+  SceneTally& findings_;
   const Solution& solved_;
   std::vector<ResultId> given_;
   std::vector<std::vector<Checked>> checked_;
@@ -269,18 +269,17 @@ std::vector<ResultId> given_results(const DrawnScene& drawn) {
   return {ResultId::contact_length, ResultId::leading_length, ResultId::trailing_length};
 }
 
-void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& random,
-                 const SceneSolvers& solvers) {
+void audit_drawn(SceneTally& findings, const DrawnScene& drawn, Random& random, const SceneSolvers& solvers) {
   data::Scene scene;
   Solution solved;
   try {
     scene = drawn.scene();
     solved = solvers.fast(scene);
   } catch (const data::BadInput& error) {
-    findings.refused = error.what();
+    findings.worst.refused = error.what();
     return;
   }
-  findings.seconds = solved.seconds;
+  findings.worst.seconds = solved.seconds;
   Comparisons comparisons(findings, solved, given_results(drawn));
   if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
     compare_with_ref(comparisons, *problem, scene.wanted, solved, random);
@@ -296,17 +295,19 @@ void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& rando
 
 }  // namespace
 
-SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers) {
-  SceneFindings findings;
-  findings.index = index;
+SceneTally audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers) {
+  SceneTally findings{.scenes = 1};
+  AuditedScene& scene = findings.worst;
+  scene.index = index;
   Random random(fmt::format("identities of scene {} of {}", index, seed));
   try {
     const DrawnScene drawn = draw_scene(seed, index);
-    findings.toml = drawn.toml();
+    scene.toml = drawn.toml();
     audit_drawn(findings, drawn, random, solvers);
   } catch (const std::exception& error) {
-    findings.failed = error.what();
+    scene.failed = error.what();
   }
+  findings.keep(scene);
   return findings;
 }
 

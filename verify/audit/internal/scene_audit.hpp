@@ -59,27 +59,50 @@ struct SceneSolvers {
   std::function<SceneSolution<ref::Estimate>(const data::Scene&, int digits)> ref = solve_by_ref;
 };
 
-/// The findings about one drawn scene. A number is a result, or one number of a profile, list or field.
-struct SceneFindings {
+/// A drawn scene that an audit keeps.
+struct AuditedScene {
   std::uint64_t index = 0;
-  std::string refused;            ///< the reason if the scene is refused; there are no other findings then
-  std::string failed;             ///< the message of an exception that is no refusal
-  std::size_t numbers = 0;        ///< numbers that the scene wants
-  std::size_t unchecked = 0;      ///< numbers without a better value and without an identity to compare with
-  std::size_t uncovered = 0;      ///< numbers whose error exceeds the sum of both estimates
-  std::size_t miss_reported = 0;  ///< numbers that miss the accuracy, as `met` says
-  std::size_t miss_unreported = 0;  ///< numbers that miss the accuracy although `met` says that they meet it
-  double largest_ratio = 0;         ///< largest difference over the sum of both estimates
-  std::string where;                ///< the number with the largest ratio
-  std::string toml;                 ///< the scene
-  /// Estimate over error, for the numbers whose error is known to a tenth of the estimate.
-  std::vector<double> overestimates;
-  double seconds = 0;  ///< for the scene itself
+  std::string refused = {};  ///< the reason if the scene is refused; nothing else is found then
+  std::string failed = {};   ///< the message of an exception that is no refusal
+  double largest_ratio = 0;  ///< largest difference over the sum of both estimates
+  std::string where = {};    ///< the number with the largest ratio
+  std::string toml = {};     ///< the scene
+  double seconds = 0;        ///< for the scene itself
 
-  /// What a tally stores of a scene that it keeps, see stored.hpp.
+  /// See stored.hpp.
   static void members(auto& self, const auto& each) {
     each("index", self.index, "refused", self.refused, "failed", self.failed, "ratio", self.largest_ratio,
          "where", self.where, "scene", self.toml, "times", self.seconds);
+  }
+};
+
+/// What is found about drawn scenes of one kind. A number is a result, or one number of a profile, list or field. The sum does
+/// not depend on the order; among equally bad scenes the one with the lowest index is kept.
+struct SceneTally {
+  std::size_t scenes = 0, refused = 0, failed = 0;
+  std::size_t numbers = 0;          ///< that the scenes want
+  std::size_t unchecked = 0;        ///< without a better value and without an identity to compare with
+  std::size_t uncovered = 0;        ///< whose error exceeds the sum of both estimates
+  std::size_t miss_reported = 0;    ///< that miss the accuracy, as `met` says
+  std::size_t miss_unreported = 0;  ///< that miss the accuracy although `met` says that they meet it
+  /// Estimate over error, for the numbers whose error is known to a tenth of the estimate.
+  ErrorTally overestimates = {};
+  AuditedScene refusal = {}, failure = {};  ///< the first that is refused or fails, if there is one
+  AuditedScene worst = {};                  ///< with the largest ratio of error to estimate
+  AuditedScene slowest = {};
+
+  void add(const SceneTally& more);
+  /// Of a tally of this scene alone: counts and keeps it.
+  void keep(const AuditedScene& scene);
+  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
+  [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
+  [[nodiscard]] std::optional<double> median_overestimate() const;
+  /// See stored.hpp; what depends on seconds is in "times".
+  static void members(auto& self, const auto& each) {
+    each("scenes", self.scenes, "refused", self.refused, "failed", self.failed, "numbers", self.numbers,
+         "unchecked", self.unchecked, "uncovered", self.uncovered, "miss_reported", self.miss_reported,
+         "miss_unreported", self.miss_unreported, "overestimates", self.overestimates, "refusal",
+         self.refusal, "failure", self.failure, "worst", self.worst, "times", self.slowest);
   }
 };
 
@@ -88,7 +111,7 @@ struct SceneFindings {
 /// with the same nip solved to 1e-13, its peak with the pressure there, and with its variants. A number counts as checked if
 /// the other value has a smaller error estimate, or for a variant one of less than twice the size, or if the two contradict
 /// each other.
-SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);
+SceneTally audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);
 
 /// An equivalent scene.
 struct Variant {
@@ -110,40 +133,13 @@ struct Variant {
 std::vector<Variant> variants_of(const DrawnScene& drawn, const SceneSolution<fast::Estimate>& solved,
                                  Random& random);
 
-/// Sums of the findings about the drawn scenes of one kind, which do not depend on their order. Among equally bad
-/// scenes the one with the lowest index is kept.
-struct SceneTally {
-  std::size_t scenes = 0;
-  std::size_t refused = 0, failed = 0;
-  std::size_t numbers = 0, unchecked = 0, uncovered = 0, miss_reported = 0, miss_unreported = 0;
-  ErrorTally overestimates = {};  ///< estimate over error
-  SceneFindings refusal = {};     ///< the first refused scene, if there is one
-  SceneFindings failure = {};     ///< the first scene that failed, if there is one
-  SceneFindings worst = {};       ///< the scene with the largest ratio of error to estimate
-  SceneFindings slowest = {};
+/// Sums by kind, in the order of drawn_kinds(), without kinds that have no scenes.
+std::vector<SceneTally> summed(const std::vector<SceneTally>& tallies);
 
-  void add(const SceneFindings& findings);
-  void add(const SceneTally& more);
-  [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
-  [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
-  [[nodiscard]] std::optional<double> median_overestimate() const;
-  /// See stored.hpp; what depends on seconds is in "times".
-  static void members(auto& self, const auto& each) {
-    each("scenes", self.scenes, "refused", self.refused, "failed", self.failed, "numbers", self.numbers,
-         "unchecked", self.unchecked, "uncovered", self.uncovered, "miss_reported", self.miss_reported,
-         "miss_unreported", self.miss_unreported, "overestimates", self.overestimates, "refusal",
-         self.refusal, "failure", self.failure, "worst", self.worst, "times", self.slowest);
-  }
-};
-
-/// One tally for each kind, in the order of drawn_kinds().
-std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
-/// The tallies that have scenes.
-std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
-
-/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Throws Interrupted if the process is.
-std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
-                                        const OnProgress& on_progress, const SceneSolvers& solvers = {});
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores: a tally for each kind among them. Throws Interrupted if
+/// the process is.
+std::vector<SceneTally> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
+                                     const OnProgress& on_progress, const SceneSolvers& solvers = {});
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies);
 

@@ -1,4 +1,5 @@
-#include <nipref/verify/audit/internal/scene_audit.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -10,29 +11,14 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
 
 /// A scene that a tally keeps: of those with the largest rank the one with the lowest index. Below 0: none.
 struct KeptScene {
-  SceneFindings SceneTally::*scene;
-  double (*rank)(const SceneFindings& findings);
+  AuditedScene SceneTally::*scene;
+  double (*rank)(const AuditedScene& scene);
 };
 constexpr KeptScene kept_scenes[] = {
-    {&SceneTally::refusal, [](const SceneFindings& one) { return one.refused.empty() ? -1.0 : 1.0; }},
-    {&SceneTally::failure, [](const SceneFindings& one) { return one.failed.empty() ? -1.0 : 1.0; }},
-    {&SceneTally::worst, [](const SceneFindings& one) { return one.largest_ratio; }},
-    {&SceneTally::slowest, [](const SceneFindings& one) { return one.seconds; }}};
-
-SceneTally tally_of(const SceneFindings& findings) {
-  SceneTally tally{.scenes = 1,
-                   .refused = findings.refused.empty() ? 0U : 1U,
-                   .failed = findings.failed.empty() ? 0U : 1U,
-                   .numbers = findings.numbers,
-                   .unchecked = findings.unchecked,
-                   .uncovered = findings.uncovered,
-                   .miss_reported = findings.miss_reported,
-                   .miss_unreported = findings.miss_unreported};
-  for (const auto& [scene, rank] : kept_scenes)
-    if (rank(findings) >= 0) tally.*scene = findings;
-  for (const double overestimate : findings.overestimates) tally.overestimates.add(overestimate);
-  return tally;
-}
+    {&SceneTally::refusal, [](const AuditedScene& one) { return one.refused.empty() ? -1.0 : 1.0; }},
+    {&SceneTally::failure, [](const AuditedScene& one) { return one.failed.empty() ? -1.0 : 1.0; }},
+    {&SceneTally::worst, [](const AuditedScene& one) { return one.largest_ratio; }},
+    {&SceneTally::slowest, [](const AuditedScene& one) { return one.seconds; }}};
 
 Json failure_json(const SceneTally& tally) {
   if (tally.failed == 0) return {};
@@ -41,13 +27,18 @@ Json failure_json(const SceneTally& tally) {
 
 }  // namespace
 
-void SceneTally::add(const SceneFindings& findings) { add(tally_of(findings)); }
+void SceneTally::keep(const AuditedScene& audited) {
+  refused = audited.refused.empty() ? 0 : 1;
+  failed = audited.failed.empty() ? 0 : 1;
+  for (const auto& [scene, rank] : kept_scenes)
+    if (rank(audited) >= 0) this->*scene = audited;
+}
 
 void SceneTally::add(const SceneTally& more) {
   if (more.scenes == 0) return;
   for (const auto& [scene, rank] : kept_scenes) {
-    SceneFindings& kept = this->*scene;
-    const SceneFindings& other = more.*scene;
+    AuditedScene& kept = this->*scene;
+    const AuditedScene& other = more.*scene;
     if (scenes == 0 || rank(other) > rank(kept) || (rank(other) == rank(kept) && other.index < kept.index))
       kept = other;
   }
@@ -59,21 +50,38 @@ std::optional<double> SceneTally::median_overestimate() const {
   return overestimates.count() == 0 ? std::nullopt : std::optional(overestimates.percentile(0.5));
 }
 
-std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings) {
-  std::vector<SceneTally> tallies(drawn_kinds().size());
-  for (const SceneFindings& found : findings) tallies[found.index % tallies.size()].add(found);
-  return tallies;
+std::vector<SceneTally> summed(const std::vector<SceneTally>& tallies) {
+  std::vector<SceneTally> sums(drawn_kinds().size());
+  for (const SceneTally& one : tallies) sums[one.worst.index % sums.size()].add(one);
+  std::erase_if(sums, [](const SceneTally& one) { return one.scenes == 0; });
+  return sums;
 }
 
-std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies) {
-  std::erase_if(tallies, [](const SceneTally& one) { return one.scenes == 0; });
-  return tallies;
+std::vector<SceneTally> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
+                                     const OnProgress& on_progress, const SceneSolvers& solvers) {
+  return summed(parallel_mapped(
+      count, [&](std::size_t i) { return audit_scene(seed, first + i, solvers); }, on_progress));
 }
 
-std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
-                                        const OnProgress& on_progress, const SceneSolvers& solvers) {
-  return parallel_mapped(
-      count, [&](std::size_t i) { return audit_scene(seed, first + i, solvers); }, on_progress);
+ScenesWork::ScenesWork(std::size_t count, std::string seed, std::size_t most, SceneSolvers solvers)
+    : seed_(std::move(seed)), blocks_(count, most), solvers_(std::move(solvers)) {}
+
+std::string ScenesWork::inputs() const { return fmt::format("{} scenes of {}", blocks_.items, seed_); }
+
+Json ScenesWork::do_block(std::size_t block, const OnProgress& on_progress) {
+  const std::vector<SceneTally> found =
+      audit_scenes(blocks_.first(block), blocks_.size(block), seed_, on_progress, solvers_);
+  add(found);
+  return stored(found);
+}
+
+void ScenesWork::add(std::size_t /*block*/, const Json& found) {
+  add(restored<std::vector<SceneTally>>(found));
+}
+
+void ScenesWork::add(const std::vector<SceneTally>& kinds) {
+  tallies_.insert(tallies_.end(), kinds.begin(), kinds.end());
+  tallies_ = summed(tallies_);
 }
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies) {

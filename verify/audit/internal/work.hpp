@@ -1,10 +1,25 @@
 #pragma once
-#include <nipref/verify/audit/internal/block.hpp>
+#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
+
+/// The division of items into blocks, whose sizes differ by at most one.
+struct Blocks {
+  std::size_t items, count;
+
+  /// Blocks of at most `most` items; at least one block.
+  Blocks(std::size_t all, std::size_t most) : items(all), count(all == 0 ? 1 : (all - 1) / most + 1) {}
+  [[nodiscard]] std::size_t size(std::size_t block) const {
+    return items / count + (block < items % count ? 1 : 0);
+  }
+  /// The number of its first item.
+  [[nodiscard]] std::size_t first(std::size_t block) const {
+    return block * (items / count) + std::min(block, items % count);
+  }
+};
 
 /// One hard case of a contact in double.
 struct ContactAudit {
@@ -74,7 +89,32 @@ class BlockWork {
   virtual void add(std::size_t block, const Json& found) = 0;
 };
 
-/// The audit of values of one quantity.
+/// Compares an evaluator's values with the reference's.
+class Comparator {
+ public:
+  /// The quantity and the options must outlive the comparator. Without an evaluator it compares fast; the error that fast
+  /// states for a value, where it states one, must then cover the error found.
+  Comparator(const Quantity& quantity, Evaluator evaluator, const AuditOptions& options);
+
+  /// The errors at those of the points that the reference does not refuse, the only ones that are evaluated.
+  [[nodiscard]] std::vector<Finding> operator()(std::span<const Point> points) const;
+  /// The same for a value that was computed before.
+  [[nodiscard]] std::optional<Finding> operator()(const Point& point, double value) const;
+
+ private:
+  [[nodiscard]] std::optional<ref::Estimate> truth_at(const Point& point) const;
+  [[nodiscard]] Finding finding(const Point& point, double value, const ref::Estimate& truth) const;
+
+  const Quantity& quantity_;
+  const AuditOptions& options_;
+  Evaluator evaluator_;
+  bool checks_own_error_;
+};
+
+/// The audit of values of one quantity. Each block draws its points from its own seed, "seed/I1/block/17", so that they are
+/// the same whichever process computes the others. The listed points (hard cases, zeros, round arguments, the caller's own
+/// points) are made once, from the seed "seed/I1/listed", and dealt to the blocks. Memory is needed for this list, whose size
+/// does not depend on the number of points, and for one block.
 class QuantityWork : public BlockWork {
  public:
   /// The audit of fast's values, or of those of an evaluator. The quantity must outlive it. With `keeps_points` the
@@ -83,24 +123,36 @@ class QuantityWork : public BlockWork {
                Evaluator evaluator = {});
 
   [[nodiscard]] std::string name() const override { return quantity_.name; }
-  [[nodiscard]] std::size_t blocks() const override { return plan().blocks(); }
-  [[nodiscard]] std::string inputs() const override { return plan().fingerprint(); }
+  [[nodiscard]] std::size_t blocks() const override { return blocks_.count; }
+  [[nodiscard]] std::string inputs() const override;
   Json do_block(std::size_t block, const OnProgress& on_progress) override;
   void add(std::size_t block, const Json& found) override;
+
+  /// The points of a block before its local search.
+  [[nodiscard]] std::vector<Point> points(std::size_t block) const;
+  /// The number of points of a block, and of those of them that are for the local search.
+  [[nodiscard]] std::size_t size(std::size_t block) const { return blocks_.size(block); }
+  [[nodiscard]] std::size_t searched(std::size_t block) const;
+  /// The text from which a block draws.
+  [[nodiscard]] std::string seed(std::size_t block) const;
 
   /// The result from the blocks that were added. BadInput if the reference refuses all points.
   [[nodiscard]] AuditResult result() const;
 
  private:
-  [[nodiscard]] const AuditPlan& plan() const;
+  [[nodiscard]] const std::vector<Point>& listed() const;
+  /// Hill climbing: a step is taken when it finds a worse point.
+  void climb(Finding& best, std::size_t steps, const std::string& seed) const;
 
   const Quantity& quantity_;
   const AuditOptions options_;
   Comparator comparator_;
   bool keeps_points_;
-  mutable std::unique_ptr<AuditPlan> plan_;  ///< made when it is first needed, as this takes time
+  Blocks blocks_;
+  std::size_t dense_;
+  mutable std::optional<std::vector<Point>> listed_;  ///< made when it is first needed, as this takes time
   AuditTally sum_;
-  Compared kept_;  ///< the points, if they are kept
+  std::vector<Finding> kept_;  ///< before the search, if they are kept
 };
 
 /// The audit of hard cases of whole contacts.
@@ -136,7 +188,7 @@ class ScenesWork : public BlockWork {
   void add(std::size_t block, const Json& found) override;
 
   /// Of the blocks that were added.
-  [[nodiscard]] std::vector<SceneTally> result() const { return without_empty(tallies_); }
+  [[nodiscard]] const std::vector<SceneTally>& result() const { return tallies_; }
 
  private:
   void add(const std::vector<SceneTally>& kinds);
