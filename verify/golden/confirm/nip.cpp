@@ -192,52 +192,44 @@ class RolledContact {
   /// share(x) (-ln|x|) + rest(x), in which both functions are analytic; `points` > 3.
   RolledContact(const Float& half_length, const std::function<Float(const Float& x)>& share,
                 const std::function<Float(const Float& x)>& rest, int points)
-      : half_length_(half_length) {
+      : half_length_(half_length), nodes_(points) {
     const Float half_turn = pi(), step = half_turn / points;
-    // All angles are multiples of half a step; this table has cos(m step/2).
-    std::vector<Float> cosine;
-    for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Float(step * m / 2)));
-    const auto wave = [&](long j, long i) -> const Float& {
-      return cosine[static_cast<std::size_t>((j * (2 * i + 1)) % (4 * points))];
-    };
-    for (int i = 0; i < points; ++i) nodes_.push_back(wave(1, i));
-    // The integral at node k of -ln|t - s| times the interpolant that is 1 at node i and 0 at the other nodes is the
-    // sum of a function of the sum of the two angles and of the same function of their difference.
-    std::vector<Float> logarithm;
-    for (int m = 0; m < 2 * points; ++m) {
-      Float sum = half_turn * log(Float(2)) / 2;
-      for (long j = 1; j < points; ++j)
-        sum += half_turn / j * cosine[static_cast<std::size_t>((2 * j * m) % (4 * points))];
-      logarithm.push_back(sum / points);
+    // T_j at each node, and the coefficients of a function by its values at the nodes.
+    FloatMatrix waves(points, points), by_values(points, points);
+    FloatVector of_logarithm(points), alternating(points);
+    for (int j = 0; j < points; ++j) {
+      for (int k = 0; k < points; ++k) {
+        waves(k, j) = cos(Float(j * (2 * k + 1) * step / 2));
+        by_values(j, k) = (j == 0 ? 1 : 2) * waves(k, j) / points;
+      }
+      // The integral of -ln|t - s| T_j(s)/sqrt(1 - s^2) is a multiple of T_j(t).
+      of_logarithm(j) = j == 0 ? Float(half_turn * log(Float(2))) : Float(half_turn / j);
+      alternating(j) = j % 2 == 0 ? 1 : -1;
     }
-    const Float own_logarithm = -log(half_length_);
+    nodes_ = waves.col(1);
+    const FloatMatrix logarithm = (waves * of_logarithm.asDiagonal()).lazyProduct(by_values);
     FloatMatrix system = FloatMatrix::Zero(points + 2, points + 2);
     FloatVector right = FloatVector::Zero(points + 2);
     for (int k = 0; k < points; ++k) {
       for (int i = 0; i < points; ++i) {
-        const Float x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
-        const Float of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
-        system(k, i) = half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
+        const Float x = half_length_ * (nodes_(i) - nodes_(k));
+        system(k, i) =
+            half_length_ * (share(x) * (logarithm(k, i) - log(half_length_) * step) + rest(x) * step);
       }
       // The right side is D + slope t - (A t)^2.
       system(k, points) = -half_turn;
-      system(k, points + 1) = -half_turn * nodes_[at(k)];
-      right(k) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
+      system(k, points + 1) = -half_turn * nodes_(k);
+      right(k) = -half_turn * half_length_ * half_length_ * nodes_(k) * nodes_(k);
     }
-    for (int end = 0; end < 2; ++end) {
-      for (int i = 0; i < points; ++i) {
-        Float sum = 1;
-        for (long j = 1; j < points; ++j) sum += (end == 0 || j % 2 == 0 ? 2 : -2) * wave(j, i);
-        system(points + end, i) = sum;
-      }
-    }
+    system.row(points).head(points) = by_values.colwise().sum();
+    system.row(points + 1).head(points) = alternating.transpose().lazyProduct(by_values);
     const FloatVector found = system.partialPivLu().solve(right);
-    values_.assign(found.begin(), found.end());
-    const Float slope = values_[at(points) + 1], level = values_[at(points)];
-    values_.resize(at(points));
+    values_ = found.head(points);
+    for (int j = 0; j < points; j += 2)
+      middle_pressure_ += (j % 4 == 0 ? 1 : -1) * by_values.row(j).dot(values_);
     // The same parabola is d0 - (offset + A t)^2.
-    offset_ = -slope / (2 * half_length_);
-    indentation_ = level + offset_ * offset_;
+    offset_ = -found(points + 1) / (2 * half_length_);
+    indentation_ = found(points) + offset_ * offset_;
   }
 
   [[nodiscard]] Float load() const {
@@ -249,27 +241,17 @@ class RolledContact {
   [[nodiscard]] Float moment() const {
     return integral([](const Float& x) { return x; });
   }
-  [[nodiscard]] Float middle_pressure() const {
-    const long points = static_cast<long>(nodes_.size());
-    Float sum = 0;
-    for (long i = 0; i < points; ++i) {
-      Float weight = 1;
-      for (long j = 2; j < points; j += 2)
-        weight += (j % 4 == 0 ? 2 : -2) * cos(pi() * j * (2 * i + 1) / (2 * points));
-      sum += weight * values_[at(i)];
-    }
-    return sum / points;
-  }
+  [[nodiscard]] Float middle_pressure() const { return middle_pressure_; }
   /// The integral of the pressure times f(x).
   [[nodiscard]] Float integral(const auto& f) const {
     Float sum = 0;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) sum += values_[i] * f(half_length_ * nodes_[i]);
+    for (int i = 0; i < nodes_.size(); ++i) sum += values_(i) * f(half_length_ * nodes_(i));
     return sum * half_length_ * pi() / nodes_.size();
   }
 
  private:
-  Float half_length_, offset_, indentation_;
-  std::vector<Float> nodes_, values_;
+  Float half_length_, offset_, indentation_, middle_pressure_ = 0;
+  FloatVector nodes_, values_;
 };
 
 using Numbers = std::vector<Confirmation>;
