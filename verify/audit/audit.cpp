@@ -25,26 +25,19 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
   return points;
 }
 
-namespace {
-
-AuditResult audit_of(QuantityWork work, const OnProgress& on_progress) {
+AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
+  QuantityWork work(quantity, options, true, evaluator);
   for (std::size_t block = 0; block < work.blocks(); ++block) {
-    const auto progress = [&](double part) {
-      if (on_progress) on_progress((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
-    };
-    work.do_block(block, progress);
+    work.do_block(block, [&](double part) {
+      if (options.progress)
+        options.progress((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
+    });
   }
   return work.result();
 }
 
-}  // namespace
-
-AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
-  return audit_of({quantity, options, true, evaluator}, options.progress);
-}
-
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
-  return audit_of({quantity, options, true}, options.progress);
+  return audit(quantity, Evaluator(), options);
 }
 
 std::string point_text(const Quantity& quantity, const Point& point) {

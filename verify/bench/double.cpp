@@ -90,11 +90,8 @@ std::vector<Truth> first_truths(const Quantity& quantity, const std::vector<Poin
   std::vector<Truth> truths;
   for (std::size_t i = 0; i < count && seconds > 0; ++i) {
     seconds -= seconds_of([&] {
-      try {
-        truths.push_back(
-            {i, ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i])});
-      } catch (const data::BadInput&) {  // outside ref's domain, which is smaller than fast's
-      }
+      auto truth = unless_refused([&] { return ref_value(quantity, points[i], digits_beyond_double); });
+      if (truth) truths.push_back({i, *std::move(truth), quantity.envelope(points[i])});
     });
   }
   return truths;

@@ -103,8 +103,8 @@ AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
   }
   const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
   if (selected.has(contacts)) {
-    hard_cases_ = std::make_unique<HardCasesWork>();
-    scenes_ = std::make_unique<ScenesWork>(scenes, line.option_or_usual("seed"));
+    hard_cases_ = hard_cases_work();
+    scenes_ = scenes_work(scenes, line.option_or_usual("seed"));
     works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
   }
   stored_ = StoredBlocks(works);

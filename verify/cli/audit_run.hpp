@@ -44,8 +44,8 @@ class AuditRun {
   Json command_;
   fast::Accuracy accuracy_;
   std::vector<std::unique_ptr<QuantityWork>> quantities_;  ///< the first works
-  std::unique_ptr<HardCasesWork> hard_cases_;              ///< null if contacts are not audited
-  std::unique_ptr<ScenesWork> scenes_;                     ///< null if contacts are not audited
+  std::unique_ptr<ListWork<ContactAudit>> hard_cases_;     ///< null if contacts are not audited
+  std::unique_ptr<ListWork<SceneTally>> scenes_;           ///< null if contacts are not audited
   StoredBlocks stored_{{}};                                ///< those that are done
   std::optional<ShardFile> file_;
   std::size_t there_ = 0;  ///< number of blocks at the start

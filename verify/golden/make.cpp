@@ -1,6 +1,5 @@
-#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -21,26 +20,18 @@ struct Candidate {
   std::string origin;
 };
 
-/// The worst point of an audit, followed by the worst of as many other points in the order of their errors.
+/// The worst point of an audit with its search, followed by the worst of its other points in the order of their errors.
 std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& golden, std::size_t count) {
-  const std::size_t audited = std::min(quantity.audit_points, most_audited * golden.points);
-  Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
-  const std::vector<Point> points = random_points(quantity, {}, audited, random);
-  const auto used = parallel_mapped(points.size(), [&](std::size_t i) {
-    const auto ulps = [&] {
-      return deviation(fast_value(quantity, points[i], {}),
-                       ref_value(quantity, points[i], digits_beyond_double), quantity.envelope(points[i]))
-          .ulps;
-    };
-    return unless_refused(ulps).value_or(0);
-  });
-  std::vector<std::size_t> order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return used[a] > used[b]; });
   AuditOptions options;
-  options.points = audited;
-  std::vector<Point> worst{audit(quantity, options).worst};
-  for (std::size_t i = 0; i < order.size() && worst.size() < count; ++i) worst.push_back(points[order[i]]);
+  options.points = std::min(quantity.audit_points, most_audited * golden.points);
+  options.seed = golden.seed;
+  QuantityWork work(quantity, options, true);
+  for (std::size_t block = 0; block < work.blocks(); ++block) work.do_block(block, {});
+  std::vector<Finding> findings = work.findings();
+  std::ranges::stable_sort(findings, std::greater<>(), &Finding::ulps);
+  std::vector<Point> worst{work.result().worst};
+  for (std::size_t i = 0; i < findings.size() && worst.size() < count; ++i)
+    worst.push_back(findings[i].point);
   return worst;
 }
 

@@ -35,18 +35,18 @@ constexpr std::pair<FaultKind, const char*> symptoms[] = {
     {FaultKind::output, "writes to standard output"}};
 
 /// One for each kind of what was noticed.
-std::vector<Trouble> troubles_of(std::uint32_t noticed) {
-  std::vector<Trouble> troubles;
+std::vector<Fault> faults_of(std::uint32_t noticed) {
+  std::vector<Fault> faults;
   for (const auto& [kind, words] : symptoms) {
     const bool is_noticed = (noticed & 1U) != 0;
     noticed >>= 1;
     if (!is_noticed) continue;
-    if (troubles.empty() || troubles.back().kind != kind)
-      troubles.push_back({kind, words});
+    if (faults.empty() || faults.back().kind != kind)
+      faults.push_back({kind, {}, words});
     else
-      troubles.back().words += std::string(" and ") + words;
+      faults.back().words += std::string(" and ") + words;
   }
-  return troubles;
+  return faults;
 }
 
 void check(const Plugin& plugin) {
@@ -85,8 +85,6 @@ void put(std::span<const Point> points, std::size_t arity, Exchange& exchange) {
 }
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-std::string both_text(double first, double then) { return fmt::format("{} and then {}", first, then); }
 
 class KernelInProcesses : public PluginKernel {
  public:
@@ -144,14 +142,11 @@ class KernelInProcesses : public PluginKernel {
            plugin_.file.string(), fmt::join(names, ", "));
   }
 
-  void record(FaultKind kind, const std::optional<Point>& point, const std::string& words) {
-    const std::scoped_lock lock(mutex_);
-    faults_.insert({kind, point, words});
-  }
-
-  void record(const std::vector<Trouble>& troubles, const std::optional<Point>& point,
+  /// At the point, where there is one.
+  void record(const std::vector<Fault>& faults, const std::optional<Point>& point,
               const std::string& where = "") {
-    for (const Trouble& trouble : troubles) record(trouble.kind, point, trouble.words + where);
+    const std::scoped_lock lock(mutex_);
+    for (const Fault& fault : faults) faults_.insert({fault.kind, point, fault.words + where});
   }
 
   [[nodiscard]] bool given_up() const {
@@ -160,16 +155,16 @@ class KernelInProcesses : public PluginKernel {
   }
 
   /// What goes wrong with a request.
-  std::vector<Trouble> asked(Child& child, Request request) {
+  std::vector<Fault> asked(Child& child, Request request) {
     if (auto end = child.ask(request)) {
       ++(end->kind == FaultKind::hang ? hangs_ : deaths_);
       ++deaths_in_a_row_;
       return {std::move(*end)};
     }
-    std::vector<Trouble> troubles = troubles_of(child.exchange().noticed);
+    std::vector<Fault> faults = faults_of(child.exchange().noticed);
     if (const int status = child.exchange().status; status != 0)
-      troubles.push_back({FaultKind::refused, fmt::format("returns {}", status)});
-    return troubles;
+      faults.push_back({FaultKind::refused, {}, fmt::format("returns {}", status)});
+    return faults;
   }
 
   /// A process that has loaded the plugin and opened the kernel; null if this fails.
@@ -179,7 +174,7 @@ class KernelInProcesses : public PluginKernel {
     if (number_ >= kernels.size() || kernels[number_] != info_)
       throw BadInput("plugin", plugin_.file.string(),
                      "must list the same kernels each time that it is loaded");
-    record(troubles_of(child->exchange().noticed), {}, ", by being loaded");
+    record(faults_of(child->exchange().noticed), {}, ", by being loaded");
     return opened(*child) ? std::move(child) : nullptr;
   }
 
@@ -217,18 +212,18 @@ class KernelInProcesses : public PluginKernel {
 
   /// What goes wrong with these points. Their values are taken, if any are wanted, where nothing does, and of a single
   /// point.
-  std::vector<Trouble> call(std::span<const Point> points, std::span<double> values) {
+  std::vector<Fault> call(std::span<const Point> points, std::span<double> values) {
     IdleChild child = idle_child();
     if (!child) return {};
     Exchange& exchange = child->exchange();
     put(points, info_.arity, exchange);
-    std::vector<Trouble> troubles = asked(*child, Request::evaluate);
-    if (child->has_ended()) return troubles;
-    if (exchange.status == 0 && !values.empty() && (troubles.empty() || points.size() == 1))
+    std::vector<Fault> faults = asked(*child, Request::evaluate);
+    if (child->has_ended()) return faults;
+    if (exchange.status == 0 && !values.empty() && (faults.empty() || points.size() == 1))
       take(exchange, points, values);
     keep(std::move(child));
     deaths_in_a_row_ = 0;
-    return troubles;
+    return faults;
   }
 
   void evaluate_batch(std::span<const Point> points, std::span<double> values) {
@@ -237,9 +232,9 @@ class KernelInProcesses : public PluginKernel {
       not_asked_ += points.size();
       return;
     }
-    const std::vector<Trouble> troubles = call(points, values);
-    if (points.size() == 1) return record(troubles, points.front());
-    if (!troubles.empty()) one_by_one(points, values);
+    const std::vector<Fault> faults = call(points, values);
+    if (points.size() == 1) return record(faults, points.front());
+    if (!faults.empty()) one_by_one(points, values);
   }
 
   /// Evaluates the points of a batch with faults one at a time.
@@ -250,30 +245,30 @@ class KernelInProcesses : public PluginKernel {
         not_asked_ += points.size() - i;
         return;
       }
-      const std::vector<Trouble> troubles = call(points.subspan(i, 1), values.subspan(i, 1));
-      found = found || !troubles.empty();
-      record(troubles, points[i]);
+      const std::vector<Fault> faults = call(points.subspan(i, 1), values.subspan(i, 1));
+      found = found || !faults.empty();
+      record(faults, points[i]);
     }
     if (!found) narrow(points);
   }
 
   /// Finds the smallest part of a batch that has the faults, if no single point has them.
   void narrow(std::span<const Point> points) {
-    std::vector<Trouble> troubles;
+    std::vector<Fault> faults;
     for (bool smaller = true; smaller;) {
       smaller = false;
       for (const auto half : {points.first(points.size() / 2), points.subspan(points.size() / 2)}) {
         if (half.empty() || given_up()) continue;
         auto of_half = call(half, {});
         if (of_half.empty()) continue;
-        troubles = std::move(of_half);
+        faults = std::move(of_half);
         points = half;
         smaller = points.size() > 1;
         break;
       }
     }
-    if (troubles.empty()) troubles = call(points, {});
-    record(troubles, points.front(),
+    if (faults.empty()) faults = call(points, {});
+    record(faults, points.front(),
            fmt::format(", in a batch of {} points, of which this is the first", points.size()));
   }
 
@@ -286,13 +281,13 @@ class KernelInProcesses : public PluginKernel {
   }
 
   void assess(const Point& point, double value, double permuted, double threaded) {
-    if (bits(value) == protocol::unwritten_bits)
-      return record(FaultKind::unwritten, point, "no value is written");
-    if (!std::isfinite(value)) record(FaultKind::not_finite, point, fmt::format("the value is {}", value));
+    const auto note = [&](FaultKind kind, const std::string& words) { record({{kind, {}, words}}, point); };
+    if (bits(value) == protocol::unwritten_bits) return note(FaultKind::unwritten, "no value is written");
+    if (!std::isfinite(value)) note(FaultKind::not_finite, fmt::format("the value is {}", value));
     if (bits(permuted) != bits(value))
-      record(FaultKind::order, point, "in another order of points: " + both_text(value, permuted));
+      note(FaultKind::order, fmt::format("in another order of points: {} and then {}", value, permuted));
     if (bits(threaded) != bits(value))
-      record(FaultKind::threads, point, "from several threads: " + both_text(value, threaded));
+      note(FaultKind::threads, fmt::format("from several threads: {} and then {}", value, threaded));
   }
 
   /// The words do not distinguish faults at the same point, as they may contain changing values.

@@ -13,12 +13,13 @@ Json texts_json(const TomlTable& entry, std::initializer_list<const char*> keys)
   return json_object(mapped(keys, [&](const char* key) { return std::pair(key, entry.text(key)); }));
 }
 
-/// Sets the decimals of a number and of its error; both are null where there is no number.
-void set_number(Json& row, std::string_view key, std::string_view error_key,
+/// Sets the decimals of a number and of its error, and what people read; all are null where there is no number.
+void set_number(Json& row, const std::string& key, std::string_view error_key,
                 const std::optional<Propagated>& number) {
   const Stated decimals = number ? stated(*number) : Stated{};
   row.set(key, number ? Json::number(decimals.value) : Json());
   row.set(error_key, number ? Json::number(decimals.error) : Json());
+  row.set("_" + key, number ? Json(stated_text(*number)) : Json());
 }
 
 /// In the order of the enumeration.
@@ -147,19 +148,15 @@ Json limits_json(const std::vector<LimitRow>& limits) {
              {"order", limit.order == 0 ? Json() : Json(limit.order)}};
     const auto measured = limit.measured_order();
     set_number(row, "measured_order", "measured_order_error", measured);
-    row.set("_measured_order", measured ? Json(stated_text(*measured)) : Json());
     row.set("approached", limit.approached());
-    row.set("samples", json_list(limit.samples, [&](const LimitSample& sample) {
-              Json numbers{{"size", sample.size},
-                           {"_size", limit.size},
-                           {"_found", stated_text(sample.found)},
-                           {"_limit", stated_text(sample.limit)},
-                           {"_distance", sample.distance().value()}};
-              set_number(numbers, "found", "found_error", sample.found);
-              set_number(numbers, "limit", "limit_error", sample.limit);
-              set_number(numbers, "distance", "distance_error", sample.distance());
-              return numbers;
-            }));
+    row.set(
+        "samples", json_list(limit.samples, [&](const LimitSample& sample) {
+          Json numbers{{"size", sample.size}, {"_size", limit.size}, {"_apart", sample.distance().value()}};
+          set_number(numbers, "found", "found_error", sample.found);
+          set_number(numbers, "limit", "limit_error", sample.limit);
+          set_number(numbers, "distance", "distance_error", sample.distance());
+          return numbers;
+        }));
     return row;
   });
 }
@@ -202,10 +199,7 @@ Json errata_json(const std::vector<Settlement>& errata) {
     set_number(row, "printed_value", "printed_error", one.printed);
     set_number(row, "right_value", "right_error", one.right);
     set_number(row, "truth", "truth_error", one.truth);
-    row.append({{"settled", one.settled()},
-                {"_printed", one.printed ? Json(stated_text(*one.printed)) : Json()},
-                {"_right", stated_text(one.right)},
-                {"_truth", stated_text(one.truth)}});
+    row.set("settled", one.settled());
     return row;
   });
 }

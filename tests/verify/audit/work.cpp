@@ -105,9 +105,9 @@ TEST_CASE("what is no finding about the quantity is not read") {
 }
 
 TEST_CASE("hard cases of contacts are told to the last bit") {
-  HardCasesWork work, other;
-  work.add(1, sent(other, 1));
-  const std::vector<ContactAudit> cases = work.result();
+  const auto work = hard_cases_work(), other = hard_cases_work();
+  work->add(1, sent(*other, 1));
+  const std::vector<ContactAudit> cases = work->result();
   REQUIRE(cases.size() == 3);
   CHECK(stored(cases).line() == stored(audit_hard_cases(1)).line());
   CHECK(contact_audit_json(cases).text() == contact_audit_json(audit_hard_cases(1)).text());

@@ -3,7 +3,6 @@
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
-#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
@@ -138,19 +137,12 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
   return audits;
 }
 
-Json HardCasesWork::do_block(std::size_t block, const OnProgress& /*on_progress*/) {
-  stop_if_interrupted();
-  return stored(audits_[block] = audit_hard_cases(block));
-}
-
-void HardCasesWork::add(std::size_t block, const Json& found) {
-  audits_[block] = restored<std::vector<ContactAudit>>(found);
-}
-
-std::vector<ContactAudit> HardCasesWork::result() const {
-  std::vector<ContactAudit> all;
-  for (const auto& [block, audits] : audits_) all.insert(all.end(), audits.begin(), audits.end());
-  return all;
+std::unique_ptr<ListWork<ContactAudit>> hard_cases_work() {
+  const auto audit_group = [](std::size_t group, const OnProgress&) {
+    stop_if_interrupted();
+    return audit_hard_cases(group);
+  };
+  return std::make_unique<ListWork<ContactAudit>>("contacts", hard_case_groups, "hard cases", audit_group);
 }
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {

@@ -23,12 +23,20 @@ constexpr double fastest_by_ref = 0.98;
 
 /// A value of the reference, with more digits than a double has.
 using RefNumber = data::WithError<long double, double>;
+using Others = std::vector<std::optional<RefNumber>>;
 
 /// A number of the reference; its error includes the rounding to a long double, which has 19 digits.
 RefNumber ref_number(const ref::Estimate& number) {
   const long double value = mpfr_get_ld(ref::raw(number.value), MPFR_RNDN);
   return {value,
           mpfr_get_d(ref::raw(number.error), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
+}
+
+/// The numbers of a result in double.
+Others others_of(const std::vector<Estimate>& numbers) {
+  return mapped(numbers, [](const Estimate& one) -> std::optional<RefNumber> {
+    return RefNumber{one.value, one.error};
+  });
 }
 
 /// The numbers of one solved scene with the findings of all comparisons.
@@ -40,14 +48,23 @@ class Comparisons {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// Compares each number of these results with other_of(result, i), if that exists: the truth, or what an identity gives.
+  /// Compares each number of these results with that of others_of(result), where there is one: the truth, or what an identity
+  /// gives. Of a list it is the nearest, as two lists may have different lengths.
   void against(const std::string& name, bool is_truth, const std::vector<ResultId>& results,
-               const auto& other_of) {
+               const auto& others_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
       if (std::ranges::find(results, result.what->id) == results.end()) continue;
-      for (std::size_t i = 0; i < result.numbers.size(); ++i)
-        if (const std::optional<RefNumber> other = other_of(result, i)) compare(name, k, i, *other, is_truth);
+      const Others others = others_of(result);
+      for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+        const auto distance = [&](const std::optional<RefNumber>& other) {
+          return std::fabs(other->value - result.numbers[i].value);
+        };
+        const auto other = result.what->shape == data::Shape::list
+                               ? std::ranges::min_element(others, {}, distance)
+                               : others.begin() + static_cast<std::ptrdiff_t>(i);
+        if (other != others.end() && *other) compare(name, k, i, **other, is_truth);
+      }
     }
   }
 
@@ -132,33 +149,6 @@ class Comparisons {
   std::vector<std::vector<Checked>> checked_;
 };
 
-/// The i-th of the other's numbers; of a list the nearest, as two lists may have different lengths, or null if there is none.
-template <class Number>
-const Number* counterpart(const std::vector<Number>& others, const Solution::Result& result, std::size_t i,
-                          const auto& value) {
-  if (result.what->shape != data::Shape::list) return &others[i];
-  const auto nearest = std::ranges::min_element(
-      others, {}, [&](const Number& one) { return std::fabs(value(one) - result.numbers[i].value); });
-  return nearest == others.end() ? nullptr : &*nearest;
-}
-
-/// The numbers of another solution, by result and index.
-struct OtherOf {
-  const Solution& solution;
-  const Variant* variant = nullptr;  ///< null: the truth
-
-  std::optional<RefNumber> operator()(const Solution::Result& result, std::size_t i) const {
-    const auto back = [&](const Estimate& other) {
-      return variant == nullptr ? other : variant->back(*result.what, other);
-    };
-    const Estimate* const other = counterpart(solution.profile(result.what->name), result, i,
-                                              [&](const Estimate& one) { return back(one).value; });
-    if (other == nullptr) return std::nullopt;
-    const Estimate number = back(*other);
-    return RefNumber{number.value, number.error};
-  }
-};
-
 /// The results that need integrals over all lines or scans of them.
 bool is_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id) {
   if (id == ResultId::compliance || id == ResultId::coupling) return false;
@@ -188,17 +178,20 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   const bool includes_costly = random.chance(surface.all_lines_are_alike() ? costly_share : costliest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved[ResultId::critical_speed].value;
-  comparisons.against("ref", true, wanted, [&](const Solution::Result& result, std::size_t i) {
+  comparisons.against("ref", true, wanted, [&](const Solution::Result& result) {
     const ResultId id = result.what->id;
+    Others others(result.numbers.size());
     if (is_too_costly(problem, surface, id, critical_speed) ||
         (!includes_costly && is_costly(problem, surface, id)))
-      return std::optional<RefNumber>();
-    // Nothing where no proof is found, or the digits are not reached.
-    return unless_refused([&] {
+      return others;
+    for (std::size_t i = 0; i < others.size(); ++i) {
       const bool is_profile = result.what->shape == data::Shape::profile;
-      const auto& numbers = contact->get(id, is_profile ? Places{{solved.positions[i]}} : Places{});
-      return ref_number(numbers.front());
-    });
+      // Nothing where no proof is found, or the digits are not reached.
+      others[i] = unless_refused([&] {
+        return ref_number(contact->get(id, is_profile ? Places{{solved.positions[i]}} : Places{}).front());
+      });
+    }
+    return others;
   });
 }
 
@@ -220,10 +213,8 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
   if (!is_quick && likely_seconds_by_ref(scene, ref_digits_of_nips) > most_seconds_by_ref) return;
   try {
     const auto truth = solvers.ref(scene, ref_digits_of_nips);
-    comparisons.against("ref", true, known, [&](const Solution::Result& result, std::size_t i) {
-      const auto* const other = counterpart(truth.profile(result.what->id), result, i,
-                                            [](const ref::Estimate& one) { return value_of(one); });
-      return other != nullptr ? std::optional(ref_number(*other)) : std::nullopt;
+    comparisons.against("ref", true, known, [&](const Solution::Result& result) {
+      return mapped<std::optional<RefNumber>>(truth.profile(result.what->id), ref_number);
     });
   } catch (const data::BadInput&) {
     // Positions far outside the contact of a very thin sheet, and some memories, are outside the reference's domain.
@@ -233,7 +224,9 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
 void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolvers& solvers) {
   drawn.set("accuracy", best_accuracy);
   const Solution best = solvers.fast(drawn.scene());
-  comparisons.against("the same at 1e-13", true, drawn.wanted(), OtherOf{best});
+  comparisons.against("the same at 1e-13", true, drawn.wanted(), [&](const Solution::Result& result) {
+    return others_of(best.profile(result.what->id));
+  });
 }
 
 /// The largest pressure, with the pressure where it is said to be.
@@ -241,11 +234,9 @@ void compare_peak(Comparisons& comparisons, DrawnScene drawn, const Solution& so
                   const SceneSolvers& solvers) {
   drawn.set("profile.positions", std::vector{solved[ResultId::peak_pressure_position].value});
   drawn.set_wanted({ResultId::pressure});
-  const Estimate there = solvers.fast(drawn.scene()).profile(ResultId::pressure)[0];
+  const Solution there = solvers.fast(drawn.scene());
   comparisons.against("pressure there", false, {ResultId::peak_pressure},
-                      [&](const Solution::Result&, std::size_t) {
-                        return std::optional(RefNumber{there.value, there.error});
-                      });
+                      [&](const Solution::Result&) { return others_of(there.profile(ResultId::pressure)); });
 }
 
 void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
@@ -253,7 +244,10 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
   for (const Variant& variant : variants_of(drawn, solved, random)) {
     try {
       const Solution other = solvers.fast(variant.scene.scene());
-      comparisons.against(variant.name, false, variant.scene.wanted(), OtherOf{other, &variant});
+      comparisons.against(variant.name, false, variant.scene.wanted(), [&](const Solution::Result& result) {
+        return others_of(mapped(other.profile(result.what->id),
+                                [&](const Estimate& one) { return variant.back(*result.what, one); }));
+      });
     } catch (const data::BadInput&) {
       // For a scene at the limit of a domain the variant may be outside it.
     }

@@ -1,4 +1,3 @@
-#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
@@ -63,25 +62,14 @@ std::vector<SceneTally> audit_scenes(std::size_t first, std::size_t count, const
       count, [&](std::size_t i) { return audit_scene(seed, first + i, solvers); }, on_progress));
 }
 
-ScenesWork::ScenesWork(std::size_t count, std::string seed, std::size_t most, SceneSolvers solvers)
-    : seed_(std::move(seed)), blocks_(count, most), solvers_(std::move(solvers)) {}
-
-std::string ScenesWork::inputs() const { return fmt::format("{} scenes of {}", blocks_.items, seed_); }
-
-Json ScenesWork::do_block(std::size_t block, const OnProgress& on_progress) {
-  const std::vector<SceneTally> found =
-      audit_scenes(blocks_.first(block), blocks_.size(block), seed_, on_progress, solvers_);
-  add(found);
-  return stored(found);
-}
-
-void ScenesWork::add(std::size_t /*block*/, const Json& found) {
-  add(restored<std::vector<SceneTally>>(found));
-}
-
-void ScenesWork::add(const std::vector<SceneTally>& kinds) {
-  tallies_.insert(tallies_.end(), kinds.begin(), kinds.end());
-  tallies_ = summed(tallies_);
+std::unique_ptr<ListWork<SceneTally>> scenes_work(std::size_t count, const std::string& seed) {
+  constexpr std::size_t scenes_of_block = 32;  // few, as scenes are slow
+  const Blocks blocks(count, scenes_of_block);
+  const auto audit_block = [=](std::size_t block, const OnProgress& on_progress) {
+    return audit_scenes(blocks.first(block), blocks.size(block), seed, on_progress);
+  };
+  return std::make_unique<ListWork<SceneTally>>(
+      "random scenes", blocks.count, fmt::format("{} scenes of {}", count, seed), audit_block, summed);
 }
 
 Json scene_tally_json(const std::vector<SceneTally>& tallies) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -138,6 +139,8 @@ class QuantityWork : public BlockWork {
 
   /// The result from the blocks that were added. BadInput if the reference refuses all points.
   [[nodiscard]] AuditResult result() const;
+  /// Those before the search, if points are kept, of the blocks that were done here.
+  [[nodiscard]] const std::vector<Finding>& findings() const { return kept_; }
 
  private:
   [[nodiscard]] const std::vector<Point>& listed() const;
@@ -152,51 +155,60 @@ class QuantityWork : public BlockWork {
   std::size_t dense_;
   mutable std::optional<std::vector<Point>> listed_;  ///< made when it is first needed, as this takes time
   AuditTally sum_;
-  std::vector<Finding> kept_;  ///< before the search, if they are kept
+  std::vector<Finding> kept_;
 };
 
-/// The audit of hard cases of whole contacts.
-class HardCasesWork : public BlockWork {
+/// Work whose findings are a list.
+template <class Found>
+class ListWork : public BlockWork {
  public:
-  [[nodiscard]] std::string name() const override { return "contacts"; }
-  [[nodiscard]] std::size_t blocks() const override { return hard_case_groups; }
-  [[nodiscard]] std::string inputs() const override { return "hard cases"; }
-  Json do_block(std::size_t block, const OnProgress& on_progress) override;
-  void add(std::size_t block, const Json& found) override;
+  using Compute = std::function<std::vector<Found>(std::size_t block, const OnProgress& on_progress)>;
+  /// `sum`: shortens the findings of several blocks, in any order; without it they follow each other as the blocks do.
+  ListWork(std::string name, std::size_t blocks, std::string inputs, Compute compute,
+           std::vector<Found> (*sum)(const std::vector<Found>&) = nullptr)
+      : name_(std::move(name)),
+        blocks_(blocks),
+        inputs_(std::move(inputs)),
+        compute_(std::move(compute)),
+        sum_(sum) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  [[nodiscard]] std::size_t blocks() const override { return blocks_; }
+  [[nodiscard]] std::string inputs() const override { return inputs_; }
+  Json do_block(std::size_t block, const OnProgress& on_progress) override {
+    const std::vector<Found> found = compute_(block, on_progress);
+    keep(block, found);
+    return stored(found);
+  }
+  void add(std::size_t block, const Json& found) override {
+    keep(block, restored<std::vector<Found>>(found));
+  }
 
   /// Of the blocks that were added.
-  [[nodiscard]] std::vector<ContactAudit> result() const;
+  [[nodiscard]] std::vector<Found> result() const {
+    std::vector<Found> all;
+    for (const auto& [block, found] : found_) all.insert(all.end(), found.begin(), found.end());
+    return all;
+  }
 
  private:
-  std::map<std::size_t, std::vector<ContactAudit>> audits_;
+  void keep(std::size_t block, const std::vector<Found>& found) {
+    std::vector<Found>& kept = found_[sum_ == nullptr ? block : 0];
+    kept.insert(kept.end(), found.begin(), found.end());
+    if (sum_ != nullptr) kept = sum_(kept);
+  }
+
+  std::string name_;
+  std::size_t blocks_;
+  std::string inputs_;
+  Compute compute_;
+  std::vector<Found> (*sum_)(const std::vector<Found>&);
+  std::map<std::size_t, std::vector<Found>> found_;
 };
 
-/// The audit of random scenes of whole contacts.
-class ScenesWork : public BlockWork {
- public:
-  /// The first `count` scenes of a seed, in blocks of at most `most`.
-  ScenesWork(std::size_t count, std::string seed, std::size_t most = scenes_of_block,
-             SceneSolvers solvers = {});
-
-  /// Scenes are slow, so that their blocks are small.
-  static constexpr std::size_t scenes_of_block = 32;
-
-  [[nodiscard]] std::string name() const override { return "random scenes"; }
-  [[nodiscard]] std::size_t blocks() const override { return blocks_.count; }
-  [[nodiscard]] std::string inputs() const override;
-  Json do_block(std::size_t block, const OnProgress& on_progress) override;
-  void add(std::size_t block, const Json& found) override;
-
-  /// Of the blocks that were added.
-  [[nodiscard]] const std::vector<SceneTally>& result() const { return tallies_; }
-
- private:
-  void add(const std::vector<SceneTally>& kinds);
-
-  std::string seed_;
-  Blocks blocks_;
-  SceneSolvers solvers_;
-  std::vector<SceneTally> tallies_;  ///< one for each kind
-};
+/// The audit of hard cases of whole contacts, a group in each block.
+std::unique_ptr<ListWork<ContactAudit>> hard_cases_work();
+/// The audit of the first `count` random scenes of a seed.
+std::unique_ptr<ListWork<SceneTally>> scenes_work(std::size_t count, const std::string& seed);
 
 }  // namespace nipref::verify

@@ -93,13 +93,13 @@ Solver solver_of(const data::ViscoelasticNipProblem& problem) {
   const mpq_class slope = *length / radius, depth = slope * *length,
                   load_unit = slope * *length / confirm::exactly(compliance);
   const Float rate_unit = confirm::to_number(mpq_class(thickness / 2 / mpq_class(problem.nip.speed)));
-  RollingSheet sheet{
-      confirm::to_number(mpq_class(*length / thickness)), Float(theta2.instantaneous / compliance), {}};
+  RollingSheet sheet{confirm::to_number(mpq_class(*length / thickness)),
+                     Float(theta2.instantaneous / compliance)};
   for (const auto* const function : {&theta1, &theta2}) {
     for (const auto& [amplitude, rate] : function->terms) {
       if (rate.real() <= 0 || abs(rate.imag()) > rate.real() * confirm::Long("1e-500")) return {};
-      const Float part(amplitude.real() / rate.real() / compliance);
-      sheet.remember({Float(rate.real()) * rate_unit, part, function == &theta2 ? part : Float(0)});
+      sheet.remember(Float(rate.real()) * rate_unit, Float(amplitude.real() / rate.real() / compliance),
+                     function == &theta2);
     }
   }
   if (sheet.memories.empty()) return {};

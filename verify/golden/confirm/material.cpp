@@ -47,7 +47,8 @@ Responses responses(Arguments x) {
 
 /// The inverse Laplace transform without impulses: the solution of the differential equation whose characteristic
 /// polynomial is the denominator, by the series of the matrix exponential at t/2^k, which is squared k times. The
-/// unit of time is that of the largest root.
+/// unit of time is that of the largest root. With the companion matrix A the last column of (p - A)^-1 has 1, p, p^2, ... over
+/// the denominator.
 Long in_time(Ratio r, double t) {
   using Matrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
   r.above.normalize();
@@ -64,33 +65,26 @@ Long in_time(Ratio r, double t) {
   for (std::size_t k = 0; k < n; ++k)
     unit = std::max<Long>(unit, pow(Long(abs(r.below[k] / last)), 1 / Long(n - k)));
   if (unit == 0) unit = 1;
-  std::vector<Long> d(n), numerator(n), at_start;
-  for (std::size_t k = 0; k < n; ++k) d[k] = r.below[k] / last / pow(unit, Long(n - k));
-  // f and its derivatives at 0 are the coefficients of the ratio's expansion in 1/p; p^0 and higher powers are
-  // impulses.
-  const Polynomial rest = r.above % r.below;
-  for (std::size_t k = 0; k < rest.size(); ++k) numerator[k] = rest[k] / last / pow(unit, Long(n - 1 - k));
-  for (std::size_t m = 0; m < n; ++m) {
-    Long next = numerator[n - 1 - m];
-    for (std::size_t i = 0; i < m; ++i) next -= d[n - m + i] * at_start[i];
-    at_start.push_back(next);
-  }
   Long step = unit * t;
   int halvings = 0;
   for (; step > Long(1) / 16; step /= 2) ++halvings;
   const auto size = static_cast<Eigen::Index>(n);
   Matrix change = Matrix::Zero(size, size), sum = Matrix::Identity(size, size), term = sum;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    if (i + 1 < size) change(i, i + 1) = step;
-    change(size - 1, i) = -d[static_cast<std::size_t>(i)] * step;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (k + 1 < n) change(i, i + 1) = step;
+    change(size - 1, i) = -step * r.below[k] / last / pow(unit, Long(n - k));
   }
   for (int m = 1; m < 160; ++m) {
-    term = (term * change / Long(m)).eval();
+    term = (term.lazyProduct(change) / Long(m)).eval();
     sum += term;
   }
-  for (int k = 0; k < halvings; ++k) sum = (sum * sum).eval();
+  for (int k = 0; k < halvings; ++k) sum = sum.lazyProduct(sum).eval();
+  // The whole part of the ratio is the impulses.
+  const Polynomial rest = r.above % r.below;
   Long value = 0;
-  for (std::size_t k = 0; k < n; ++k) value += sum(0, static_cast<Eigen::Index>(k)) * at_start[k];
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    value += rest[k] / last / pow(unit, Long(n - 1 - k)) * sum(static_cast<Eigen::Index>(k), size - 1);
   return value;
 }
 

@@ -282,22 +282,22 @@ std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
   const Float& half_length = sheet.half_length;
   const auto share = [&](const Float& w) {
     Float sum = 1;
-    for (const auto& memory : sheet.memories) sum -= memory.of_normal * expm1(-memory.rate * w);
+    for (const auto& [rate, memory] : sheet.memories) sum -= memory.of_normal * expm1(-rate * w);
     return sum;
   };
   const auto normal = [&](const Float& w) {
     Float sum = I1(exactly(w)).value();
-    for (const auto& memory : sheet.memories)
-      sum += memory.of_normal * memory.rate * remembered(I1, w, memory.rate, coarse);
+    for (const auto& [rate, memory] : sheet.memories)
+      sum += memory.of_normal * rate * remembered(I1, w, rate, coarse);
     return sum;
   };
   // A memory needs more points, an even number, for the growing exponentials.
   const double reach = half_length.convert_to<double>(), elastic_digits = coarse ? 19 : 24,
                digits = sheet.memories.empty() ? elastic_digits : 11;
   int more = 0;
-  for (const auto& memory : sheet.memories)
-    more = std::max(
-        more, (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * memory.rate.convert_to<double>() / 2));
+  for (const auto& [rate, memory] : sheet.memories)
+    more =
+        std::max(more, (coarse ? 8 : 16) + 2 * static_cast<int>(3 * reach * rate.convert_to<double>() / 2));
   const Interpolant rest(-2 * half_length, 2 * half_length, smooth_points(2 * reach, digits) + more,
                          [&](const Float& w) { return Float(normal(w) + share(w) * log(abs(w))); });
   const RolledContact contact(
@@ -306,8 +306,8 @@ std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
   const auto tangential = [&](const Float& w) {
     const Float quarter = pi() / 4;
     Float sum = 2 * quarter * sheet.theta2 * (w > 0 ? 1 : -1) - I3(exactly(w)).value();
-    for (const auto& memory : sheet.memories) {
-      const Float &rate = memory.rate, step = quarter * remembered_sign(w, rate);
+    for (const auto& [rate, memory] : sheet.memories) {
+      const Float step = quarter * remembered_sign(w, rate);
       sum -= memory.of_normal * (rate * remembered(I3, w, rate, coarse) + step);
       sum += 2 * memory.of_theta2 * step;
     }
@@ -333,7 +333,7 @@ Numbers elastic_numbers(Arguments x) {
     return compared("sinc rule", GrippedContact(x["L_over_B"], x["poisson"], 21).numbers(),
                     GrippedContact(x["L_over_B"], x["poisson"], 19).numbers());
   const Float poisson = x["poisson"];
-  const Numbers all = rolling_numbers({x["L_over_B"], (1 - 2 * poisson) / (2 - 2 * poisson), {}});
+  const Numbers all = rolling_numbers({x["L_over_B"], (1 - 2 * poisson) / (2 - 2 * poisson)});
   return {all[2], all[3], all[4], all[5], confirmation(all[5].method, Float(0), Float(0))};
 }
 
@@ -342,10 +342,9 @@ RollingSheet rolling_sheet(Arguments x) {
   const double time = x["memory_over_L"] * x["L_over_B"], theta1 = 1 + x["poisson"],
                theta2 = theta1 * (1 - 2 * x["poisson"]), more_soft = x["softening"] - 1;
   const Float compliance = Float(theta1) + theta2;
-  RollingSheet sheet{x["L_over_B"], theta2 / compliance, {}};
+  RollingSheet sheet{x["L_over_B"], theta2 / compliance};
   const auto remember = [&](double at_once, double rate, bool is_theta2) {
-    const Float amplitude = at_once * more_soft / time / Float(rate) / compliance;
-    sheet.remember({Float(rate) / 2, amplitude, is_theta2 ? amplitude : Float(0)});
+    sheet.remember(Float(rate) / 2, at_once * more_soft / time / Float(rate) / compliance, is_theta2);
   };
   remember(theta1, 1 / time, false);
   remember(theta2, (x["material"] == 0 ? 1 : 2) / time, true);

@@ -8,24 +8,18 @@ inline constexpr double longest_confirmed = 4, longest_gripped_confirmed = 4, lo
 
 /// The sheet of a contact that rolls without friction, in half-thicknesses.
 struct RollingSheet {
-  /// A term of the memory: its amplitudes are divided by its rate and by the instantaneous normal compliance N.
+  /// Amplitudes of the memory, divided by their rate and by the instantaneous normal compliance N.
   struct Memory {
-    Float rate, of_normal, of_theta2;
+    Float of_normal, of_theta2;
   };
 
   Float half_length;
-  Float theta2;  ///< instantaneous, over N
-  std::vector<Memory> memories;
+  Float theta2;                           ///< instantaneous, over N
+  std::map<Float, Memory> memories = {};  ///< by rate
 
-  /// Joins terms of equal rate.
-  void remember(const Memory& term) {
-    for (Memory& memory : memories) {
-      if (memory.rate != term.rate) continue;
-      memory.of_normal += term.of_normal;
-      memory.of_theta2 += term.of_theta2;
-      return;
-    }
-    memories.push_back(term);
+  void remember(const Float& rate, const Float& amplitude, bool is_theta2) {
+    memories[rate].of_normal += amplitude;
+    if (is_theta2) memories[rate].of_theta2 += amplitude;
   }
 };
 

@@ -20,13 +20,7 @@
 
 namespace nipref::verify {
 
-/// A fault of a call.
-struct Trouble {
-  FaultKind kind;
-  std::string words;
-};
-
-/// A process that runs nipref-kernel-host with a plugin. After it has ended, which is a Trouble, it must not be asked
+/// A process that runs nipref-kernel-host with a plugin. After it has ended, which is a Fault, it must not be asked
 /// again. Only one thread may use it at a time.
 class Child {
  public:
@@ -61,7 +55,7 @@ class Child {
   [[nodiscard]] bool has_ended() const { return process_ == -1; }
 
   /// Waits for the answer, within the time limit; how the process ended if it did.
-  std::optional<Trouble> ask(protocol::Request request) {
+  std::optional<Fault> ask(protocol::Request request) {
     const bool computes = request == Request::evaluate || request == Request::time;
     const double limit = computes ? time_limit_ : std::max(time_limit_, protocol::seconds_to_begin);
     const double whole = std::floor(limit);
@@ -127,14 +121,14 @@ class Child {
 
   int wait() { return status_at_end(std::exchange(process_, -1)); }
 
-  Trouble kill(FaultKind kind, std::string words) {
+  Fault kill(FaultKind kind, const std::string& words) {
     ::kill(process_, SIGKILL);
     wait();
-    return {kind, words + last_words()};
+    return {kind, {}, words + last_words()};
   }
 
   /// The process has closed its end of the connection, most likely because it ended.
-  Trouble death() {
+  Fault death() {
     constexpr std::chrono::milliseconds patience(2000), step(1);
     siginfo_t ended{};
     for (auto waited = step * 0; waited < patience && ended.si_pid == 0; waited += step) {
@@ -143,8 +137,9 @@ class Child {
     }
     if (ended.si_pid == 0) return kill(FaultKind::protocol, "closed a descriptor that is not its own");
     const int status = wait();
-    if (WIFSIGNALED(status)) return {FaultKind::crash, signal_text(WTERMSIG(status)) + last_words()};
+    if (WIFSIGNALED(status)) return {FaultKind::crash, {}, signal_text(WTERMSIG(status)) + last_words()};
     return {FaultKind::exit,
+            {},
             fmt::format("ended the process with status {}", WEXITSTATUS(status)) + last_words()};
   }
 
