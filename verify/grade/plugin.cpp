@@ -234,40 +234,30 @@ class KernelInProcesses : public PluginKernel {
     }
     const std::vector<Fault> faults = call(points, values);
     if (points.size() == 1) return record(faults, points.front());
-    if (!faults.empty()) one_by_one(points, values);
+    if (!faults.empty() && !one_by_one(points, values)) narrow(points, faults);
   }
 
-  /// Evaluates the points of a batch with faults one at a time.
-  void one_by_one(std::span<const Point> points, std::span<double> values) {
+  /// Evaluates the points of a batch with faults one at a time; whether it found a fault, or gave up.
+  bool one_by_one(std::span<const Point> points, std::span<double> values) {
     bool found = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (given_up()) {
         not_asked_ += points.size() - i;
-        return;
+        return true;
       }
       const std::vector<Fault> faults = call(points.subspan(i, 1), values.subspan(i, 1));
       found = found || !faults.empty();
       record(faults, points[i]);
     }
-    if (!found) narrow(points);
+    return found;
   }
 
-  /// Finds the smallest part of a batch that has the faults, if no single point has them.
-  void narrow(std::span<const Point> points) {
-    std::vector<Fault> faults;
-    for (bool smaller = true; smaller;) {
-      smaller = false;
-      for (const auto half : {points.first(points.size() / 2), points.subspan(points.size() / 2)}) {
-        if (half.empty() || given_up()) continue;
-        auto of_half = call(half, {});
-        if (of_half.empty()) continue;
-        faults = std::move(of_half);
-        points = half;
-        smaller = points.size() > 1;
-        break;
-      }
+  /// Finds the smallest part of a batch that has faults which no single point has.
+  void narrow(std::span<const Point> points, const std::vector<Fault>& faults) {
+    for (const auto half : {points.first(points.size() / 2), points.subspan(points.size() / 2)}) {
+      if (points.size() == 1 || given_up()) break;
+      if (const auto of_half = call(half, {}); !of_half.empty()) return narrow(half, of_half);
     }
-    if (faults.empty()) faults = call(points, {});
     record(faults, points.front(),
            fmt::format(", in a batch of {} points, of which this is the first", points.size()));
   }

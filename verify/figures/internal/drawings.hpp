@@ -36,9 +36,7 @@ struct FigureContacts {
 /// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have
 ///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain Un] and
 ///     [plain Vn] those of its solid under a moving load, keys t, T, t0 in half-thicknesses b, and memory;
-///   - [creep NAME t=T rate=R]: what theta1, theta2 or normal, their sum, gives under a constant stress, over what it gives at
-///     once: one relaxation time of 1, with the rate R in theta2, which the thesis misprints as 2;
-///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy, see NipAt;
+///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy;
 ///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or of that of what is "shown", by that method, with values
 ///     of its keys;
 ///   - [replayed COLUMN]: in the row of the cell that is drawn.

@@ -32,21 +32,6 @@ double plain_sum(const Brackets& brackets) {
   return name == "I1" ? I1[0] : name == "I3" ? I3[0] : I6[0];
 }
 
-double creep_response(const Brackets& brackets) {
-  const std::string& name = brackets.name(1);
-  const data::ViscoelasticMaterial solid = data::single_relaxation_time_solid(
-      stated_bulk, stated_shear, 1, static_cast<int>(brackets.number("rate")));
-  const data::MaterialFunctions both = *solid.functions();
-  const data::MaterialFunction theta = name == "theta1"   ? both.theta1
-                                       : name == "theta2" ? both.theta2
-                                                          : both.normal_compliance();
-  const double t = brackets.number("t");
-  double compliance = theta.instantaneous;
-  for (const data::RelaxationTerm& term : theta.terms)
-    compliance -= (term.amplitude / term.rate * std::expm1(-term.rate.real() * t)).real();
-  return compliance / theta.instantaneous;
-}
-
 /// The contact of a scene with these values of its keys.
 const SolvedContact<fast::Estimate>& scene_of(const Brackets& brackets, const FigureScope& scope,
                                               FigureContacts& contacts) {
@@ -84,7 +69,6 @@ Propagated FigureFormulas::solve(const std::string& words) {
   const Brackets brackets(words, formulas_);
   const std::string& kind = brackets.name(0);
   if (kind == "plain") return Propagated::exact(plain_sum(brackets));
-  if (kind == "creep") return Propagated::exact(creep_response(brackets));
   if (kind == "nip") return result_of(brackets, nip());
   if (kind == "scene") return result_of(brackets, scene_of(brackets, scope, contacts_));
   if (kind != "replayed") return contacts_.others(words, formulas_);

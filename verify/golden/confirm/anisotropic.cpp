@@ -113,14 +113,19 @@ Confirmation by_secant(const Float& value) {
   return confirmation("root of 1/K by Stroh's eigenproblem", value, value * Float("1e-70"));
 }
 
+/// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
+struct CriticalLine {
+  double psi, speed;
+};
+
 /// The minimum of this speed over all lines, by Newton's iteration for a zero of its slope, from a nearby line and
 /// speed.
-Confirmation lowest_surface_wave(const StrohSolid& solid, double near_psi, double theta, double near_speed) {
-  Float psi = near_psi, value = 0;
+Confirmation lowest_surface_wave(const StrohSolid& solid, double theta, const CriticalLine& near) {
+  Float psi = near.psi, value = 0;
   const Float step("1e-22");
   for (int k = 0; k < 5; ++k) {
     const auto at = [&](const Float& degrees) {
-      return surface_wave(solid, degrees, Float(theta), near_speed);
+      return surface_wave(solid, degrees, Float(theta), near.speed);
     };
     const Float above = at(psi + step), below = at(psi - step);
     value = at(psi);
@@ -180,11 +185,6 @@ Confirmation rayleigh(Arguments x) {
   return by_secant(surface_wave(transverse_solid(x), x["psi_deg"], x["theta_deg"], near));
 }
 
-/// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
-struct CriticalLine {
-  double psi, speed;
-};
-
 CriticalLine critical_line(Arguments x) {
   const auto found =
       fast::critical_speed({x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]},
@@ -193,17 +193,11 @@ CriticalLine critical_line(Arguments x) {
   return {found.psi * 180 / std::numbers::pi, found.speed * std::sqrt(7860 / 77.2)};
 }
 
-/// The minimum over the lines by Newton's iteration for its slope.
-Confirmation critical(Arguments x) {
-  const CriticalLine near = critical_line(x);
-  return lowest_surface_wave(transverse_solid(x), near.psi, x["theta_deg"], near.speed);
-}
-
 Confirmation critical_of_any(Arguments x) {
   data::Stiffness solid{{}, x["density"]};
   data::set_symmetric(solid.voigt, x.from("c11").begin());
   const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x["theta_deg"]));
-  return lowest_surface_wave(any_solid(x), near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
+  return lowest_surface_wave(any_solid(x), x["theta_deg"], {near.psi * 180 / std::numbers::pi, near.speed});
 }
 
 /// Eigenvalues of Christoffel's matrix.
@@ -256,7 +250,10 @@ Methods anisotropic_methods() {
           {"ti.condition", condition},
           {"ti.rayleigh", rayleigh},
           {"ti.branch", branch},
-          {"ti.critical", critical},
+          {"ti.critical",
+           [](Arguments x) {
+             return lowest_surface_wave(transverse_solid(x), x["theta_deg"], critical_line(x));
+           }},
           {"ti.span_ratio",
            [](Arguments x) {
              const Float ratio = sphere(x).span_ratio(x["phi_deg"]);

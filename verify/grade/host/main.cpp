@@ -168,11 +168,13 @@ class Host {
         break;
       case Request::open:
         kernel_ = &kernels_.at(exchange_.kernel);
-        exchange_.status = kernel_->entry.open == nullptr ? 0 : kernel_->entry.open(&kernel_->state);
+        exchange_.status = 0;
+        if (kernel_->entry.open == nullptr) break;  // a bare function keeps what it has for a state
+        kernel_->state = nullptr;
+        exchange_.status = kernel_->entry.open(&kernel_->state);
         break;
       case Request::close:
         if (kernel_->entry.close != nullptr) kernel_->entry.close(kernel_->state);
-        kernel_->state = nullptr;
         exchange_.status = 0;
         break;
       case Request::evaluate:

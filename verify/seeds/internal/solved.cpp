@@ -45,28 +45,14 @@ Propagated of_quantity(const Brackets& brackets) {
   return {value, promised + std::fabs(change.value()) + change.error()};
 }
 
-/// int p Y^2 dY of a symmetric contact by Gauss's rule for the square roots at its ends.
-Propagated second_moment(const SolvedContact<fast::Estimate>& contact) {
-  constexpr int nodes = 200;
-  const Propagated half = Propagated::exact(contact.number(ResultId::contact_length).value / 2),
-                   step = Propagated::pi() / (nodes + 1);
-  Propagated sum = 0;
-  for (int i = 1; i <= nodes; ++i) {
-    const Propagated angle = i * step, t = cos(angle);
-    sum = sum + contact.at(ResultId::pressure, (half * t).value()) * square(t) * sin(angle);
-  }
-  return sum * half * square(half) * step;
-}
-
 }  // namespace
 
 Propagated result_of(const Brackets& brackets, const SolvedContact<fast::Estimate>& contact) {
   const std::string& name = brackets.names.back();
-  if (name == "second_moment") return second_moment(contact);
   const data::SceneResult* const what = data::find_scene_result(name);
   if (what == nullptr || !contact.has(what->id)) brackets.refuse(fmt::format("no '{}'", name));
   if (what->shape == data::Shape::number) return contact.number(what->id);
-  const double at = brackets.number("at", "0");
+  const double at = brackets.number("at", 0);
   if (what->shape == data::Shape::list) return contact.get(what->id).at(static_cast<std::size_t>(at));
   return contact.at(what->id, at);
 }
@@ -76,45 +62,37 @@ namespace {
 constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
 
 ViscoelasticMaterial solid_of(const Brackets& brackets) {
-  const double memory = brackets.number("memory", "1");
-  using Make = std::function<ViscoelasticMaterial()>;
-  const std::map<std::string, Make> all{
-      {"elastic", [] { return data::elastic_solid(thesis_sheet); }},
-      {"thesis",
-       [=] {
-         return data::single_relaxation_time_solid({thesis_sheet.theta1(), thesis_sheet.theta2()}, memory);
-       }},
-      {"one_time", [=] { return data::single_relaxation_time_solid(1, 0.375, memory); }},
-      {"one_time_misprinted",
-       [=] { return data::single_relaxation_time_solid(1, 0.375, memory, data::misprinted_rate_factor); }},
-      // The moduli in shear and dilatation relax by different parts.
-      {"two_times", [=] {
-         return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
-                                  {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
-       }}};
-  return entry_of(all, brackets.text_of("solid", "thesis"), brackets)();
+  const double memory = brackets.number("memory", 1);
+  const std::string name = brackets.text_of("solid", "thesis");
+  if (name == "elastic") return data::elastic_solid(thesis_sheet);
+  if (name == "thesis")
+    return data::single_relaxation_time_solid({thesis_sheet.theta1(), thesis_sheet.theta2()}, memory);
+  if (name == "one_time") return data::single_relaxation_time_solid(1, 0.375, memory);
+  if (name == "one_time_misprinted")
+    return data::single_relaxation_time_solid(1, 0.375, memory, data::misprinted_rate_factor);
+  if (name != "two_times") brackets.refuse(fmt::format("no '{}'", name));
+  // The moduli in shear and dilatation relax by different parts.
+  return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
+                           {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
 }
 
 Propagated of_material(const Brackets& brackets) {
   const data::MaterialFunctions functions = solid_of(brackets).functions().value();
   const data::MaterialFunction normal = functions.normal_compliance();
+  const std::string& name = brackets.name(1);
   // The functions are sums of a few products, so that this bounds their rounding.
   const auto rounded = [](double value) { return Propagated(value, 0x1p-48 * std::fabs(value)); };
-  const auto sum = [&](int power_of_rate) {
-    Propagated all = 0;
-    for (const data::RelaxationTerm& term : normal.terms)
-      all = all + rounded((term.amplitude / (power_of_rate == 2 ? term.rate * term.rate : 1)).real());
-    return all;
-  };
-  using Number = std::function<Propagated()>;
-  const std::map<std::string, Number> all{
-      {"theta1", [&] { return rounded(functions.theta1.transform(brackets.number("p", "0")).real()); }},
-      {"theta2", [&] { return rounded(functions.theta2.transform(brackets.number("p", "0")).real()); }},
-      {"normal_at_once", [&] { return rounded(normal.instantaneous); }},
-      {"normal_long_time", [&] { return rounded(normal.long_time()); }},
-      {"sum_of_amplitudes", [&] { return sum(0); }},
-      {"sum_of_amplitudes_over_squared_rates", [&] { return sum(2); }}};
-  return entry_of(all, brackets.name(1), brackets)();
+  if (name == "theta1" || name == "theta2")
+    return rounded(
+        (name == "theta1" ? functions.theta1 : functions.theta2).transform(brackets.number("p", 0)).real());
+  if (name == "normal_at_once") return rounded(normal.instantaneous);
+  if (name == "normal_long_time") return rounded(normal.long_time());
+  const bool over_squares = name == "sum_of_amplitudes_over_squared_rates";
+  if (!over_squares && name != "sum_of_amplitudes") brackets.refuse(fmt::format("no '{}'", name));
+  Propagated sum = 0;
+  for (const data::RelaxationTerm& term : normal.terms)
+    sum = sum + rounded((term.amplitude / (over_squares ? term.rate * term.rate : 1)).real());
+  return sum;
 }
 
 Propagated printed_cell(const Brackets& brackets) {
@@ -133,17 +111,15 @@ Propagated printed_cell(const Brackets& brackets) {
 
 /// mu_R by ten line loads on the leading side that start at `distance` before the nip.
 Propagated started_resistance(const Brackets& brackets) {
-  const data::ViscoelasticNip nip{6, brackets.number("thickness", "2"), solid_of(brackets), 1};
-  const double half_thicknesses = brackets.number("distance", "1") / nip.half_thickness();
+  const data::ViscoelasticNip nip{6, brackets.number("thickness", 2), solid_of(brackets), 1};
+  const double half_thicknesses = brackets.number("distance", 1) / nip.half_thickness();
   const data::ViscoelasticLineLoads method{10, {}, half_thicknesses, 0};
   return printed_form(
-      fast::line_loads_for_load(nip, method, brackets.number("load", "0")).rolling_resistance());
+      fast::line_loads_for_load(nip, method, brackets.number("load", 0)).rolling_resistance());
 }
 
 SolvedInDouble contact_of_nip(const Brackets& brackets) {
-  const auto number = [&](const char* key, double otherwise) {
-    return brackets.number(key, fmt::format("{}", otherwise));
-  };
+  const auto number = [&](const char* key, double otherwise) { return brackets.number(key, otherwise); };
   const double radius = number("radius", 6), thickness = number("thickness", 2), length = number("length", 0),
                accuracy = number("accuracy", 1e-9);
   data::Given given = data::GivenLength{length};
@@ -171,8 +147,8 @@ SolvedInDouble contact_of_sliding_sphere(const Brackets& brackets) {
       {.body = data::ElasticSphere{1, of_sphere, true},
        .half_space =
            data::TransverselyIsotropicBody{data::seed::graphite_epoxy, data::SymmetryAxis::in_plane},
-       .speed = brackets.number("speed", "0") * std::sqrt(of_sphere.shear / of_sphere.density),
-       .direction = brackets.number("direction", "0"),
+       .speed = brackets.number("speed", 0) * std::sqrt(of_sphere.shear / of_sphere.density),
+       .direction = brackets.number("direction", 0),
        .given = data::GivenNormalForce{1e-6}});
 }
 
@@ -211,14 +187,15 @@ const std::string& Brackets::name(std::size_t i) const {
   return names[i];
 }
 
-std::string Brackets::text_of(const std::string& key, const std::optional<std::string>& otherwise) const {
-  if (const auto* const found = item_with(given, &Assignments::value_type::first, key)) return found->second;
-  if (!otherwise) refuse(key + "=VALUE");
-  return *otherwise;
+std::string Brackets::text_of(const std::string& key, const std::string& otherwise) const {
+  const auto* const found = item_with(given, &Assignments::value_type::first, key);
+  return found == nullptr ? otherwise : found->second;
 }
 
-double Brackets::number(const std::string& key, const std::optional<std::string>& otherwise) const {
-  return formulas.value(text_of(key, otherwise)).value();
+double Brackets::number(const std::string& key, std::optional<double> otherwise) const {
+  const std::string formula = text_of(key, "");
+  if (formula.empty() && !otherwise) refuse(key + "=VALUE");
+  return formula.empty() ? *otherwise : formulas.value(formula).value();
 }
 
 Assignments Brackets::arguments() const {

@@ -33,10 +33,9 @@ struct Brackets {
   /// Throws BadInput that names the brackets.
   [[noreturn]] void refuse(std::string_view lacking) const;
   [[nodiscard]] const std::string& name(std::size_t i) const;
-  /// The words or the value of a key; without `otherwise` it must be given.
-  [[nodiscard]] std::string text_of(const std::string& key,
-                                    const std::optional<std::string>& otherwise = {}) const;
-  [[nodiscard]] double number(const std::string& key, const std::optional<std::string>& otherwise = {}) const;
+  /// The words or the value of a key; without `otherwise` a value must be given.
+  [[nodiscard]] std::string text_of(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] double number(const std::string& key, std::optional<double> otherwise = {}) const;
   /// The given values as decimal arguments of a quantity; what follows $ is a formula.
   [[nodiscard]] Assignments arguments() const;
 };
