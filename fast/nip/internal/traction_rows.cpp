@@ -115,11 +115,13 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, doubl
   return rules.at({tolerance, 8 * static_cast<int>(std::ceil(degree / 8))});
 }
 
-/// Points of a product rule: as many as the wanted nats need if each gives so many, in even steps so that few rules are kept.
-int points_of_rule(double nats_a_point, double nats) {
-  const double points = std::min(1 + nats / nats_a_point, 1e6), step = points < 64 ? 4 : 32;
+/// Points of a product rule, at least so many, in even steps so that few rules are kept.
+int points_of_rule(double least) {
+  const double points = std::min(least, 1e6), step = points < 64 ? 4 : 32;
   return static_cast<int>(step * std::ceil(points / step));
 }
+/// As many as the wanted nats need if each gives so many.
+int points_of_rule(double nats_a_point, double nats) { return points_of_rule(1 + nats / nats_a_point); }
 
 Eigen::ArrayXd array(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -345,31 +347,25 @@ class Tractions::Sums {
   /// Adds the panel that begins at the place, where the kernel is singular on this side alone, by product rules; false where
   /// it is not, or where its exponentials vary too much over the panel.
   ///
-  /// Both the factor of ln alpha and what is left are analytic for |Im alpha| < 2. On the ellipse through 2 i, which reaches as
-  /// far as that, they grow with the kernel's exponentials. Where these do not change by more than e^2 over the panel, the two
-  /// parts hardly cancel.
+  /// On the ellipse through 2 i, which reaches as far as that, the factor of the logarithm and the rest grow with the kernel's
+  /// exponentials. Where these do not change by more than e^2 over the panel, the two parts hardly cancel.
   bool add_beside_logarithm(const Place& place, std::size_t p, bool mirrored, Rows rows) const {
     const Panel& panel = of_.panels_[p];
     const double width = panel.width();
     const double rate = largest(kernel_.rates);
-    if (!kernel_.of_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
-    const double fall = internal::log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
-    const int points = points_of_rule(fall, -std::log(tolerance_) + rate * reach);
+    if (!kernel_.by_logarithm || mirrored || place.e != panel.left || rate * width > 2) return false;
+    const int points = points_of_rule(internal::points_of_analytic(width, rate, -std::log(tolerance_)));
     if (points > most_points_within) return false;
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
                times_logarithm =
                    product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
-    const Eigen::ArrayXd alpha = width * rule->at;
-    const Eigen::RowVectorXd logarithm = rule->at.log().matrix().transpose();
-    const std::span<const double> at{alpha.data(), static_cast<std::size_t>(points)};
-    Eigen::MatrixXd whole, same;
-    kernel_.at(at, whole, same);
-    const Eigen::MatrixXd factor = width * kernel_.of_logarithm(at);
+    // ln alpha is the logarithm of the place on the panel and that of the width.
+    const auto [factor, rest] = kernel_.by_logarithm(width * rule->at, width);
     for (int i = 0; i < kernel_.functionals; ++i) {
-      const Eigen::RowVectorXd of_logarithm = factor.row(i),
-                               rest = width * whole.row(i) - of_logarithm.cwiseProduct(logarithm);
-      if (!rest.any()) continue;  // as the imaginary part of a memory whose rate is real
-      of_.add_sums(p, rule->weight, rest, rest, rows.row(i));
+      const Eigen::RowVectorXd of_logarithm = width * factor.row(i),
+                               of_rest = width * rest.row(i) + std::log(width) * of_logarithm;
+      if (!of_rest.any()) continue;  // as the imaginary part of a memory whose rate is real
+      of_.add_sums(p, rule->weight, of_rest, of_rest, rows.row(i));
       of_.add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
     }
     return true;

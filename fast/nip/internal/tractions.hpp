@@ -63,9 +63,12 @@ class Tractions {
     /// Of exponentials next to alpha = 0 that may vary over less than a half-thickness.
     std::vector<std::complex<double>> rates;
     std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
-    /// For kernels of alpha >= 0 alone that are analytic at 0 but for ln alpha times a function: this function, which is
-    /// the same on p and q.
-    std::function<Eigen::MatrixXd(std::span<const double> alpha)> of_logarithm = {};
+    /// Of kernels of 0 <= alpha <= width alone that are the same on p and q: a factor times ln alpha and a rest, both analytic
+    /// for |Im alpha| < 2.
+    struct ByLogarithm {
+      Eigen::MatrixXd factor, rest;
+    };
+    std::function<ByLogarithm(const Eigen::ArrayXd& alpha, double width)> by_logarithm = {};
     /// The distance from the real axis of poles at alpha = 0, of a kernel that has them.
     std::optional<double> poles = {};
     /// These are its singularities that are nearest to the real axis, on which it is analytic.

@@ -18,4 +18,11 @@ inline double log_of_ellipse(std::complex<double> z) {
   return std::acosh(std::max(axis, 1.0));
 }
 
+/// Chebyshev points on [0, width] that resolve, to so many nats, what is analytic for |Im alpha| < 2 and grows at most like
+/// e^(rate |alpha|): it does so on the ellipse through 2 i, whose half axes add up to e^fall width/2.
+inline double points_of_analytic(double width, double rate, double nats) {
+  const double fall = log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
+  return 1 + (nats + rate * reach) / fall;
+}
+
 }  // namespace nipref::fast::internal

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <nipref/fast/number/internal/cache.hpp>
-#include <nipref/fast/number/internal/chebyshev.hpp>
+#include <nipref/fast/number/internal/interpolation.hpp>
 #include <nipref/fast/partial_slip/internal/slope_kernels.hpp>
 #include <nipref/fast/sheet/field.hpp>
 
@@ -63,17 +63,7 @@ Rests rests(double alpha) {
 
 /// Of the rests as functions on the whole contact, for rounding: their singularities 2 i beside it are on the ellipse of
 /// convergence whose half axes add up to 4/length + sqrt((4/length)^2 + 1) half lengths.
-int chebyshev_points(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
-
-/// T_k, k < count, of places of the contact.
-MatrixXd chebyshev(const ArrayXd& places, double length, Index count) {
-  MatrixXd t(places.size(), count);
-  const ArrayXd x = 2 * places / length - 1;
-  t.col(0).setOnes();
-  t.col(1) = x;
-  for (Index k = 2; k < count; ++k) t.col(k) = 2 * x * t.col(k - 1).array() - t.col(k - 2).array();
-  return t;
-}
+int terms_of(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
 
 /// U, V and S from a source to a target, in their places in the matrix of both.
 void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of) {
@@ -87,10 +77,8 @@ void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of
 }  // namespace
 
 SlopeKernels::Series::Series(int eighths) : length(std::exp2(eighths / 8.0)) {
-  const int count = chebyshev_points(length);
-  const ArrayXd points = ArrayXd::NullaryExpr(count, [&](Index number) {
-    return length * internal::shifted_chebyshev_zero(static_cast<int>(number), count);
-  });
+  const int count = terms_of(length);
+  const ArrayXd points = internal::chebyshev_points(length, count);
   values.resize(2 * count, 2 * count);
   slopes.resize(2 * count, 2 * count);
   for (Index a = 0; a < count; ++a) {
@@ -102,20 +90,14 @@ SlopeKernels::Series::Series(int eighths) : length(std::exp2(eighths / 8.0)) {
       set(slopes, b, a, -value_parity * of.slope);
     }
   }
-  MatrixXd of_points = 2.0 / count * chebyshev(points, length, count).transpose();
-  of_points.row(0) /= 2;
-  MatrixXd of_both = MatrixXd::Zero(2 * count, 2 * count);
-  of_both.topLeftCorner(count, count) = of_both.bottomRightCorner(count, count) = of_points;
-  for (MatrixXd* const kernels : {&values, &slopes})
-    *kernels = product(product(of_both, *kernels), of_both.transpose());
 }
 
 SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
   static Cache<int, Series> kept([](const int& eighths) { return Series(eighths); });
   series_ = kept.at(static_cast<int>(std::ceil(8 * std::log2(length))));
   const Index terms = series_->values.rows() / 2;
-  at_targets_ = chebyshev(targets, series_->length, terms);
-  at_sources_ = chebyshev(sources, series_->length, terms).transpose();
+  at_targets_ = internal::interpolation(targets, series_->length, terms);
+  at_sources_ = internal::interpolation(sources, series_->length, terms).transpose();
 }
 
 }  // namespace nipref::fast

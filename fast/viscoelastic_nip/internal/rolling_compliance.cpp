@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <nipref/fast/material/internal/polynomial.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
 
 namespace nipref::fast {
@@ -28,11 +29,9 @@ internal::Polynomial numerator(const std::vector<Memory>& terms) {
   return real;
 }
 
-}  // namespace
-
 /// m_j = 1/N'(-r_j). Differences of rates are taken in the roots' own precision.
-RollingCompliance rolling_compliance(std::vector<Memory> terms) {
-  RollingCompliance result{std::move(terms), {}, {1}, {}};
+RollingCompliance inverted(const std::vector<Memory>& terms) {
+  RollingCompliance result{terms, {}, {1}, {}};
   if (result.terms.empty()) return result;
   std::vector<OctupleComplex> roots = internal::paired_roots_of(numerator(result.terms));
   std::ranges::stable_sort(roots, std::greater(),
@@ -61,6 +60,13 @@ RollingCompliance rolling_compliance(std::vector<Memory> terms) {
     ++j;
   }
   return result;
+}
+
+}  // namespace
+
+RollingCompliance rolling_compliance(const std::vector<Memory>& terms) {
+  static Cache<std::vector<Memory>, RollingCompliance> kept(inverted);
+  return *kept.at(terms);
 }
 
 }  // namespace nipref::fast

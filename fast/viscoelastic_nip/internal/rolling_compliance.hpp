@@ -1,4 +1,6 @@
 #pragma once
+#include <array>
+#include <compare>
 #include <complex>
 #include <vector>
 
@@ -7,6 +9,14 @@ namespace nipref::fast {
 /// amplitude e^(-rate x): a memory over the distance x that the material has moved, half-thicknesses.
 struct Memory {
   std::complex<double> amplitude, rate;
+
+  /// Any order, for caches.
+  friend auto operator<=>(const Memory& a, const Memory& b) {
+    const auto parts = [](const Memory& one) {
+      return std::array{one.amplitude.real(), one.amplitude.imag(), one.rate.real(), one.rate.imag()};
+    };
+    return parts(a) <=> parts(b);
+  }
 };
 
 /// The compliance of a rolling sheet in units of what gives way at once, and its inverse: with D = d/dx along the
@@ -21,6 +31,7 @@ struct RollingCompliance {
   std::vector<std::vector<std::complex<double>>> closure;
 };
 
-RollingCompliance rolling_compliance(std::vector<Memory> terms);
+/// Cached: sweeps and searches ask for one sheet many times.
+RollingCompliance rolling_compliance(const std::vector<Memory>& terms);
 
 }  // namespace nipref::fast

@@ -4,7 +4,9 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/fast/number/internal/chebyshev.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/number/internal/interpolation.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
@@ -50,26 +52,31 @@ Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... k
 }  // namespace
 
 RollingKernels::RollingKernels(const RollingSheet& sheet)
-    : sheet_(sheet), slowest_amplitude_(amplitude_of_I1()) {
-  const auto kernels_of_memory = {internal::Kernel::I1, internal::Kernel::I3};
-  for (const auto& [amplitude, rate] : sheet.normal.terms) {
+    : sheet_(sheet), fades_(fades(internal::Kernel::I1)), slowest_amplitude_(amplitude_of_I1()) {
+  for (const auto& [amplitude, rate] : sheet.normal.terms)
     slowest_amplitude_ += amplitude_of_I1() * std::abs(amplitude) / (rate.real() + slowest_root().imag());
+}
+
+RollingKernels::Fades RollingKernels::fades(internal::Kernel kernel) const {
+  Fades result;
+  for (const auto& [amplitude, rate] : sheet_.normal.terms) {
     if (rate.imag() == 0)
-      fades_.emplace_back(internal::fade(Two{rate.real(), 0}, kernels_of_memory, Accuracy()));
+      result.emplace_back(internal::fade(Two{rate.real(), 0}, {kernel}, Accuracy()));
     else
-      fades_.emplace_back(internal::fade(rate, kernels_of_memory, Accuracy()));
+      result.emplace_back(internal::fade(rate, {kernel}, Accuracy()));
   }
+  return result;
 }
 
 template <class Sum, class MemoryOf, class SizeOfTrace>
-void RollingKernels::add_terms(Sum& sum, double alpha, const MemoryOf& memory,
+void RollingKernels::add_terms(Sum& sum, double alpha, const Fades& fades, const MemoryOf& memory,
                                const SizeOfTrace& size_of_trace) const {
-  for (std::size_t k = 0; k < fades_.size(); ++k) {
+  for (std::size_t k = 0; k < fades.size(); ++k) {
     const auto& [amplitude, rate] = sheet_.normal.terms[k];
     if (rate.imag() < 0) continue;
     const double terms = rate.imag() > 0 ? 2 : 1;
     const Complex part =
-        terms * amplitude * std::visit([&](const auto& fade) -> Complex { return memory(fade); }, fades_[k]);
+        terms * amplitude * std::visit([&](const auto& fade) -> Complex { return memory(fade); }, fades[k]);
     sum.value += part.real();
     sum.size += std::fabs(part.real()) + std::fabs(part.imag());
     if (rate.imag() == 0 || alpha >= 0) continue;
@@ -90,7 +97,7 @@ RollingKernels::Sized RollingKernels::normal_at(double alpha, const internal::Su
   Sized sum;
   sum.add(internal::kernel_at(internal::Kernel::I1, at, Accuracy()));
   add_terms(
-      sum, alpha,
+      sum, alpha, fades_,
       [&](const auto& fade) { return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy()); },
       [](Complex part, double /*faded*/, Complex /*rate*/) { return std::abs(part); });
   sum.size += std::abs(slowest_root() * alpha) / 8 * slowest_amplitude_ *
@@ -103,7 +110,7 @@ RollingKernels::Sized RollingKernels::tangential_at(double alpha, const internal
   Sized sum;
   sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
   add_terms(
-      sum, alpha,
+      sum, alpha, fades_along_,
       [&](const auto& fade) {
         return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
       },
@@ -123,7 +130,7 @@ RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::Su
   // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
   sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
   add_terms(
-      sum, alpha,
+      sum, alpha, fades_along_,
       [&](const auto& fade) {
         return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
       },
@@ -146,61 +153,100 @@ Tractions::Kernel RollingKernels::normal() const {
 }
 
 Tractions::Kernel RollingKernels::along() const {
+  if (fades_along_.empty()) fades_along_ = fades(internal::Kernel::I3);
   return for_both_parts(rates(), std::bind_front(&RollingKernels::tangential_at, this),
                         std::bind_front(&RollingKernels::strain_at, this));
 }
 
-Tractions::Kernel RollingKernels::ahead(bool whole) const {
-  const Eigen::Index of_terms = 2 * static_cast<Eigen::Index>(fades_.size());
-  const auto functionals = static_cast<int>(whole ? 2 * of_terms + 1 : of_terms);
-  const auto set = [this, whole, of_terms](double alpha, auto column) {
-    const internal::SurfacePoint at = point(alpha);
+Eigen::Index RollingKernels::functionals_ahead(bool whole) const {
+  const auto of_terms = 2 * static_cast<Eigen::Index>(fades_.size());
+  return whole ? 2 * of_terms + 1 : of_terms;
+}
+
+Eigen::MatrixXd RollingKernels::ahead_at(std::span<const double> alpha, bool whole) const {
+  const Eigen::Index of_terms = functionals_ahead(false);
+  Eigen::MatrixXd values =
+      Eigen::MatrixXd::Zero(functionals_ahead(whole), static_cast<Eigen::Index>(alpha.size()));
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    const internal::SurfacePoint at = point(alpha[i]);
+    auto column = values.col(static_cast<Eigen::Index>(i));
     const auto set_terms = [&](Eigen::Index first, const auto& memory) {
       for (std::size_t k = 0; k < fades_.size(); ++k) {
         if (sheet_.normal.terms[k].rate.imag() < 0) continue;
         const Complex value = std::visit(memory, fades_[k]) / pi;
-        column.template segment<2>(first + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
+        column.segment<2>(first + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
       }
     };
     set_terms(0, [&](const auto& fade) -> Complex {
       return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
     });
-    if (!whole) return;
+    if (!whole) continue;
     set_terms(of_terms, [&](const auto& fade) -> Complex {
       return internal::steady_memory_of_slope(internal::Kernel::I1, at, fade, Accuracy());
     });
     column(2 * of_terms) = internal::kernel_at(internal::Kernel::I1, at, Accuracy()) / pi;
-  };
-  // I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate, and its slope ln alpha e^(rate alpha).
-  const auto of_logarithm = [this, whole, of_terms, functionals](std::span<const double> alpha) {
-    Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
-    for (std::size_t i = 0; i < alpha.size(); ++i) {
-      auto column = factor.col(static_cast<Eigen::Index>(i));
-      for (std::size_t k = 0; k < fades_.size(); ++k) {
-        const auto set_factor = [&](auto rate) {
-          const auto set_at = [&](Eigen::Index row, Complex value) {
-            column.segment<2>(row + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
-          };
-          set_at(0, alpha[i] * internal::phi1(-rate * alpha[i]) / pi);
-          if (whole) set_at(of_terms, std::exp(rate * alpha[i]) / pi);
+  }
+  return values;
+}
+
+/// I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate, and its slope ln alpha e^(rate alpha).
+Eigen::MatrixXd RollingKernels::factor_of_logarithm(const Eigen::ArrayXd& alpha, bool whole) const {
+  const Eigen::Index of_terms = functionals_ahead(false);
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals_ahead(whole), alpha.size());
+  for (Eigen::Index i = 0; i < alpha.size(); ++i) {
+    auto column = factor.col(i);
+    for (std::size_t k = 0; k < fades_.size(); ++k) {
+      const auto set_factor = [&](auto rate) {
+        const auto set_at = [&](Eigen::Index row, Complex value) {
+          column.segment<2>(row + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
         };
-        if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
-          set_factor(rate.real());
-        else if (rate.imag() > 0)
-          set_factor(rate);
-      }
-      if (whole) column(2 * of_terms) = -1 / pi;
+        set_at(0, alpha(i) * internal::phi1(-rate * alpha(i)) / pi);
+        if (whole) set_at(of_terms, std::exp(rate * alpha(i)) / pi);
+      };
+      if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
+        set_factor(rate.real());
+      else if (rate.imag() > 0)
+        set_factor(rate);
     }
-    return factor;
+    if (whole) column(2 * of_terms) = -1 / pi;
+  }
+  return factor;
+}
+
+Eigen::MatrixXd RollingKernels::rest_at(const Eigen::ArrayXd& alpha, bool whole) const {
+  return ahead_at({alpha.data(), static_cast<std::size_t>(alpha.size())}, whole) -
+         factor_of_logarithm(alpha, whole) * alpha.log().matrix().asDiagonal();
+}
+
+Eigen::MatrixXd RollingKernels::interpolated_rest(const Eigen::ArrayXd& alpha, double width,
+                                                  bool whole) const {
+  constexpr double spare = 1.1, nats_of_double = 37;
+  constexpr double most_points = 40;  // with more, interpolation costs as much as it saves
+  const bool is_kept = width <= kept_rest_.length && kept_rest_.length <= spare * spare * width &&
+                       kept_rest_.values.rows() == functionals_ahead(whole);
+  if (!is_kept) {
+    double fastest = 0;
+    for (const Complex& rate : rates()) fastest = std::max(fastest, std::abs(rate));
+    const double length = spare * width,
+                 points = internal::points_of_analytic(length, fastest, nats_of_double);
+    if (!(points <= most_points)) return rest_at(alpha, whole);
+    const auto count = static_cast<Eigen::Index>(std::ceil(points));
+    kept_rest_ = {length, rest_at(internal::chebyshev_points(length, count), whole)};
+  }
+  const auto& [length, values] = kept_rest_;
+  return values * internal::interpolation(alpha, length, values.cols()).transpose();
+}
+
+Tractions::Kernel RollingKernels::ahead(bool whole) const {
+  const auto at = [this, whole](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+    on_q = on_p = ahead_at(alpha, whole);
   };
-  return {functionals, Tractions::Kernel::FarAway::negligible, rates(),
-          [functionals, set](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-            on_p = Eigen::MatrixXd::Zero(functionals, static_cast<Eigen::Index>(alpha.size()));
-            for (std::size_t i = 0; i < alpha.size(); ++i)
-              set(alpha[i], on_p.col(static_cast<Eigen::Index>(i)));
-            on_q = on_p;
-          },
-          of_logarithm};
+  const auto by_logarithm = [this, whole](const Eigen::ArrayXd& alpha, double width) {
+    return Tractions::Kernel::ByLogarithm{factor_of_logarithm(alpha, whole),
+                                          interpolated_rest(alpha, width, whole)};
+  };
+  return {static_cast<int>(functionals_ahead(whole)), Tractions::Kernel::FarAway::negligible, rates(), at,
+          by_logarithm};
 }
 
 }  // namespace nipref::fast

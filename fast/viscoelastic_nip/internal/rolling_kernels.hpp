@@ -34,6 +34,9 @@ class RollingKernels {
   [[nodiscard]] Tractions::Kernel ahead(bool whole) const;
 
  private:
+  using Fades = std::vector<std::variant<internal::Fade, internal::OscillatingFade>>;
+  /// Of each term.
+  [[nodiscard]] Fades fades(internal::Kernel kernel) const;
   /// Adds amplitude times `memory` for all terms; of a conjugate pair one is evaluated.
   ///
   /// Behind the load a term leaves a trace, a multiple of e^(rate alpha). If the rate is complex, the traces of the whole
@@ -42,7 +45,8 @@ class RollingKernels {
   /// trace is added to the size. size_of_trace(part, |amplitude| e^(Re rate alpha), rate) bounds the trace: of the memory of
   /// I1 it is the part itself; of I3, which is within pi/2 of its limits, 2 pi/|rate| for each unit of amplitude.
   template <class Sum, class MemoryOf, class SizeOfTrace>
-  void add_terms(Sum& sum, double alpha, const MemoryOf& memory, const SizeOfTrace& size_of_trace) const;
+  void add_terms(Sum& sum, double alpha, const Fades& fades, const MemoryOf& memory,
+                 const SizeOfTrace& size_of_trace) const;
 
   using Sized = internal::Sized<double>;
   /// pi times these kernels at alpha, where the load's point `at` is.
@@ -55,9 +59,25 @@ class RollingKernels {
   [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] std::vector<std::complex<double>> rates() const;
 
+  /// Of ahead(): the number of functionals, the kernel, and the factor of its logarithm, a row for each functional.
+  [[nodiscard]] Eigen::Index functionals_ahead(bool whole) const;
+  [[nodiscard]] Eigen::MatrixXd ahead_at(std::span<const double> alpha, bool whole) const;
+  [[nodiscard]] Eigen::MatrixXd factor_of_logarithm(const Eigen::ArrayXd& alpha, bool whole) const;
+  /// The kernel less its logarithm; and the same, at 0 <= alpha <= width, from its values at Chebyshev points of [0, length] that are
+  /// kept. The length is a little more than the width: the contacts of a search for a length differ by less.
+  [[nodiscard]] Eigen::MatrixXd rest_at(const Eigen::ArrayXd& alpha, bool whole) const;
+  [[nodiscard]] Eigen::MatrixXd interpolated_rest(const Eigen::ArrayXd& alpha, double width,
+                                                  bool whole) const;
+  struct KeptRest {
+    double length;
+    Eigen::MatrixXd values;
+  };
+
   const RollingSheet& sheet_;
-  std::vector<std::variant<internal::Fade, internal::OscillatingFade>> fades_;  ///< of each term
+  Fades fades_;               ///< of I1
   double slowest_amplitude_;  ///< of the slowest residue term and its memories, at alpha = 0, at most
+  mutable KeptRest kept_rest_{};
+  mutable Fades fades_along_;  ///< of I3, once along() is asked for
 };
 
 }  // namespace nipref::fast
