@@ -1,10 +1,39 @@
 #include <algorithm>
+#include <complex>
+#include <deque>
 #include <utility>
 
 #include <nipref/ref/partial_slip/internal/slip_contact.hpp>
 #include <nipref/ref/partial_slip/internal/slip_field.hpp>
 
 namespace nipref::ref {
+namespace {
+
+using ComplexRow = Eigen::RowVectorXcd;
+
+/// x - y, each 0 where there is none, in double: precise also where they are nearly equal.
+ComplexRow difference(const Row<ComplexFloat>* x, const Row<ComplexFloat>* y, GridIndex count) {
+  const ComplexFloat zero;
+  ComplexRow result(count);
+  Float re, im;
+  for (GridIndex i = 0; i < count; ++i) {
+    const ComplexFloat &from = x != nullptr ? (*x)[i] : zero, &less = y != nullptr ? (*y)[i] : zero;
+    mpfr_sub(raw(re), raw(from.re), raw(less.re), MPFR_RNDN);
+    mpfr_sub(raw(im), raw(from.im), raw(less.im), MPFR_RNDN);
+    result(i) = {static_cast<double>(re), static_cast<double>(im)};
+  }
+  return result;
+}
+
+void add_products(ComplexFloat& sum, const Row<ComplexFloat>& row, const Vector& values) {
+  Float scratch;
+  for (GridIndex i = 0; i < row.count(); ++i) {
+    add_product(sum.re, scratch, row[i].re, values(i));
+    if (!row[i].is_real()) add_product(sum.im, scratch, row[i].im, values(i));
+  }
+}
+
+}  // namespace
 
 SlipContact::SlipContact(std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels,
                          const Row<SlipZone>& zones)
@@ -14,8 +43,7 @@ SlipContact::SlipContact(std::shared_ptr<const ZoneGrid> grid, SheetKernels& ker
       smooth_(panels_, *grid_, kernels),
       sources_{Row<Source>(panels_.values()), Row<Source>(panels_.values())},
       weights_(panels_.values()),
-      values_{Vector(panels_.values()), Vector(panels_.values())},
-      loads_{Row<Float>(panels_.values()), Row<Float>(panels_.values())} {
+      values_{Vector(panels_.values()), Vector(panels_.values())} {
   count_unknowns();
   count_equations();
   add_conditions();
@@ -97,9 +125,6 @@ void SlipContact::set(const Vector& unknowns) {
       const auto& [column, factor] = sources_[of][i];
       if (column >= 0) values_[of](i) = factor * unknowns(column);
     }
-    for (const ZonePanel& panel : panels_)
-      for (GridIndex i = 0; i < grid_->nodes(); ++i)
-        loads_[of][panel.first + i] = grid_->weight()[i] * values_[of](panel.first + i) / pi();
   }
   smooth_.set(values_);
 }
@@ -137,18 +162,14 @@ Vector SlipContact::unknowns_of(const SlipField& other) const {
 
 PointSums SlipContact::sums(const ContactPoint& point, bool with_tangential) const {
   auto [normal, tangential] = smooth_.at(panels_.place(point));
-  const auto [pressed, sheared] = cauchy_sums(panels_, *grid_, loads_, point, with_tangential);
-  const GridIndex nodes = grid_->nodes(), left = panels_[point.panel].first + nodes;
-  const auto hats = cauchy_hats(panels_, point);
-  for (GridIndex i = 1; i < hats.count(); ++i) {
-    normal = normal + hats[i] * values_[pressure_part](panels_[i].first + nodes);
-    tangential = tangential + hats[i] * values_[shear_part](panels_[i].first + nodes);
-  }
+  const Row<ComplexFloat> cauchy = panels_.cauchy_row(*grid_, point);
+  const GridIndex left = panels_[point.panel].first + grid_->nodes();
+  add_products(normal, cauchy, values_[pressure_part]);
+  if (with_tangential) add_products(tangential, cauchy, values_[shear_part]);
   const auto linear = [&](std::size_t of) {
     return point.at.from_right * values_[of](left) + point.at.from_left * values_[of](left + 1);
   };
-  return {normal + pressed + linear(shear_part) * problem().beta,
-          tangential + sheared - linear(pressure_part) * problem().beta};
+  return {normal + linear(shear_part) * problem().beta, tangential - linear(pressure_part) * problem().beta};
 }
 
 ContactPoint SlipContact::point(const PointIndex& index) const {
@@ -156,10 +177,9 @@ ContactPoint SlipContact::point(const PointIndex& index) const {
 }
 
 ComplexFloat SlipContact::left_side(const ContactPoint& point) const {
-  const bool sticks = panels_[point.panel].sign == 0;
-  const auto [normal, tangential] = sums(point, sticks);
+  const auto [normal, tangential] = sums(point, sticks(point.panel));
   const ComplexFloat rest = normal + (panels_.place(point) - leading_) * Float(2);
-  return sticks ? ComplexFloat(rest.re - tangential.im, rest.im + tangential.re - creep_) : rest;
+  return sticks(point.panel) ? ComplexFloat(rest.re - tangential.im, rest.im + tangential.re - creep_) : rest;
 }
 
 Vector SlipContact::residual() const {
@@ -180,6 +200,66 @@ Vector SlipContact::residual() const {
     ++row;
   }
   return result;
+}
+
+Row<ComplexFloat> SlipContact::point_row(const PointIndex& index) const {
+  const ContactPoint here = point(index);
+  Row<ComplexFloat> row = panels_.cauchy_row(*grid_, here);
+  for (ComplexFloat& value : smooth_.lagrange(panels_.place(here))) row.push_back(std::move(value));
+  row.push_back(here.at.from_right);
+  row.push_back(here.at.from_left);
+  return row;
+}
+
+Eigen::MatrixXd SlipContact::slopes() const {
+  const auto [normal, coupling, tangential] = smooth_.slopes();
+  const auto beta = static_cast<double>(problem().beta);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(equations_.count() + conditions_.count(), sizes_.count());
+  GridIndex number = 0;
+  const auto add = [&](std::size_t of, const Eigen::VectorXd& slopes) {
+    for (GridIndex i = 0; i < panels_.values(); ++i) {
+      const auto& [column, factor] = sources_[of][i];
+      if (column >= 0) matrix(number, column) += factor * slopes(i);
+    }
+  };
+  // Those of an equation serve the next ones as well.
+  std::deque<std::pair<PointIndex, Row<ComplexFloat>>> rows;
+  const auto row_at = [&](const PointIndex& index) -> const Row<ComplexFloat>* {
+    const auto found = std::ranges::find(rows, index, [](const auto& known) { return known.first; });
+    if (found != rows.end()) return &found->second;
+    if (rows.size() == 3) rows.pop_front();
+    return &rows.emplace_back(index, point_row(index)).second;
+  };
+  for (const auto& [at, less, part, scale] : equations_) {
+    const Row<ComplexFloat>*here = row_at(at), *there = less ? row_at(*less) : nullptr;
+    const auto in_double = static_cast<double>(scale);
+    const ComplexRow direct = in_double * difference(here, there, here->count());
+    // What the shear's equation adds is turned.
+    const ComplexRow turned = std::complex<double>(0, in_double) *
+                              difference(sticks(at.panel) ? here : nullptr,
+                                         less && sticks(less->panel) ? there : nullptr, here->count());
+    OfBoth<ComplexRow> slopes{direct.head(panels_.values()), turned.head(panels_.values())};
+    // Across a joint the rest goes on.
+    if (!less || less->panel == at.panel) {
+      const auto smooth = [&](const ComplexRow& row) { return row.segment(panels_.values(), normal.rows()); };
+      const GridIndex ends = panels_[at.panel].first + grid_->nodes();
+      slopes[pressure_part] += smooth(direct) * normal + smooth(turned) * coupling;
+      slopes[shear_part] += smooth(turned) * tangential - smooth(direct) * coupling;
+      slopes[pressure_part].segment(ends, 2) -= beta * turned.tail(2);
+      slopes[shear_part].segment(ends, 2) += beta * direct.tail(2);
+    }
+    for (std::size_t of : {pressure_part, shear_part})
+      add(of, part == 0 ? Eigen::VectorXd(slopes[of].real()) : Eigen::VectorXd(slopes[of].imag()));
+    const GridIndex common = part == 0 ? leading_column_ : creep_column_;
+    if (!less && common >= 0) matrix(number, common) = (part == 0 ? -2 : -1) * in_double;
+    ++number;
+  }
+  for (const auto& [factors, wanted] : conditions_) {
+    for (std::size_t of : {pressure_part, shear_part}) add(of, factors[of].cast<double>());
+    ++number;
+  }
+  for (GridIndex i = 0; i < sizes_.count(); ++i) matrix.col(i) *= static_cast<double>(sizes_[i]);
+  return matrix;
 }
 
 }  // namespace nipref::ref

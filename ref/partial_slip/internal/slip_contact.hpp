@@ -19,45 +19,12 @@ class SlipContact {
   /// Those that make the tractions, L1 and creep of another contact.
   [[nodiscard]] Vector unknowns_of(const SlipField& other) const;
   void set(const Vector& unknowns);
-  /// Which unknown a value is, times a factor; none where it is 0.
-  struct Source {
-    GridIndex column = -1;
-    double factor = 1;
-  };
-  [[nodiscard]] const OfBoth<Row<Source>>& sources() const { return sources_; }
   /// How large unknowns are: next to a panel's end as the root of the distance.
   [[nodiscard]] const Row<Float>& sizes() const { return sizes_; }
-  [[nodiscard]] GridIndex leading_column() const { return leading_column_; }
-  [[nodiscard]] GridIndex creep_column() const { return creep_column_; }  ///< -1 where it is given
-
-  /// One of the points where equations are asked.
-  struct PointIndex {
-    GridIndex panel, point;
-    bool operator==(const PointIndex&) const = default;
-  };
-  /// A row of the system is the real (0) or imaginary (1) part of the left side at a point, times a scale. Next to a panel's end
-  /// it is the difference from the neighbouring point over the root of the distance, so that rounding to double does not hide
-  /// what the values there add, which are as small.
-  struct Equation {
-    PointIndex at;
-    std::optional<PointIndex> less;
-    GridIndex part;
-    Float scale;
-    [[nodiscard]] bool is_at_place_of(const Equation& other) const {
-      return at == other.at && less == other.less;
-    }
-  };
-  [[nodiscard]] const Row<Equation>& equations() const { return equations_; }
-  /// The rows after these: a sum of factors times the values is to be `wanted`.
-  struct Condition {
-    OfBoth<Vector> factors;
-    Float wanted;
-  };
-  [[nodiscard]] const Row<Condition>& conditions() const { return conditions_; }
-  /// The left sides, whose right sides are 0.
+  /// The left sides, whose right sides are 0; and what they change by with the unknowns over their sizes, each entry precise in
+  /// double.
   [[nodiscard]] Vector residual() const;
-
-  [[nodiscard]] ContactPoint point(const PointIndex& index) const;
+  [[nodiscard]] Eigen::MatrixXd slopes() const;
 
   // In half-thicknesses, tractions as they are.
   [[nodiscard]] const SlipProblem& problem() const { return grid_->problem(); }
@@ -75,11 +42,40 @@ class SlipContact {
   [[nodiscard]] Float integral(std::size_t of) const { return weights_.cwiseProduct(values_[of]).sum(); }
 
  private:
+  /// Which unknown a value is, times a factor; none where it is 0.
+  struct Source {
+    GridIndex column = -1;
+    double factor = 1;
+  };
+  /// One of the points where equations are asked.
+  struct PointIndex {
+    GridIndex panel, point;
+    bool operator==(const PointIndex&) const = default;
+  };
+  /// A row of the system is the real (0) or imaginary (1) part of the left side at a point, times a scale. Next to a panel's end
+  /// it is the difference from the neighbouring point over the root of the distance, so that rounding to double does not hide
+  /// what the values there add, which are as small.
+  struct Equation {
+    PointIndex at;
+    std::optional<PointIndex> less;
+    GridIndex part;
+    Float scale;
+  };
+  /// The rows after these: a sum of factors times the values is to be `wanted`.
+  struct Condition {
+    OfBoth<Vector> factors;
+    Float wanted;
+  };
+
   void count_unknowns();
   void count_equations();
   void add_conditions();
+  [[nodiscard]] bool sticks(GridIndex panel) const { return panels_[panel].sign == 0; }
+  [[nodiscard]] ContactPoint point(const PointIndex& index) const;
   /// Complex where the contact sticks.
   [[nodiscard]] ComplexFloat left_side(const ContactPoint& point) const;
+  /// What it is made of: Cauchy's integrals by all values, Lagrange's polynomials, and the linear ones of the panel's ends.
+  [[nodiscard]] Row<ComplexFloat> point_row(const PointIndex& index) const;
 
   std::shared_ptr<const ZoneGrid> grid_;
   Row<SlipZone> zones_;
@@ -91,7 +87,6 @@ class SlipContact {
   Row<Condition> conditions_;
   Row<Float> sizes_;
   OfBoth<Vector> values_;
-  OfBoth<Row<Float>> loads_;
   Float leading_ = 0, creep_ = 0;
   GridIndex leading_column_ = 0, creep_column_ = -1;
 };

@@ -57,9 +57,8 @@ class Newton {
     if (near != nullptr) {
       unknowns_ = contact_->unknowns_of(*near);
     } else {
-      const Eigen::MatrixXd system = slopes(*contact_);
-      const GridIndex count = unknowns_.size();
-      change_unknowns(system.leftCols(count).colPivHouseholderQr().solve(system.col(count)), 1);
+      evaluate();
+      change_unknowns(contact_->slopes().colPivHouseholderQr().solve(in_double(rest_, 1)), 1);
     }
     evaluate();
   }
@@ -107,7 +106,7 @@ class Newton {
   void make_slopes() {
     const GridIndex linear = unknowns_.size();
     slopes_.resize(rest_.size(), rest_.size());
-    slopes_.leftCols(linear) = slopes(*contact_).leftCols(linear);
+    slopes_.leftCols(linear) = contact_->slopes();
     for (GridIndex i = 0; i < zones_.count(); ++i) {
       Zones longer = zones_;
       longer[i].length *= 1 + step_of_lengths;

@@ -11,10 +11,6 @@ namespace nipref::ref {
 /// creep that is found by the traction. They are as long together as `length`, also where the load is given.
 Row<SlipZone> plain_zones(const SlipProblem& problem, SheetKernels& kernels, double length);
 
-/// The residual of a contact is this matrix times its unknowns over their sizes, followed by 1; each entry is precise in double,
-/// although equations next to a panel's end are differences.
-Eigen::MatrixXd slopes(const SlipContact& contact);
-
 /// A contact solved with two grids.
 struct SolvedSlip {
   std::unique_ptr<const SlipField> coarse, fine;

@@ -19,35 +19,6 @@ double free_angle(double length) { return 2 * std::atan(4 / length); }
 /// The least of x/2 + 1/(2 sqrt(x^2 + 1/4)): the part of the exponent that is left where it is least.
 constexpr double least_part = 0.9296;
 
-/// sum_i loads_i/(distance + nodes_i), from the first load on; in place, as this is most of the work.
-OfBoth<ComplexFloat> quotients(const CauchyTerms& terms, const OfBoth<Row<Float>>& loads, GridIndex first,
-                               std::size_t kinds) {
-  OfBoth<ComplexFloat> sums;
-  const Float& height = terms.distance.im;
-  const bool is_real = terms.distance.is_real();
-  const Float square = height * height;
-  Float way, over, load, scratch;
-  for (GridIndex i = 0; i < terms.nodes.count(); ++i) {
-    mpfr_add(raw(way), raw(terms.distance.re), raw(terms.nodes[i]), MPFR_RNDN);
-    if (is_real) {
-      mpfr_ui_div(raw(over), 1, raw(way), MPFR_RNDN);
-      for (std::size_t of = 0; of < kinds; ++of)
-        add_product(sums[of].re, scratch, over, loads[of][first + i]);
-      continue;
-    }
-    mpfr_sqr(raw(over), raw(way), MPFR_RNDN);
-    mpfr_add(raw(over), raw(over), raw(square), MPFR_RNDN);
-    mpfr_ui_div(raw(over), 1, raw(over), MPFR_RNDN);
-    for (std::size_t of = 0; of < kinds; ++of) {
-      mpfr_mul(raw(load), raw(over), raw(loads[of][first + i]), MPFR_RNDN);
-      add_product(sums[of].re, scratch, load, way);
-      mpfr_sub(raw(sums[of].im), raw(sums[of].im), raw(load), MPFR_RNDN);
-    }
-  }
-  for (ComplexFloat& sum : sums) sum.im *= height;
-  return sums;
-}
-
 }  // namespace
 
 ZoneGrid::ZoneGrid(const SlipProblem& problem, double nats, const Row<SlipZone>& zones)
@@ -70,6 +41,7 @@ ZoneGrid::ZoneGrid(const SlipProblem& problem, double nats, const Row<SlipZone>&
     from_left_.push_back(point.from_left.re);
     from_right_.push_back(point.from_right.re);
     weight_.push_back(slope_at(i));
+    weight_over_pi_.push_back(weight_.back() / pi());
   }
   for (int sign : {-1, 0, 1}) {
     const ComplexFloat first(problem.shift(sign) - Float(1) / 2, sign == 0 ? -atanh(problem.beta) / pi() : 0);
@@ -116,46 +88,49 @@ ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) co
          ComplexFloat(between);
 }
 
-CauchyTerms::CauchyTerms(const ZonePanels& panels, const ZoneGrid& grid, const ContactPoint& point,
-                         GridIndex panel, const ContactPoint& from)
-    : sign(panel > from.panel || (panel == from.panel && from.at.from_left.re < from.at.from_right.re) ? 1
-                                                                                                       : -1),
-      distance(panels.distance(point, sign > 0 ? panel : panel + 1) / panels[panel].length),
-      nodes(sign > 0 ? grid.from_left() : grid.from_right()) {
-  if (point.panel == panel) distance = -distance;
-}
-
-OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid,
-                                 const OfBoth<Row<Float>>& loads, const ContactPoint& point,
-                                 bool with_shear) {
-  OfBoth<ComplexFloat> sums;
-  for (GridIndex i = 0; i < panels.count(); ++i) {
-    const ZonePanel& panel = panels[i];
-    const CauchyTerms terms(panels, grid, point, i, point);
-    const bool sticks = panel.sign == 0;
-    OfBoth<ComplexFloat> part = quotients(terms, loads, panel.first, with_shear && sticks ? 2 : 1);
-    if (!sticks) part[shear_part] = part[pressure_part] * Float(panel.slip_ratio);
-    for (std::size_t of : {pressure_part, shear_part}) sums[of] = sums[of] + part[of] * Float(terms.sign);
-  }
-  return sums;
-}
-
-Row<ComplexFloat> cauchy_hats(const ZonePanels& panels, const ContactPoint& point) {
-  // Twice integrated by parts: with f(t) = t ln|t| at the joints, differences over the panels' lengths, and of these again.
-  Row<ComplexFloat> hats;
-  ComplexFloat before, slope;
-  for (GridIndex joint = 0; joint <= panels.count(); ++joint) {
-    const ComplexFloat distance = panels.distance(point, joint);
-    const bool is_at = distance.is_real() && distance.re == 0;
-    ComplexFloat value = is_at ? distance : distance * log(distance) / pi();
-    if (joint <= point.panel) value = -value;
-    if (joint > 0) {
-      const ComplexFloat last = std::exchange(slope, (value - before) / panels[joint - 1].length);
-      hats.push_back(joint > 1 ? slope - last : ComplexFloat());
-    }
+Row<ComplexFloat> ZonePanels::cauchy_row(const ZoneGrid& grid, const ContactPoint& point) const {
+  Row<ComplexFloat> row(values_);
+  // The linear ones are twice integrated by parts: with f(t) = t ln|t| at the joints, differences over the panels' lengths, and of
+  // these again.
+  const auto potential = [&](GridIndex joint) -> ComplexFloat {
+    const ComplexFloat way = distance(point, joint), value = abs(way) == 0 ? way : way * log(way) / pi();
+    return joint <= point.panel ? -value : value;
+  };
+  ComplexFloat before = potential(0), slope;
+  Float over;
+  for (GridIndex number = 0; number < count(); ++number) {
+    const ZonePanel& panel = (*this)[number];
+    const ComplexFloat value = potential(number + 1),
+                       last = std::exchange(slope, (value - before) / panel.length);
+    if (number > 0) row[panel.first + grid.nodes()] = slope - last;
     before = value;
+    // Terms weight/(distance + node), with distances from the end of the panel that is nearer to the point.
+    const bool is_own = number == point.panel,
+               from_left = is_own ? point.at.from_left.re < point.at.from_right.re : number > point.panel;
+    const Row<Float>& nodes = from_left ? grid.from_left() : grid.from_right();
+    const ComplexFloat way = distance(point, from_left ? number : number + 1) / panel.length,
+                       to_end = is_own ? -way : way;
+    const Float square = to_end.im * to_end.im, minus_height = -to_end.im;
+    // In place, as this is most of the work.
+    for (GridIndex i = 0; i < nodes.count(); ++i) {
+      auto& [re, im] = row[panel.first + i];
+      const Float& weight = grid.weight_over_pi()[i];
+      mpfr_add(raw(re), raw(to_end.re), raw(nodes[i]), MPFR_RNDN);
+      if (to_end.is_real()) {
+        mpfr_div(raw(re), raw(weight), raw(re), MPFR_RNDN);
+      } else {
+        mpfr_sqr(raw(over), raw(re), MPFR_RNDN);
+        mpfr_add(raw(over), raw(over), raw(square), MPFR_RNDN);
+        mpfr_div(raw(over), raw(weight), raw(over), MPFR_RNDN);
+        mpfr_mul(raw(re), raw(re), raw(over), MPFR_RNDN);
+        mpfr_mul(raw(im), raw(minus_height), raw(over), MPFR_RNDN);
+      }
+      if (from_left) continue;
+      mpfr_neg(raw(re), raw(re), MPFR_RNDN);
+      mpfr_neg(raw(im), raw(im), MPFR_RNDN);
+    }
   }
-  return hats;
+  return row;
 }
 
 }  // namespace nipref::ref

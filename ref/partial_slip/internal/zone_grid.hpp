@@ -88,6 +88,7 @@ class ZoneGrid {
   [[nodiscard]] const Row<Float>& from_right() const { return from_right_; }
   /// dx/dc at the nodes, which are the rule's weights.
   [[nodiscard]] const Row<Float>& weight() const { return weight_; }
+  [[nodiscard]] const Row<Float>& weight_over_pi() const { return weight_over_pi_; }
 
   /// Where the equations are asked in a panel of that sign, at one point more than nodes: ref/partial_slip/README.md.
   [[nodiscard]] const Row<PanelPoint>& points(int sign) const {
@@ -105,7 +106,7 @@ class ZoneGrid {
   double nats_;
   Row<int> panels_of_zones_;
   Float step_, steepness_, middle_;
-  Row<Float> from_left_, from_right_, weight_;
+  Row<Float> from_left_, from_right_, weight_, weight_over_pi_;
   std::array<Row<PanelPoint>, 3> points_;
 };
 
@@ -134,32 +135,13 @@ class ZonePanels : public Row<ZonePanel> {
   [[nodiscard]] ComplexFloat place(const ContactPoint& point) const { return distance(point, 0); }  ///< e
   /// From the left end of panel `joint`, 0 to the number of panels. Its real part is > 0.
   [[nodiscard]] ComplexFloat distance(const ContactPoint& point, GridIndex joint) const;
+  /// Cauchy's integral 1/pi int t(e')/(e' - e) de' over the contact at a point, as factors of all values of t: by the grid's rule
+  /// and, of the linear interpolations, in closed form, by the values at left ends. In the point's panel the rule lacks what the
+  /// remainder at the point adds.
+  [[nodiscard]] Row<ComplexFloat> cauchy_row(const ZoneGrid& grid, const ContactPoint& point) const;
 
  private:
   GridIndex values_ = 0;
 };
-
-// Cauchy's integrals 1/pi int t(e')/(e' - e) de' of p and q over the contact.
-
-/// The grid's rule has terms sign weight/(distance + nodes)/pi for a panel: `nodes` are distances from one of its ends, and
-/// `distance` is that of e from there to the other side, all over the panel's length.
-struct CauchyTerms {
-  int sign;
-  ComplexFloat distance;
-  const Row<Float>& nodes;
-
-  /// From the end that is nearer to `from`.
-  CauchyTerms(const ZonePanels& panels, const ZoneGrid& grid, const ContactPoint& point, GridIndex panel,
-              const ContactPoint& from);
-};
-
-/// The rule's sums; of q only where it is wanted. `loads` are the values at the nodes times the rule's weights over pi. In a panel
-/// the sums lack what the value at the point adds.
-OfBoth<ComplexFloat> cauchy_sums(const ZonePanels& panels, const ZoneGrid& grid,
-                                 const OfBoth<Row<Float>>& loads, const ContactPoint& point, bool with_shear);
-
-/// The integrals of the function that is 1 at a joint of panels, 0 at the others and linear between them, by the panels to the
-/// right of the joints; 0 for the first.
-Row<ComplexFloat> cauchy_hats(const ZonePanels& panels, const ContactPoint& point);
 
 }  // namespace nipref::ref
