@@ -4,6 +4,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
+#include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/nip/internal/proven_stresses.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
@@ -144,114 +146,146 @@ FieldSource field_source(const NipSolution& of) {
 
 }  // namespace
 
-const SolvedNip& ConvergedNip::Parts::by_panels() const {
-  if (!solved) solved = SolvedNip::of_half_length(sheet, size(), digits);
-  return *solved;
-}
+/// The parts of a contact, and what results are made of.
+struct ConvergedNip::Computed : Parts {
+  using Unit = mpq_class NipUnits::*;
+  using Proven = std::function<std::optional<Interval>(const ProvenResults&)>;
+  using ProvenTraction = Interval (ProvenResults::*)(const SurfacePoint&) const;
 
-Float ConvergedNip::Parts::size() const {
-  if (half_length) return to_float(*half_length);
-  return proof ? middle_of(proof->contact->half_length()) : fine().half_length();
-}
+  explicit Computed(Parts parts) : Parts(std::move(parts)) {}
 
-std::optional<Estimate> ConvergedNip::Parts::by_proof(Unit unit, const Proven& proven) const {
-  if (!proof) return std::nullopt;
-  const WorkingDigits working(proof->working_digits);
-  const std::optional<Interval> value = proven(*proof->contact);
-  if (!value) return std::nullopt;
-  return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
-}
-
-Estimate ConvergedNip::Parts::number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
-                                     const SolvedNip::Functional& size) const {
-  if (const auto value = by_proof(unit, proven)) return *value;
-  const WorkingDigits working(working_digits());
-  return estimated(unit, functional, size(fine()));
-}
-
-Estimate ConvergedNip::Parts::estimated(Unit unit, const SolvedNip::Functional& functional,
-                                        const Float& least, const Float& beside) const {
-  const data::WithError<Float> estimate = by_panels().estimate(functional, least);
-  return {in_unit(unit) * estimate.value, in_unit(unit) * (estimate.error + beside), digits};
-}
-
-Float ConvergedNip::Parts::behind(const NipSolution& of, double y) const {
-  return of.half_length() + of.offset() - Float(y) / in_unit(&NipUnits::length);
-}
-
-SurfacePoint ConvergedNip::Parts::place(double y) const {
-  const ProvenResults& of = *proof->contact;
-  const mpq_class distance = mpq_class(y) / units.length;
-  // Exact where the ends are.
-  const Interval ahead = sheet->is_symmetric() && half_length
-                             ? Interval(mpq_class(distance / half_length->value()), working_bits())
-                             : (Interval(distance, working_bits()) - of.offset()) / of.half_length();
-  const bool is_trailing = mpfr_sgn(ahead.lower()) < 0;
-  return {is_trailing ? ahead + 1 : 1 - ahead, is_trailing};
-}
-
-/// Of where the leading end is.
-Float ConvergedNip::Parts::end_error() const {
-  if (sheet->is_symmetric() && half_length) return 0;
-  return by_panels()
-      .estimate([&](const NipSolution& of) { return behind(of, 0); }, fine().half_length())
-      .error;
-}
-
-/// Where the contact surely is not.
-bool ConvergedNip::Parts::is_outside(const Float& x) const {
-  const Float known = end_error();
-  return !(x > -known && x < 2 * fine().half_length() + known);
-}
-
-/// What a traction at x may miss as the ends do: where it is as steep as a square root they count for as much as they are
-/// known.
-Float ConvergedNip::Parts::by_ends(const Float& x, Float PressureAndShear::*part) const {
-  const Float known = end_error(), here = fine().tractions(x).*part;
-  return abs(fine().tractions(x + known).*part - here) + abs(fine().tractions(x - known).*part - here);
-}
-
-Estimate ConvergedNip::Parts::traction(double y, Traction part, ProvenTraction proven) const {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  if (const auto value =
-          by_proof(&NipUnits::pressure, [&](const ProvenResults& of) { return (of.*proven)(place(y)); }))
-    return *value;
-  const WorkingDigits working(working_digits());
-  const Float x = behind(fine(), y);
-  if (is_outside(x)) return sheet->is_symmetric() ? Estimate(exact_zero(digits)) : Estimate(0, 0, digits);
-  return estimated(
-      &NipUnits::pressure, [&](const NipSolution& of) { return of.tractions(behind(of, y)).*part; },
-      pressure_of(fine()), by_ends(x, part));
-}
-
-void ConvergedNip::Parts::check_place(double y) const {
-  const WorkingDigits working(working_digits());
-  if (!std::isfinite(y) || abs(Float(y) / in_unit(&NipUnits::length)) > farthest_inside + size())
-    throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
-}
-
-void ConvergedNip::Parts::check_has_shear() const {
-  if (!sheet->grips()) throw BadInput("friction.model", "none", "must be full for places of the shear");
-}
-
-const Float& ConvergedNip::Parts::tangential_at_middle(const NipSolution& of) const {
-  const auto [place, is_new] = at_middle.try_emplace(&of, 0);
-  if (is_new && !sheet->is_symmetric()) place->second = of.tangential(behind(of, 0), by_panels().kernels());
-  return place->second;
-}
-
-ContactField ConvergedNip::Parts::field() const {
-  const NipSolution& of = fine();
-  if (of.half_length() > longest_inside) {
-    throw BadInput("contact_length", static_cast<double>(2 * of.half_length() * in_unit(&NipUnits::length)),
-                   "must be at most 80 sheet thicknesses for stresses inside on the reference path");
+  [[nodiscard]] const NipSolution& fine() const { return by_panels().fine(); }
+  [[nodiscard]] Float in_unit(Unit unit) const { return to_float(Exact(units.*unit)); }
+  // The rest at the working precision.
+  [[nodiscard]] const SolvedNip& by_panels() const {
+    if (!solved) solved = SolvedNip::of_half_length(sheet, size(), digits);
+    return *solved;
   }
-  const Float scale = pressure_of(of);
-  return {field_source(by_panels().coarse()), field_source(of), scale, scale * by_panels().difference(),
-          digits};
-}
 
-ConvergedNip::ConvergedNip(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {
+  [[nodiscard]] Float size() const {
+    if (half_length) return to_float(*half_length);
+    return proof ? middle_of(proof->contact->half_length()) : fine().half_length();
+  }
+
+  /// What `proven` gives of the proof; nothing without one, or where it gives nothing.
+  [[nodiscard]] std::optional<Estimate> by_proof(Unit unit, const Proven& proven) const {
+    if (!proof) return std::nullopt;
+    const WorkingDigits working(proof->working_digits);
+    const std::optional<Interval> value = proven(*proof->contact);
+    if (!value) return std::nullopt;
+    return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
+  }
+
+  /// The same, or else the estimate of a functional with the size of its kind.
+  [[nodiscard]] Estimate number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
+                                const SolvedNip::Functional& size) const {
+    if (const auto value = by_proof(unit, proven)) return *value;
+    const WorkingDigits working(working_digits());
+    return estimated(unit, functional, size(fine()));
+  }
+
+  /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
+  [[nodiscard]] Estimate estimated(Unit unit, const SolvedNip::Functional& functional, const Float& least,
+                                   const Float& beside = 0) const {
+    const data::WithError<Float> estimate = by_panels().estimate(functional, least);
+    return {in_unit(unit) * estimate.value, in_unit(unit) * (estimate.error + beside), digits};
+  }
+
+  /// Of Y, from the leading end.
+  [[nodiscard]] Float behind(const NipSolution& of, double y) const {
+    return of.half_length() + of.offset() - Float(y) / in_unit(&NipUnits::length);
+  }
+
+  [[nodiscard]] SurfacePoint place(double y) const {
+    const ProvenResults& of = *proof->contact;
+    const mpq_class distance = mpq_class(y) / units.length;
+    // Exact where the ends are.
+    const Interval ahead = sheet->is_symmetric() && half_length
+                               ? Interval(mpq_class(distance / half_length->value()), working_bits())
+                               : (Interval(distance, working_bits()) - of.offset()) / of.half_length();
+    const bool is_trailing = mpfr_sgn(ahead.lower()) < 0;
+    return {is_trailing ? ahead + 1 : 1 - ahead, is_trailing};
+  }
+
+  /// Of where the leading end is.
+  [[nodiscard]] Float end_error() const {
+    if (sheet->is_symmetric() && half_length) return 0;
+    return by_panels()
+        .estimate([&](const NipSolution& of) { return behind(of, 0); }, fine().half_length())
+        .error;
+  }
+
+  /// Where the contact surely is not.
+  [[nodiscard]] bool is_outside(const Float& x) const {
+    const Float known = end_error();
+    return !(x > -known && x < 2 * fine().half_length() + known);
+  }
+
+  /// What a traction at x may miss as the ends do: where it is as steep as a square root they count for as much as they are
+  /// known.
+  [[nodiscard]] Float by_ends(const Float& x, Traction part) const {
+    const Float known = end_error(), here = fine().tractions(x).*part;
+    return abs(fine().tractions(x + known).*part - here) + abs(fine().tractions(x - known).*part - here);
+  }
+
+  [[nodiscard]] Estimate traction(double y, Traction part, ProvenTraction proven) const {
+    if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+    if (const auto value =
+            by_proof(&NipUnits::pressure, [&](const ProvenResults& of) { return (of.*proven)(place(y)); }))
+      return *value;
+    const WorkingDigits working(working_digits());
+    const Float x = behind(fine(), y);
+    if (is_outside(x)) return sheet->is_symmetric() ? Estimate(exact_zero(digits)) : Estimate(0, 0, digits);
+    return estimated(
+        &NipUnits::pressure, [&](const NipSolution& of) { return of.tractions(behind(of, y)).*part; },
+        pressure_of(fine()), by_ends(x, part));
+  }
+
+  void check_place(double y) const {
+    const WorkingDigits working(working_digits());
+    if (!std::isfinite(y) || abs(Float(y) / in_unit(&NipUnits::length)) > farthest_inside + size())
+      throw BadInput("y", y, "must be within 450 sheet thicknesses of the contact on the reference path");
+  }
+
+  void check_has_shear() const {
+    if (!sheet->grips()) throw BadInput("friction.model", "none", "must be full for places of the shear");
+  }
+
+  [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const {
+    const auto [place, is_new] = at_middle.try_emplace(&of, 0);
+    if (is_new && !sheet->is_symmetric()) place->second = of.tangential(behind(of, 0), by_panels().kernels());
+    return place->second;
+  }
+
+  [[nodiscard]] ContactField field() const {
+    const NipSolution& of = fine();
+    if (of.half_length() > longest_inside) {
+      throw BadInput("contact_length", static_cast<double>(2 * of.half_length() * in_unit(&NipUnits::length)),
+                     "must be at most 80 sheet thicknesses for stresses inside on the reference path");
+    }
+    const Float scale = pressure_of(of);
+    return {field_source(by_panels().coarse()), field_source(of), scale, scale * by_panels().difference(),
+            digits};
+  }
+
+  /// At the proof's working precision; nothing where it does not reach.
+  [[nodiscard]] std::optional<InnerStresses> proven_stresses_at(const InnerPoint& point) const {
+    if (!proof || proof->contact->expansion() == nullptr) return std::nullopt;
+    const WorkingDigits working(proof->working_digits);
+    const auto found = proven_stresses(*proof->contact->expansion(), place(point.y), Exact(point.depth),
+                                       digits + stress_guard);
+    if (!found) return std::nullopt;
+    const Interval unit(Exact(units.pressure), working_bits());
+    const bool no_shear = point.depth == 0 || (sheet->is_symmetric() && point.y == 0);
+    return InnerStresses{enclosure_of(unit * found->across, digits),
+                         enclosure_of(unit * found->along, digits),
+                         no_shear ? exact_zero(digits) : enclosure_of(unit * found->shear, digits)};
+  }
+
+  mutable std::map<const NipSolution*, Float> at_middle = {};
+};
+
+ConvergedNip::ConvergedNip(Parts parts) : parts_(std::make_shared<const Computed>(std::move(parts))) {
   const WorkingDigits working(parts_->working_digits());
   if (!parts_->proof) (void)parts_->by_panels();
 }
@@ -420,18 +454,6 @@ Estimate ConvergedNip::surface_strain(double y) const {
       [&](const NipSolution& of) { return of.strain(parts_->behind(of, y), parts_->by_panels().kernels()); },
       fine.half_length() + (parts_->is_outside(x) ? Float(0) : Float(at_once * pressure_of(fine))),
       at_once * parts_->by_ends(x, &PressureAndShear::pressure));
-}
-
-std::optional<InnerStresses> ConvergedNip::Parts::proven_stresses_at(const InnerPoint& point) const {
-  if (!proof || proof->contact->expansion() == nullptr) return std::nullopt;
-  const WorkingDigits working(proof->working_digits);
-  const auto found = proven_stresses(*proof->contact->expansion(), place(point.y), Exact(point.depth),
-                                     digits + stress_guard);
-  if (!found) return std::nullopt;
-  const Interval unit(Exact(units.pressure), working_bits());
-  const bool no_shear = point.depth == 0 || (sheet->is_symmetric() && point.y == 0);
-  return InnerStresses{enclosure_of(unit * found->across, digits), enclosure_of(unit * found->along, digits),
-                       no_shear ? exact_zero(digits) : enclosure_of(unit * found->shear, digits)};
 }
 
 std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoint> points) const {

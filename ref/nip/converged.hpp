@@ -61,7 +61,8 @@ class ConvergedNip {
   explicit ConvergedNip(Parts parts);
 
  private:
-  std::shared_ptr<const Parts> parts_;
+  struct Computed;
+  std::shared_ptr<const Computed> parts_;
 };
 
 }  // namespace nipref::ref

@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/converged_parts.hpp>
+#include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/partial_slip/internal/slip_solution.hpp>
 #include <nipref/ref/partial_slip/partial_slip.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>

@@ -109,7 +109,7 @@ ConvergedNip converged_for_load(const data::ViscoelasticNip& nip, double load, i
   };
   parts.solved = task.solved_for_load(sheet, load, to_float(wanted),
                                       guessed_half_length(wanted.approximate(), softness));
-  const NipSolution& fine = parts.fine();
+  const NipSolution& fine = parts.solved->fine();
   parts.proof = proof_of(memories, static_cast<double>(fine.half_length()), digits, [&] {
     return proven_rolling_for_load(*memories, wanted, at_working_precision(fine.half_length()), fine.growth(),
                                    digits);

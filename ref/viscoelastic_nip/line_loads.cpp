@@ -179,11 +179,11 @@ LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::Vi
   // Whether the loads press is known, and they do not.
   const auto pulls = [&] {
     std::optional<bool> presses;
-    solved_until(digits_of_search, extra_digits, carrying_to(digits_of_search),
-                 [&](const SolvedLineLoads& contact) {
-                   presses = contact.presses_everywhere();
-                   return presses.has_value();
-                 });
+    solved_to(digits_of_search, extra_digits, carrying_to(digits_of_search),
+              [&](const SolvedLineLoads& contact) {
+                presses = contact.presses_everywhere();
+                return presses.has_value();
+              });
     return presses == false;
   };
   while (!method.trailing_elements && problem.trailing > 0 && pulls()) --problem.trailing;

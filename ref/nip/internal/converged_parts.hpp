@@ -1,12 +1,9 @@
 #pragma once
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include <nipref/ref/nip/converged.hpp>
-#include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/nip/internal/nip_solution.hpp>
 #include <nipref/ref/nip/internal/proven_contact.hpp>
 #include <nipref/ref/number/exact.hpp>
@@ -65,39 +62,8 @@ struct ConvergedNip::Parts {
   std::optional<Proof> proof = std::nullopt;
   /// Where it is not there yet, it is solved when it is first needed.
   mutable std::optional<SolvedNip> solved = std::nullopt;
-  mutable std::map<const NipSolution*, Float> at_middle = {};
-
-  using Unit = mpq_class NipUnits::*;
-  using Proven = std::function<std::optional<Interval>(const ProvenResults&)>;
 
   [[nodiscard]] int working_digits() const { return SolvedNip::working_digits(digits, sheet->lost_digits()); }
-  // The rest at the working precision.
-  [[nodiscard]] const SolvedNip& by_panels() const;
-  [[nodiscard]] Float size() const;  ///< half length
-  [[nodiscard]] const NipSolution& fine() const { return by_panels().fine(); }
-  [[nodiscard]] Float in_unit(Unit unit) const { return to_float(Exact(units.*unit)); }
-  /// What `proven` gives of the proof; nothing without one, or where it gives nothing.
-  [[nodiscard]] std::optional<Estimate> by_proof(Unit unit, const Proven& proven) const;
-  /// The same, or else the estimate of a functional with the size of its kind.
-  [[nodiscard]] Estimate number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
-                                const SolvedNip::Functional& size) const;
-  /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
-  [[nodiscard]] Estimate estimated(Unit unit, const SolvedNip::Functional& functional, const Float& least,
-                                   const Float& beside = 0) const;
-  /// Of Y, from the leading end.
-  [[nodiscard]] Float behind(const NipSolution& of, double y) const;
-  [[nodiscard]] SurfacePoint place(double y) const;
-  [[nodiscard]] Float end_error() const;
-  [[nodiscard]] bool is_outside(const Float& x) const;
-  [[nodiscard]] Float by_ends(const Float& x, Float PressureAndShear::*part) const;
-  using ProvenTraction = Interval (ProvenResults::*)(const SurfacePoint&) const;
-  [[nodiscard]] Estimate traction(double y, Float PressureAndShear::*part, ProvenTraction proven) const;
-  void check_place(double y) const;
-  void check_has_shear() const;
-  [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const;
-  [[nodiscard]] ContactField field() const;
-  /// At the proof's working precision; nothing where it does not reach.
-  [[nodiscard]] std::optional<InnerStresses> proven_stresses_at(const InnerPoint& point) const;
 };
 
 }  // namespace nipref::ref

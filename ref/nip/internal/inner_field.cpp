@@ -30,7 +30,6 @@ struct InnerField::FacePoint {
   Float from_left, from_right;  ///< distances from the contact's ends, negative outside
   Float distance;               ///< d >= 0
   int face;                     ///< x = 1 or -1
-  bool is_inside;
   FloatShares shares;
 
   /// Adds half of pi times the displacements of a traction at |alpha - alpha'| = `gap`, times a weight.
@@ -55,12 +54,6 @@ struct InnerField::FacePoint {
   }
 };
 
-struct InnerField::Segment {
-  Float start, length;
-  bool left, right;                 ///< on which sides of the point there are tractions
-  Float beyond_left, beyond_right;  ///< length of the contact beyond the segment on each side
-};
-
 const std::vector<UnitPoint>& InnerField::level(int number) const {
   while (std::ssize(levels_) <= number) {
     const auto made = static_cast<int>(levels_.size());
@@ -80,27 +73,27 @@ const std::vector<UnitPoint>& InnerField::level(int number) const {
   return levels_[static_cast<std::size_t>(number)];
 }
 
-/// Adds the integral over a segment, with finer and finer levels until it has converged.
+/// Adds the integral over start <= |alpha - alpha'| <= end, with finer and finer levels until it has converged: of the tractions on
+/// each side of the point that has them there.
 template <std::size_t Parts>
-void InnerField::add_segment(const Segment& segment, const FacePoint& point,
+void InnerField::add_segment(const Float& start, const Float& end, const FacePoint& point,
                              std::array<Float, Parts>& sum) const {
   // Displacements are smaller than tractions under a short contact.
   const Float scale = Parts == 2 ? std::min(Float(1), source_.half_length) : Float(1);
-  const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits);
+  const Float enough = scale * fineness_.scale * pow(Float(10), -fineness_.digits), length = end - start;
   std::array<Float, Parts> total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitPoint& node : level(number)) {
-      const Float from_start = segment.length * node.from_left, to_end = segment.length * node.from_right;
-      const Float gap = segment.start + from_start, weight = node.slope * segment.length;
-      if (segment.left) {
-        const Float from_end = segment.beyond_left + to_end;
-        const Float other = point.is_inside ? point.from_right + gap : from_start;
-        point.add(source_.tractions(from_end, other), gap, left_of_point, weight, total);
-      }
-      if (segment.right) {
-        const Float from_end = segment.beyond_right + to_end;
-        const Float other = point.is_inside ? point.from_left + gap : from_start;
-        point.add(source_.tractions(other, from_end), gap, right_of_point, weight, total);
+      const Float from_start = length * node.from_left, to_end = length * node.from_right,
+                  weight = node.slope * length;
+      for (const Side side : {left_of_point, right_of_point}) {
+        const bool is_left = side == left_of_point;
+        const Float &here = is_left ? point.from_left : point.from_right,
+                    &there = is_left ? point.from_right : point.from_left;
+        if (here < end) continue;
+        const Float near = here - end + to_end, far = there + start + from_start;
+        point.add(is_left ? source_.tractions(near, far) : source_.tractions(far, near), start + from_start,
+                  side, weight, total);
       }
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
@@ -119,22 +112,12 @@ template <std::size_t Parts>
 void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
                                 std::array<Float, Parts>& sum) const {
   const Float from_middle = at.alpha - source_.middle;
-  FacePoint point{source_.half_length + from_middle,
-                  source_.half_length - from_middle,
-                  1 - face * at.depth,
-                  face,
-                  false,
-                  shares};
+  const FacePoint point{source_.half_length + from_middle, source_.half_length - from_middle,
+                        1 - face * at.depth, face, shares};
   const Float near = std::min(point.from_left, point.from_right),
               far = std::max(point.from_left, point.from_right);
-  const bool more_right = point.from_right > point.from_left;
-  point.is_inside = near >= 0;
-  if (!point.is_inside) {
-    add_segment({-near, far + near, !more_right, more_right, 0, 0}, point, sum);
-    return;
-  }
   if (near > 0) {
-    add_segment({0, near, true, true, point.from_left - near, point.from_right - near}, point, sum);
+    add_segment(0, near, point, sum);
     if (Parts == 3 && point.distance == 0) {
       const PressureAndShear here = source_.tractions(point.from_left, point.from_right);
       sum[0] -= here.pressure;
@@ -142,7 +125,7 @@ void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShare
       sum.back() += face * here.shear;
     }
   }
-  if (far > near) add_segment({near, far - near, !more_right, more_right, 0, 0}, point, sum);
+  if (far > near) add_segment(abs(near), far, point, sum);
 }
 
 /// The tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x) and |Im

@@ -65,8 +65,6 @@ class InnerField {
  private:
   /// A point relative to one of the faces.
   struct FacePoint;
-  /// A range of |alpha - alpha'|, with tractions on both sides of the point or on one side.
-  struct Segment;
   struct Charge {
     Float from_middle;
     PressureAndShear weighted;
@@ -90,7 +88,8 @@ class InnerField {
   [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares,
                                               const std::array<Form, Parts>& forms) const;
   template <std::size_t Parts>
-  void add_segment(const Segment& segment, const FacePoint& point, std::array<Float, Parts>& sum) const;
+  void add_segment(const Float& start, const Float& end, const FacePoint& point,
+                   std::array<Float, Parts>& sum) const;
   template <std::size_t Parts>
   void add_half_plane(const SheetPoint& at, int face, const FloatShares& shares,
                       std::array<Float, Parts>& sum) const;

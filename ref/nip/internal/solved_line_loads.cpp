@@ -41,25 +41,19 @@ std::optional<bool> SolvedLineLoads::presses_everywhere() const {
   return std::nullopt;
 }
 
-std::optional<LineLoadNip> solved_until(
+std::optional<LineLoadNip> solved_to(
     int digits, const ExtraDigits& extra,
     const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at,
     const std::function<bool(const SolvedLineLoads&)>& enough) {
+  constexpr int spare_digits = 4, rounding_digits = 6;
   for (int more = extra.first; more <= extra.most; more += more) {
-    const int working_digits = digits + more + rounding_digits_of_loads;
+    const int working_digits = digits + more + rounding_digits;
     const WorkingDigits scope(working_digits);
     auto contact = contact_at(digits + more);
-    if (contact && enough(*contact)) return LineLoadNip(*std::move(contact), digits, working_digits);
+    if (contact && (enough ? enough(*contact) : contact->error <= pow(Float(10), -(digits + spare_digits))))
+      return LineLoadNip(*std::move(contact), digits, working_digits);
   }
   return std::nullopt;
-}
-
-std::optional<LineLoadNip> solved_to(
-    int digits, const ExtraDigits& extra,
-    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at) {
-  return solved_until(digits, extra, contact_at, [&](const SolvedLineLoads& contact) {
-    return contact.error <= pow(Float(10), -(digits + spare_digits_of_loads));
-  });
 }
 
 namespace {

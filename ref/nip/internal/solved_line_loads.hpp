@@ -81,17 +81,12 @@ struct SolvedLineLoads {
 struct ExtraDigits {
   int first, most;
 };
-constexpr int spare_digits_of_loads = 4, rounding_digits_of_loads = 6;
 
-/// contact_at(digits of influences), with more and more digits until it is `enough`; nothing where that does not come
-/// about.
-std::optional<LineLoadNip> solved_until(
-    int digits, const ExtraDigits& extra,
-    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at,
-    const std::function<bool(const SolvedLineLoads&)>& enough);
-/// The same until the error of the unknowns is small enough for the digits.
+/// contact_at(digits of influences), with more and more digits until it is `enough`: without that, until the error of the unknowns
+/// is small enough for the digits. Nothing where that does not come about.
 std::optional<LineLoadNip> solved_to(
     int digits, const ExtraDigits& extra,
-    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at);
+    const std::function<std::optional<SolvedLineLoads>(int influence_digits)>& contact_at,
+    const std::function<bool(const SolvedLineLoads&)>& enough = {});
 
 }  // namespace nipref::ref
