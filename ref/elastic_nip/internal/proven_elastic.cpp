@@ -38,9 +38,7 @@ struct SolvedSystem {
   std::vector<Float> c;
 
   SolvedSystem(const Float& half_length, int size, SmoothKernel& kernel)
-      : system(std::move(ChebyshevSystem::of_half_length(half_length, size, kernel, false).front())),
-        right(SlopeSeries::line(size)),
-        c(system.solution(right)) {}
+      : system(half_length, size, kernel, false), right(SlopeSeries::line(size)), c(system.solution(right)) {}
 
   [[nodiscard]] Float load() const { return pi() * system.half_length() * system.half_length() * c[1]; }
   /// d ln W/d ln A = 2 (sum m c_m)^2/c_1, as dW/dA goes with the square of how p' grows at the ends.

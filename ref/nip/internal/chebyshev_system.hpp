@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <vector>
 
 #include <nipref/ref/nip/internal/proven_contact.hpp>
@@ -35,54 +34,51 @@ struct BoundedColumn : ProvenExpansion {
 class ChebyshevSystem {
  public:
   /// Of odd m, and with `both` of even m too. A to the working precision.
-  static std::vector<ChebyshevSystem> of_half_length(const Float& half_length, int size, SmoothKernel& kernel,
-                                                     bool both);
+  ChebyshevSystem(const Float& half_length, int size, SmoothKernel& kernel, bool both);
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Float& half_length() const { return half_length_; }
   /// cos(k pi/(4n)).
-  [[nodiscard]] const Cosines& cosines() const { return nodes_->cosines; }
-  /// [J(A (t_i - t_j)) -+ J(A (t_i + t_j))]/2, to the kernel's error and what rounding the arguments does.
-  [[nodiscard]] const Float& part(int i, int j) const;
+  [[nodiscard]] const Cosines& cosines() const { return cosines_; }
+  /// Of m = 1, 3, .. or m = 2, 4, ..: a system, with [J(A (t_i - t_j)) -+ J(A (t_i + t_j))]/2, to the kernel's error and what
+  /// rounding the arguments does.
+  struct Parity {
+    long first;
+    std::vector<Float> lower_triangle;
+    EliminatedInDouble eliminated;
 
-  /// c_0 .. c_{2n-1} to about the working precision, 0 where m is not of the parity.
+    [[nodiscard]] const Float& part(int i, int j) const;
+  };
+  [[nodiscard]] const std::vector<Parity>& parities() const { return parities_; }
+
+  /// c_0 .. c_{2n-1} to about the working precision, 0 where m is not of a parity of the system.
   [[nodiscard]] std::vector<Float> solution(const SlopeSeries& right) const;
   /// What solves the system, for all half lengths of the interval, about half_length().
   [[nodiscard]] BoundedColumn proven(const std::vector<Float>& coefficients, const SlopeSeries& right,
                                      const Interval& half_length) const;
 
  private:
-  struct Nodes {
-    Cosines cosines;
-    std::vector<Float> middles;
-  };
   /// What of sum_k k c_k cos(k theta) at the nodes t > 0, and of the kernel times that.
   template <class Number>
   struct Applied {
     std::vector<Number> at_nodes, smooth;
   };
 
-  ChebyshevSystem(bool is_odd, const Float& half_length, int size, std::shared_ptr<const Nodes> nodes,
-                  std::vector<Float> part, const Float& kernel_error);
-  [[nodiscard]] long first() const { return is_odd_ ? 1 : 2; }
   [[nodiscard]] long end() const { return 2L * size_; }
-  [[nodiscard]] Vector::Index unknowns() const { return (end() - first() + 1) / 2; }
+  [[nodiscard]] Vector::Index unknowns(const Parity& parity) const { return (end() - parity.first + 1) / 2; }
+  void eliminate(Parity& parity) const;
   template <class Number>
   [[nodiscard]] const Number& cosine(long k) const;
   template <class Number>
-  [[nodiscard]] Applied<Number> applied_to(const std::vector<Number>& coefficients) const;
+  [[nodiscard]] Applied<Number> applied_to(const Parity& parity,
+                                           const std::vector<Number>& coefficients) const;
 
-  bool is_odd_;
   Float half_length_;
   int size_;
-  std::shared_ptr<const Nodes> nodes_;
-  std::vector<Float> part_;  ///< its lower triangle
+  Cosines cosines_;
+  std::vector<Float> middles_;  ///< of the cosines
   Float kernel_error_;
-  EliminatedInDouble eliminated_;
+  std::vector<Parity> parities_;
 };
-
-/// The solutions of odd and even m together.
-std::vector<BoundedColumn> solved(const std::vector<ChebyshevSystem>& systems,
-                                  const std::vector<SlopeSeries>& right, const Interval& half_length);
 
 }  // namespace nipref::ref

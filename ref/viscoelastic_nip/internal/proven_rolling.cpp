@@ -315,13 +315,16 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   if (!memory) return std::nullopt;
   SmoothKernel kernel(I1_interval, expansion + 6);
   const int size = static_cast<int>(points / 2 + 1);
-  const auto systems = ChebyshevSystem::of_half_length(middle_of(A), size, kernel, true);
-  const Moments moments(systems[0], A);
+  const ChebyshevSystem system(middle_of(A), size, kernel, true);
+  const Moments moments(system, A);
 
   // The elastic contact, and one for each exponential.
-  std::vector<SlopeSeries> right{SlopeSeries::line(size)};
-  for (const Interval& s : memory->s) right.push_back(exponential_series(s, A, 2 * size));
-  const std::vector<BoundedColumn> columns = solved(systems, right, A);
+  std::vector<BoundedColumn> columns;
+  const auto add = [&](const SlopeSeries& right) {
+    columns.push_back(system.proven(system.solution(right), right, A));
+  };
+  add(SlopeSeries::line(size));
+  for (const Interval& s : memory->s) add(exponential_series(s, A, 2 * size));
   const std::size_t n = memory->s.size();
 
   // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each; |moments of M| <= 4.
