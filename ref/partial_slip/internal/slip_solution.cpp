@@ -43,23 +43,16 @@ bool are_alike(const Zones& a, const Zones& b) {
   return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
 }
 
-/// Newton's method for the unknowns and the logarithms of the zones' lengths together.
+/// Newton's method for the unknowns and the logarithms of the zones' lengths together. It begins at the least squares of the
+/// equations for these lengths, which are linear.
 class Newton {
  public:
   Newton(std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, const Zones& zones)
       : grid_(std::move(grid)), kernels_(kernels), zones_(zones) {
     renew();
     unknowns_ = Vector(contact_->sizes().count());
-  }
-
-  /// The tractions of `near`, or of least squares.
-  void begin(const SlipField* near) {
-    if (near != nullptr) {
-      unknowns_ = contact_->unknowns_of(*near);
-    } else {
-      evaluate();
-      change_unknowns(contact_->slopes().colPivHouseholderQr().solve(in_double(rest_, 1)), 1);
-    }
+    evaluate();
+    change_unknowns(Eigen::HouseholderQR<Eigen::MatrixXd>(contact_->slopes()).solve(in_double(rest_, 1)), 1);
     evaluate();
   }
 
@@ -185,20 +178,18 @@ void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, 
   zones.push_back({-sign, part});
 }
 
-/// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
+/// Solved with errors of about 10^-digits; the zones are left as they were found.
 std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones,
-                                        int digits, const SlipField* near) {
-  std::unique_ptr<const SlipField> field;
+                                        int digits) {
   for (int correction = 0; correction < most_corrections; ++correction) {
     Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, zones), kernels, zones);
-    newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
-    if (converges) field = std::make_unique<SlipField>(newton.result());
+    auto field = converges ? std::make_unique<SlipField>(newton.result()) : nullptr;
     Zones better = converges ? corrected(*field) : newton.zones();
     slip_at_end(better, zones, problem, !converges);
     const bool is_same = are_alike(better, zones);
     zones = converges && is_same ? newton.zones() : better;
-    if (is_same) return converges ? std::move(field) : nullptr;
+    if (is_same) return field;
   }
   return nullptr;
 }
@@ -208,7 +199,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
   SolvedSlip result;
   for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
-    auto field = solved(problem, kernels, zones, goal, result.fine.get());
+    auto field = solved(problem, kernels, zones, goal);
     // Short zones may show on a finer grid only.
     if (!field && goal == first_digits) continue;
     if (!field) return {};
