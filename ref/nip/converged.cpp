@@ -253,7 +253,7 @@ struct ConvergedNip::Computed : Parts {
 
   [[nodiscard]] const Float& tangential_at_middle(const NipSolution& of) const {
     const auto [place, is_new] = at_middle.try_emplace(&of, 0);
-    if (is_new && !sheet->is_symmetric()) place->second = of.tangential(behind(of, 0), by_panels().kernels());
+    if (is_new && !sheet->is_symmetric()) place->second = of.tangential(behind(of, 0));
     return place->second;
   }
 
@@ -345,9 +345,8 @@ Estimate ConvergedNip::creep_ratio() const {
     return end ? std::optional(*end / of.half_length()) : end;
   };
   const auto stretch = [&](const NipSolution& of) -> Float {
-    SheetKernels& kernels = parts_->by_panels().kernels();
     const Float length = 2 * of.half_length();
-    return (of.tangential(0, kernels) - of.tangential(length, kernels)) / length;
+    return (of.tangential(0) - of.tangential(length)) / length;
   };
   return parts_->number(&Unit::slope, proven, stretch, half_length_of);
 }
@@ -421,8 +420,7 @@ Estimate ConvergedNip::normal_displacement(double y) const {
   parts_->check_place(y);
   return parts_->number(
       &Unit::displacement, [&](const ProvenResults& of) { return of.normal(parts_->place(y)); },
-      [&](const NipSolution& of) { return of.normal(parts_->behind(of, y), parts_->by_panels().kernels()); },
-      square_of);
+      [&](const NipSolution& of) { return of.normal(parts_->behind(of, y)); }, square_of);
 }
 
 Estimate ConvergedNip::tangential_displacement(double y) const {
@@ -431,8 +429,7 @@ Estimate ConvergedNip::tangential_displacement(double y) const {
   return parts_->number(
       &Unit::displacement, [&](const ProvenResults& of) { return of.tangential(parts_->place(y)); },
       [&](const NipSolution& of) -> Float {
-        return of.tangential(parts_->behind(of, y), parts_->by_panels().kernels()) -
-               parts_->tangential_at_middle(of);
+        return of.tangential(parts_->behind(of, y)) - parts_->tangential_at_middle(of);
       },
       [&](const NipSolution& of) -> Float {
         const Float distance = abs(Float(y) / parts_->in_unit(&Unit::length)), &size = of.half_length();
@@ -450,8 +447,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   // It is no surer than the pressure that stretches the surface at once, where no friction holds that.
   const Float at_once = parts_->sheet->grips() ? Float(0) : parts_->sheet->beta();
   return parts_->estimated(
-      &Unit::slope,
-      [&](const NipSolution& of) { return of.strain(parts_->behind(of, y), parts_->by_panels().kernels()); },
+      &Unit::slope, [&](const NipSolution& of) { return of.strain(parts_->behind(of, y)); },
       fine.half_length() + (parts_->is_outside(x) ? Float(0) : Float(at_once * pressure_of(fine))),
       at_once * parts_->by_ends(x, &PressureAndShear::pressure));
 }

@@ -63,7 +63,10 @@ namespace {
 std::atomic<long> solutions = 0;
 }
 
-NipSolution::NipSolution(Tractions tractions) : tractions_(std::move(tractions)) { ++solutions; }
+NipSolution::NipSolution(Tractions tractions, SheetKernels& kernels)
+    : tractions_(std::move(tractions)), kernels_(kernels) {
+  ++solutions;
+}
 
 long NipSolution::solved() { return solutions; }
 
@@ -120,7 +123,7 @@ namespace {
 class ElasticSolution : public NipSolution {
  public:
   ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
-      : NipSolution(std::move(tractions)), sheet_(sheet) {
+      : NipSolution(std::move(tractions), kernels), sheet_(sheet) {
     const std::vector<Float> points = tractions_.matching_points();
     const auto count = static_cast<Index>(points.size());
     const Index columns = tractions_.columns();
@@ -131,7 +134,7 @@ class ElasticSolution : public NipSolution {
     Vector right(size);
     for (Index i = 0; i < count; ++i) {
       const Float& e = points[static_cast<std::size_t>(i)];
-      const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels);
+      const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels_);
       matrix.row(i).leftCols(columns) = rows[0].transpose();
       if (sheet_.grips()) matrix.row(count + i).leftCols(columns) = rows[1].transpose();
       // The displacement at the end over A, so that all unknowns are of about one size.
@@ -153,22 +156,22 @@ class ElasticSolution : public NipSolution {
            (4 * panels().front().width * load_ * cosine * cosine);
   }
 
-  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override {
-    return before_end(x) < 0 ? value(x, normal(), kernels) : on_roller(x);
+  [[nodiscard]] Float normal(const Float& x) const override {
+    return before_end(x) < 0 ? value(x, normal()) : on_roller(x);
   }
 
-  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override {
+  [[nodiscard]] Float tangential(const Float& x) const override {
     if (sheet_.grips() && before_end(x) >= 0) return creep_ * (half_length() - x);
-    const Float along = value(x, tangential(), kernels);
+    const Float along = value(x, tangential());
     return x <= half_length() ? along : Float(-along);
   }
 
-  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override {
+  [[nodiscard]] Float strain(const Float& x) const override {
     if (sheet_.grips() && before_end(x) >= 0) return creep_;
     LineFunctional slope;
     slope.pressure(Influence::coupling_slope, 1 / pi());
     if (sheet_.grips()) slope.shear(Influence::normal_slope, 1 / pi()).shear(Influence::coupling, -1 / pi());
-    return value(x, slope, kernels) - sheet_.beta() * tractions(x).pressure;
+    return value(x, slope) - sheet_.beta() * tractions(x).pressure;
   }
 
  private:
@@ -192,8 +195,8 @@ class ElasticSolution : public NipSolution {
     return x <= half_length() ? x : Float(2 * half_length() - x);
   }
 
-  [[nodiscard]] Float value(const Float& x, const LineFunctional& functional, SheetKernels& kernels) const {
-    return tractions_.rows(before_end(x), {functional}, kernels).front().cwiseProduct(leading_).sum();
+  [[nodiscard]] Float value(const Float& x, const LineFunctional& functional) const {
+    return tractions_.rows(before_end(x), {functional}, kernels_).front().cwiseProduct(leading_).sum();
   }
 
   const ElasticSheet& sheet_;

@@ -58,17 +58,18 @@ class NipSolution {
 
   /// d ln W/d ln A: dW/dA goes with the square of how the tractions' derivatives grow at the ends.
   [[nodiscard]] virtual Float growth() const = 0;
-  [[nodiscard]] virtual Float normal(const Float& x, SheetKernels& kernels) const = 0;
+  [[nodiscard]] virtual Float normal(const Float& x) const = 0;
   /// Upstream, up to a constant, which is 0 in the middle of a contact without memory; and its slope upstream.
-  [[nodiscard]] virtual Float tangential(const Float& x, SheetKernels& kernels) const = 0;
-  [[nodiscard]] virtual Float strain(const Float& x, SheetKernels& kernels) const = 0;
+  [[nodiscard]] virtual Float tangential(const Float& x) const = 0;
+  [[nodiscard]] virtual Float strain(const Float& x) const = 0;
 
  protected:
-  explicit NipSolution(Tractions tractions);
+  NipSolution(Tractions tractions, SheetKernels& kernels);
   /// The displacement towards the middle plane in the contact.
   [[nodiscard]] Float on_roller(const Float& x) const;
 
   Tractions tractions_;
+  SheetKernels& kernels_;
   /// Coefficients of the tractions on both halves, by the distance from their ends.
   Vector leading_, trailing_;
   Float edge_displacement_, load_, offset_ = 0, moment_ = 0;
@@ -85,7 +86,7 @@ class NipSheet {
   [[nodiscard]] virtual int lost_digits() const { return 0; }
   /// BadInput for half lengths (half-thicknesses) of which the sheet is not solved.
   virtual void check(double /*half_length*/) const {}
-  /// Integrals are good to about e^-nats. The solution refers to the sheet.
+  /// Integrals are good to about e^-nats. The solution refers to the sheet and the kernels.
   [[nodiscard]] virtual std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                             std::vector<TractionPanel> panels, double nats,
                                                             SheetKernels& kernels) const = 0;

@@ -92,16 +92,22 @@ int lost_digits(const Float& x, int count) {
   return size > 1 ? static_cast<int>(2 * count * std::log10(size + std::sqrt(size * size - 1))) + 2 : 0;
 }
 
-Sequence rounded(Sequence sequence) {
-  for (ComplexFloat& x : sequence) x = {at_working_precision(x.re), at_working_precision(x.im)};
-  return sequence;
+/// To the working precision.
+Matrix rows_of(const Sequence& sequence, int count) {
+  Matrix rows(count, 2);
+  for (int k = 0; k < count; ++k) {
+    const auto& [re, im] = sequence[static_cast<std::size_t>(k)];
+    rows(k, 0) = at_working_precision(re);
+    rows(k, 1) = at_working_precision(im);
+  }
+  return rows;
 }
 
 }  // namespace
 
-SingularIntegrals::SingularIntegrals(const ComplexFloat& m, int count) : plain_(plain_moments(m, count)) {}
+Matrix plain_integrals(const ComplexFloat& m, int count) { return rows_of(plain_moments(m, count), count); }
 
-SingularIntegrals::SingularIntegrals(const ComplexFloat& m, const Float& x, int count) {
+SingularIntegrals singular_integrals(const ComplexFloat& m, const Float& x, int count) {
   Sequence plain, logarithm, sign, inverse;
   {
     const WorkingDigits more(digits_of(working_bits()) + lost_digits(x, count) + 4);
@@ -134,10 +140,7 @@ SingularIntegrals::SingularIntegrals(const ComplexFloat& m, const Float& x, int 
       for (const ComplexFloat& moment : plain) sign.push_back(x > 0 ? moment : -moment);
     }
   }
-  plain_ = rounded(plain);
-  logarithm_ = rounded(logarithm);
-  sign_ = rounded(sign);
-  inverse_ = rounded(inverse);
+  return {rows_of(plain, count), rows_of(logarithm, count), rows_of(sign, count), rows_of(inverse, count)};
 }
 
 }  // namespace nipref::ref

@@ -69,19 +69,27 @@ bool is_same(const Interval& x, const Interval& y) {
   return mpfr_equal_p(x.lower(), y.lower()) != 0 && mpfr_equal_p(x.upper(), y.upper()) != 0;
 }
 
-/// Those of a condition; nothing if the intervals do not tell how many there are.
-std::optional<std::vector<Interval>> roots_of(const Quadratic& f) {
+/// That the intervals do not decide what the creep is.
+struct Undecided {};
+
+int decided_sign(const Interval& x) {
+  const int sign = sign_of(x);
+  if (sign == 0) throw Undecided();
+  return sign;
+}
+
+/// Those of a condition; Undecided if the intervals do not tell how many there are.
+std::vector<Interval> roots_of(const Quadratic& f) {
   if (mpfi_is_zero(f.square.get()) > 0) {
-    if (sign_of(f.linear) == 0) return std::nullopt;
-    return std::vector{-(f.constant / f.linear)};
+    (void)decided_sign(f.linear);
+    return {-(f.constant / f.linear)};
   }
   const Interval discriminant = square(f.linear) - 4 * (f.square * f.constant);
-  const int has_roots = sign_of(discriminant);
-  if (has_roots < 0) return std::vector<Interval>{};
-  if (has_roots == 0 || sign_of(f.square) == 0 || sign_of(f.linear) == 0) return std::nullopt;
+  if (decided_sign(discriminant) < 0) return {};
+  (void)decided_sign(f.square);
   const Interval root = sqrt(discriminant);
-  const Interval q = -(sign_of(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
-  return std::vector{q / f.square, f.constant / q};
+  const Interval q = -(decided_sign(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
+  return {q / f.square, f.constant / q};
 }
 
 /// A number at which the condition of that number is 0.
@@ -113,49 +121,38 @@ class Conditions {
     }
   }
 
-  /// The creep of least magnitude, or none if there is none; nothing if the intervals do not decide.
-  [[nodiscard]] std::optional<std::optional<Interval>> least() const {
+  /// The creep of least magnitude, or none if there is none.
+  [[nodiscard]] std::optional<Interval> least() const {
     const Interval zero(all_.front().constant.precision());
-    const std::optional<bool> at_zero = is_met(zero, all_.size());
-    if (!at_zero) return std::nullopt;
-    if (*at_zero) return std::optional(zero);
-    const auto candidates = roots();
-    if (!candidates) return std::nullopt;
+    if (is_met(zero, all_.size())) return zero;
     std::optional<Interval> best;
-    for (const auto& [root, of] : *candidates) {
-      const std::optional<bool> meets = is_met(root, of);
-      if (!meets) return std::nullopt;
-      if (!*meets) continue;
-      const int nearer = best ? sign_of(square(*best) - square(root)) : 1;
-      if (nearer == 0) return std::nullopt;
-      if (nearer > 0) best = root;
-    }
+    for (const auto& [root, of] : roots())
+      if (is_met(root, of) && (!best || decided_sign(square(*best) - square(root)) > 0)) best = root;
     return best;
   }
 
   /// The range around `chosen`, which is least(). It ends at the nearest roots on both sides, since all roots are simple. If
   /// `chosen` is a root itself, the range begins there.
-  [[nodiscard]] ThesisCreep around(const Interval& chosen) const {
+  [[nodiscard]] ThesisCreep around(const Interval& chosen) const try {
     ThesisCreep result{chosen};
-    const auto borders = roots();
-    if (!borders) return result;
-    for (const auto& [root, of] : *borders) {
+    for (const auto& [root, of] : roots()) {
       if (is_same(chosen, root)) continue;
-      const int side = sign_of(root - chosen);
-      if (side == 0) return {chosen};
       // If the intervals of two roots overlap, the bound covers both.
-      std::optional<Interval>& nearest = side < 0 ? result.lower : result.upper;
+      const bool is_lower = decided_sign(root - chosen) < 0;
+      std::optional<Interval>& nearest = is_lower ? result.lower : result.upper;
       if (!nearest) nearest = root;
-      nearest = side < 0 ? larger_of(root, *nearest) : -larger_of(-root, -*nearest);
+      nearest = is_lower ? larger_of(root, *nearest) : -larger_of(-root, -*nearest);
     }
     const int at = sign_of(chosen);
     if (at != 0) (at > 0 ? result.lower : result.upper) = chosen;
     return result;
+  } catch (const Undecided&) {
+    return {chosen};
   }
 
  private:
-  /// Whether all conditions are met except number `but`, of which x is a root; nothing if the intervals do not decide.
-  [[nodiscard]] std::optional<bool> is_met(const Interval& x, std::size_t but) const {
+  /// Whether all conditions are met except number `but`, of which x is a root.
+  [[nodiscard]] bool is_met(const Interval& x, std::size_t but) const {
     bool is_known = true;
     for (std::size_t k = 0; k < all_.size(); ++k) {
       if (k == but) continue;
@@ -163,16 +160,14 @@ class Conditions {
       if (at_x < 0) return false;
       if (at_x == 0) is_known = false;
     }
-    return is_known ? std::optional(true) : std::nullopt;
+    if (!is_known) throw Undecided();
+    return true;
   }
 
-  [[nodiscard]] std::optional<std::vector<Root>> roots() const {
+  [[nodiscard]] std::vector<Root> roots() const {
     std::vector<Root> found;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      const auto here = roots_of(all_[k]);
-      if (!here) return std::nullopt;
-      for (const Interval& root : *here) found.push_back({root, k});
-    }
+    for (std::size_t k = 0; k < all_.size(); ++k)
+      for (const Interval& root : roots_of(all_[k])) found.push_back({root, k});
     return found;
   }
 
@@ -183,13 +178,14 @@ class Conditions {
 
 /// By the sign of the shear loads whose creep is nearer to 0.
 std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
-                                        const std::vector<Interval>& per_creep) {
+                                        const std::vector<Interval>& per_creep) try {
   const Conditions inwards(at_zero, per_creep, -1), outwards(at_zero, per_creep, 1);
-  const auto in = inwards.least(), out = outwards.least();
-  if (!in || !out || (!*in && !*out)) return std::nullopt;
-  const int nearer = !*in ? 1 : !*out ? -1 : sign_of(square(**in) - square(**out));
-  if (nearer == 0) return std::nullopt;
-  return nearer > 0 ? outwards.around(**out) : inwards.around(**in);
+  const std::optional<Interval> in = inwards.least(), out = outwards.least();
+  if (!in && !out) return std::nullopt;
+  const bool is_outwards = !in || (out && decided_sign(square(*in) - square(*out)) > 0);
+  return is_outwards ? outwards.around(*out) : inwards.around(*in);
+} catch (const Undecided&) {
+  return std::nullopt;
 }
 
 }  // namespace nipref::ref

@@ -131,15 +131,12 @@ void Tractions::add_piece(std::size_t number, const Float& from, const Float& wi
 Matrix Tractions::end_weights() const {
   const auto nodes = static_cast<Index>(end_points_.size());
   const int terms = panels_.front().terms;
-  const SingularIntegrals moments(exponent(0), terms + static_cast<int>(nodes));
+  const Matrix moments = plain_integrals(exponent(0), terms + static_cast<int>(nodes));
   Matrix products(nodes, 2 * terms);
-  for (Index l = 0; l < nodes; ++l) {
-    for (Index k = 0; k < terms; ++k) {
-      const ComplexFloat product = moments.plain(l + k) + moments.plain(std::abs(l - k));
-      products(l, k) = product.re;
-      products(l, terms + k) = product.im;
-    }
-  }
+  for (Index l = 0; l < nodes; ++l)
+    for (Index k = 0; k < terms; ++k)
+      for (Index part : {0, 1})
+        products(l, part * terms + k) = moments(l + k, part) + moments(std::abs(l - k), part);
   return panels_.front().width / 2 * (coefficients_by(end_points_) * products);
 }
 
@@ -180,16 +177,12 @@ void Tractions::add_singular(const Piece& piece, const Image& image,
                          any_has(functionals, Influence::normal_slope);
   if (!is_wanted) return;
   const int terms = panels_[piece.panel].terms, first = first_columns_[piece.panel];
-  const SingularIntegrals own(exponent(piece.panel), (image.place - piece.from) / piece.width, terms);
-  const auto add = [&](Influence kind, const auto& own_integral) {
+  const SingularIntegrals own =
+      singular_integrals(exponent(piece.panel), (image.place - piece.from) / piece.width, terms);
+  const auto add = [&](Influence kind, const Float& factor, const Matrix& of_own) {
     if (!any_has(functionals, kind)) return;
-    Matrix integrals(terms, 2);  // real and imaginary parts
-    for (Index k = 0; k < terms; ++k) {
-      const ComplexFloat here = own_integral(k);
-      integrals(k, 0) = here.re;
-      integrals(k, 1) = here.im;
-    }
-    if (piece.own.size() > 0) integrals = piece.own * integrals;
+    Matrix integrals = piece.own.size() > 0 ? piece.own * of_own : of_own;
+    integrals *= factor;
     for (std::size_t f = 0; f < functionals.size(); ++f) {
       const auto number = static_cast<std::size_t>(kind);
       const Float pressure = image.parity_of_pressure(functionals[f]) * functionals[f].on_pressure[number],
@@ -200,11 +193,9 @@ void Tractions::add_singular(const Piece& piece, const Image& image,
         rows[f].middleRows(first + terms, terms) += shear * integrals.col(0) - pressure * integrals.col(1);
     }
   };
-  const Float scale = log(piece.width);
-  add(Influence::normal,
-      [&](Index k) { return (own.logarithm(k) + own.plain(k) * scale) * Float(-piece.width); });
-  add(Influence::sign, [&](Index k) { return own.sign(k) * Float(-image.side * piece.width); });
-  add(Influence::normal_slope, [&](Index k) { return own.inverse(k) * Float(image.side); });
+  add(Influence::normal, -piece.width, own.logarithm + log(piece.width) * own.plain);
+  add(Influence::sign, -image.side * piece.width, own.sign);
+  add(Influence::normal_slope, image.side, own.inverse);
 }
 
 /// Adds a piece that only the sign and its integrals reach: on each side of the place these are lines, constant + slope e.

@@ -234,10 +234,10 @@ void SlipContact::set(const Vector& unknowns) {
 
 PointSums SlipContact::sums(const ContactPoint& point, bool with_tangential) const {
   auto [normal, tangential] = smooth_.at(panels_.place(point));
-  const Row<ComplexFloat> cauchy = panels_.cauchy_row(*grid_, point);
+  panels_.set_cauchy_row(cauchy_, *grid_, point);
   const GridIndex left = panels_[point.panel].first + grid_->nodes();
-  add_products(normal, cauchy, values_[pressure_part]);
-  if (with_tangential) add_products(tangential, cauchy, values_[shear_part]);
+  add_products(normal, cauchy_, values_[pressure_part]);
+  if (with_tangential) add_products(tangential, cauchy_, values_[shear_part]);
   const auto linear = [&](std::size_t of) {
     return point.at.from_right * values_[of](left) + point.at.from_left * values_[of](left + 1);
   };
@@ -276,7 +276,8 @@ Vector SlipContact::residual() const {
 
 Row<ComplexFloat> SlipContact::point_row(const PointIndex& index) const {
   const ContactPoint here = point(index);
-  Row<ComplexFloat> row = panels_.cauchy_row(*grid_, here);
+  Row<ComplexFloat> row;
+  panels_.set_cauchy_row(row, *grid_, here);
   for (ComplexFloat& value : smooth_.lagrange(panels_.place(here))) row.push_back(std::move(value));
   row.push_back(here.at.from_right);
   row.push_back(here.at.from_left);

@@ -122,6 +122,7 @@ class SlipContact {
   Row<Condition> conditions_;
   Row<Float> sizes_;
   OfBoth<Vector> values_;
+  mutable Row<ComplexFloat> cauchy_;  ///< of the last point, as to make it takes time
   Float leading_ = 0, creep_ = 0;
   GridIndex leading_column_ = 0, creep_column_ = -1;
 };

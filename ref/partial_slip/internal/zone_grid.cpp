@@ -88,8 +88,9 @@ ComplexFloat ZonePanels::distance(const ContactPoint& point, GridIndex joint) co
          ComplexFloat(between);
 }
 
-Row<ComplexFloat> ZonePanels::cauchy_row(const ZoneGrid& grid, const ContactPoint& point) const {
-  Row<ComplexFloat> row(values_);
+void ZonePanels::set_cauchy_row(Row<ComplexFloat>& row, const ZoneGrid& grid,
+                                const ContactPoint& point) const {
+  row.grow(values_);
   // The linear ones are twice integrated by parts: with f(t) = t ln|t| at the joints, differences over the panels' lengths, and of
   // these again.
   const auto potential = [&](GridIndex joint) -> ComplexFloat {
@@ -118,6 +119,7 @@ Row<ComplexFloat> ZonePanels::cauchy_row(const ZoneGrid& grid, const ContactPoin
       mpfr_add(raw(re), raw(to_end.re), raw(nodes[i]), MPFR_RNDN);
       if (to_end.is_real()) {
         mpfr_div(raw(re), raw(weight), raw(re), MPFR_RNDN);
+        mpfr_set_zero(raw(im), 1);
       } else {
         mpfr_sqr(raw(over), raw(re), MPFR_RNDN);
         mpfr_add(raw(over), raw(over), raw(square), MPFR_RNDN);
@@ -130,7 +132,6 @@ Row<ComplexFloat> ZonePanels::cauchy_row(const ZoneGrid& grid, const ContactPoin
       mpfr_neg(raw(im), raw(im), MPFR_RNDN);
     }
   }
-  return row;
 }
 
 }  // namespace nipref::ref

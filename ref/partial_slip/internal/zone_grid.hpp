@@ -138,7 +138,7 @@ class ZonePanels : public Row<ZonePanel> {
   /// Cauchy's integral 1/pi int t(e')/(e' - e) de' over the contact at a point, as factors of all values of t: by the grid's rule
   /// and, of the linear interpolations, in closed form, by the values at left ends. In the point's panel the rule lacks what the
   /// remainder at the point adds.
-  [[nodiscard]] Row<ComplexFloat> cauchy_row(const ZoneGrid& grid, const ContactPoint& point) const;
+  void set_cauchy_row(Row<ComplexFloat>& row, const ZoneGrid& grid, const ContactPoint& point) const;
 
  private:
   GridIndex values_ = 0;

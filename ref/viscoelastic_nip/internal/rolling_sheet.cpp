@@ -184,12 +184,12 @@ class RollingSolution : public NipSolution {
  public:
   /// Integrals are good to about e^-nats.
   RollingSolution(const RollingSheet& sheet, Tractions tractions, double nats, SheetKernels& kernels)
-      : NipSolution(std::move(tractions)),
+      : NipSolution(std::move(tractions), kernels),
         sheet_(sheet),
         outside_(outside_panels(kernels.far(), sheet_.resolution(), tractions_.panels().front(), nats)),
         nats_(nats) {
-    const std::array<Matrix, 2> parts = bounded_parts(kernels);
-    const Matrix zero = conditions(parts, kernels);
+    const std::array<Matrix, 2> parts = bounded_parts();
+    const Matrix zero = conditions(parts);
     const Index unknown = zero.rows(), columns = tractions_.columns();
     amplitudes_ = Vector(unknown + 1);
     amplitudes_(known) = 1;
@@ -211,25 +211,25 @@ class RollingSolution : public NipSolution {
     return pi() * half_length() * leading * trailing / (4 * tractions_.panels().front().width * load_);
   }
 
-  [[nodiscard]] Float normal(const Float& x, SheetKernels& kernels) const override {
+  [[nodiscard]] Float normal(const Float& x) const override {
     const Float& size = half_length();
     if (x >= 0 && x <= 2 * size) return on_roller(x);
-    Float sum = elastic(Influence::normal, x, kernels);
+    Float sum = elastic(Influence::normal, x);
     for (const auto& [amplitude, rate] : sheet_.material.normal)
-      sum += (amplitude * elastic_trace(Influence::normal, kernels).faded(rate, x)).re;
+      sum += (amplitude * elastic_trace(Influence::normal).faded(rate, x)).re;
     return sum;
   }
 
   /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
-  [[nodiscard]] Float tangential(const Float& x, SheetKernels& kernels) const override {
+  [[nodiscard]] Float tangential(const Float& x) const override {
     const RollingMaterial& material = sheet_.material;
     const ComplexFloat at_once;
     Float sum = material.theta2_at_once * pressure_trace().faded(at_once, x).re -
-                (load_ / 4 - elastic(Influence::coupling, x, kernels));
+                (load_ / 4 - elastic(Influence::coupling, x));
     for (const auto& [amplitude, rate] : material.theta2)
       sum += (amplitude * pressure_trace().faded_integral(rate, x)).re;
     for (const auto& [amplitude, rate] : material.normal) {
-      const Trace& trace = elastic_trace(Influence::coupling, kernels);
+      const Trace& trace = elastic_trace(Influence::coupling);
       ComplexFloat faded = trace.faded(rate, x);
       // Behind all that the sheet feels g stays what it is.
       if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
@@ -238,14 +238,13 @@ class RollingSolution : public NipSolution {
     return sum;
   }
 
-  [[nodiscard]] Float strain(const Float& x, SheetKernels& kernels) const override {
+  [[nodiscard]] Float strain(const Float& x) const override {
     const RollingMaterial& material = sheet_.material;
-    Float sum =
-        elastic(Influence::coupling_slope, x, kernels) - material.theta2_at_once * tractions(x).pressure;
+    Float sum = elastic(Influence::coupling_slope, x) - material.theta2_at_once * tractions(x).pressure;
     for (const auto& [amplitude, rate] : material.theta2)
       sum -= (amplitude * pressure_trace().faded(rate, x)).re;
     for (const auto& [amplitude, rate] : material.normal)
-      sum += (amplitude * elastic_trace(Influence::coupling_slope, kernels).faded(rate, x)).re;
+      sum += (amplitude * elastic_trace(Influence::coupling_slope).faded(rate, x)).re;
     return sum;
   }
 
@@ -273,7 +272,7 @@ class RollingSolution : public NipSolution {
 
   /// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
   /// rows for each memory, its real and its imaginary part.
-  [[nodiscard]] Matrix memory_rows(SheetKernels& kernels) const {
+  [[nodiscard]] Matrix memory_rows() const {
     const Index columns = tractions_.columns();
     const auto count = static_cast<Index>(sheet_.material.normal.size());
     Matrix result(2 * count, 2 * columns);
@@ -288,7 +287,7 @@ class RollingSolution : public NipSolution {
         const bool at_end = panel.left == 0;
         const Float way = panel.left + panel.width * (at_end ? Float(xi * xi) : xi);
         const Float weight = panel.width * rule.weight[i] * (at_end ? Float(2 * xi) : Float(1));
-        const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels);
+        const std::vector<Vector> rows = tractions_.rows(-way, both_parts(Influence::normal), kernels_);
         for (Index m = 0; m < count; ++m) {
           const ComplexFloat factor =
               exp(-(sheet_.material.normal[static_cast<std::size_t>(m)].rate * way)) * weight;
@@ -305,7 +304,7 @@ class RollingSolution : public NipSolution {
   }
 
   /// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
-  [[nodiscard]] std::array<Matrix, 2> bounded_parts(SheetKernels& kernels) const {
+  [[nodiscard]] std::array<Matrix, 2> bounded_parts() const {
     const std::vector<Float> points = tractions_.matching_points();
     const auto rows = static_cast<Index>(points.size());
     const Index beside = tractions_.columns(), sides = direct_row(0).size();
@@ -313,7 +312,7 @@ class RollingSolution : public NipSolution {
     Matrix even(rows, rows), odd(rows, rows), even_right(rows, sides), odd_right(rows, sides);
     for (Index i = 0; i < rows; ++i) {
       const Float& e = points[static_cast<std::size_t>(i)];
-      const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels);
+      const std::vector<Vector> here = tractions_.rows(e, both_parts(Influence::normal), kernels_);
       even.row(i).leftCols(beside) = here[0].transpose();
       odd.row(i).leftCols(beside) = here[1].transpose();
       even(i, beside) = -size;
@@ -327,10 +326,10 @@ class RollingSolution : public NipSolution {
 
   /// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
   /// and imaginary part; by the columns of direct_row().
-  [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts, SheetKernels& kernels) const {
+  [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts) const {
     const Index columns = tractions_.columns(), sides = parts[0].cols();
     const Float square = half_length() * half_length();
-    const Matrix rows = memory_rows(kernels);
+    const Matrix rows = memory_rows();
     const Matrix remembered = Matrix(rows.leftCols(columns)) * Matrix(parts[0].topRows(columns)) +
                               Matrix(rows.rightCols(columns)) * Matrix(parts[1].topRows(columns));
     Matrix result(sides - 1, sides);
@@ -353,10 +352,10 @@ class RollingSolution : public NipSolution {
   }
 
   /// int kind p/pi with alpha = x' - x, upstream.
-  [[nodiscard]] Float elastic(Influence kind, const Float& x, SheetKernels& kernels) const {
+  [[nodiscard]] Float elastic(Influence kind, const Float& x) const {
     const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
     const Float e = leads ? x : Float(2 * half_length() - x);
-    const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels);
+    const std::vector<Vector> rows = tractions_.rows(e, both_parts(kind), kernels_);
     const Vector even = leading_ + trailing_, odd = leading_ - trailing_;
     const Float of_even = rows[0].cwiseProduct(even).sum() / 2, of_odd = rows[1].cwiseProduct(odd).sum() / 2;
     if (leads) return of_even + of_odd;
@@ -376,13 +375,13 @@ class RollingSolution : public NipSolution {
   }
 
   /// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
-  [[nodiscard]] const Trace& elastic_trace(Influence kind, SheetKernels& kernels) const {
+  [[nodiscard]] const Trace& elastic_trace(Influence kind) const {
     const auto found = elastic_.find(kind);
     if (found != elastic_.end()) return found->second;
-    const auto function = [this, kind, &kernels](const Float& x) -> Float {
+    const auto function = [this, kind](const Float& x) -> Float {
       if (kind == Influence::normal && x >= 0 && x <= 2 * half_length())
         return direct_row(x).cwiseProduct(amplitudes_).sum();
-      const Float value = elastic(kind, x, kernels);
+      const Float value = elastic(kind, x);
       return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
     };
     // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
@@ -392,7 +391,7 @@ class RollingSolution : public NipSolution {
     const Fineness fineness = fineness_of_traces(nats_);
     const std::vector<TractionPanel> inside = panels_of(half_length(), resolution, fineness),
                                      outside = has_roots ? outside_
-                                                         : panels_of(kernels.far(), resolution, fineness);
+                                                         : panels_of(kernels_.far(), resolution, fineness);
     std::vector<TracePanel> panels;
     append(panels, outside, 0, false, has_roots, 0);
     append(panels, inside, 0, true, false, 0);

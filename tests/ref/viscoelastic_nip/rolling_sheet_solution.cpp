@@ -34,7 +34,7 @@ TEST_CASE("ref: the rolling sheet's surface meets the roller at both ends, with 
   SheetKernels kernels(26);
   const Float size = Float(1) / 3, step = 1e-9;
   const auto contact = solution_of(size, kernels);
-  const auto u = [&](const Float& x) { return contact->normal(x, kernels); };
+  const auto u = [&](const Float& x) { return contact->normal(x); };
   // Ahead only memories of what comes; behind it those of all of the contact, whose f is by the roller alone.
   for (const Float& end : {Float(0), Float(2 * size)}) {
     const int outwards = end == 0 ? -1 : 1;
@@ -53,9 +53,9 @@ TEST_CASE("ref: the rolling sheet's strain is the slope of its tangential displa
   for (const double x : {-0.01, 0.3, 1.7, 9.0}) {
     CAPTURE(x);
     const Float step = 1e-6;
-    const auto v = [&](const Float& at) { return contact->tangential(at, kernels); };
+    const auto v = [&](const Float& at) { return contact->tangential(at); };
     const Float slope =
         -(8 * (v(x + step) - v(x - step)) - (v(x + 2 * step) - v(x - 2 * step))) / (12 * step);
-    CHECK(abs(contact->strain(x, kernels) - slope) <= 1e-13);
+    CHECK(abs(contact->strain(x) - slope) <= 1e-13);
   }
 }
