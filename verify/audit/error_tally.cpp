@@ -28,7 +28,6 @@ double upper_end(int bin) {
 }  // namespace
 
 void ErrorTally::add(double number) {
-  ++count_;
   largest_ = std::max(largest_, number);
   ++bins_[bin_of(number)];
   const double units = std::ceil(std::ldexp(number, bits_of_sum));
@@ -41,51 +40,31 @@ void ErrorTally::add(double number) {
 }
 
 void ErrorTally::add(const ErrorTally& more) {
-  count_ += more.count_;
   largest_ = std::max(largest_, more.largest_);
   sum_ += more.sum_;
   for (const auto& [bin, count] : more.bins_) bins_[bin] += count;
 }
 
+std::uint64_t ErrorTally::count() const {
+  std::uint64_t all = 0;
+  for (const auto& [bin, count] : bins_) all += count;
+  return all;
+}
+
 double ErrorTally::mean() const {
   if (std::isinf(largest_)) return largest_;
-  return std::ldexp(sum_.get_d(), -bits_of_sum) / static_cast<double>(count_);
+  return std::ldexp(sum_.get_d(), -bits_of_sum) / static_cast<double>(count());
 }
 
 double ErrorTally::percentile(double share) const {
   const auto rank =
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_))));
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count()))));
   std::uint64_t seen = 0;
   for (const auto& [bin, count] : bins_) {
     seen += count;
     if (seen >= rank) return std::min(upper_end(bin), largest_);
   }
   return largest_;
-}
-
-Json ErrorTally::json() const {
-  std::vector<Json> bins;
-  for (const auto& [bin, count] : bins_) {
-    bins.emplace_back(bin);
-    bins.emplace_back(count);
-  }
-  return {{"largest", exact_json(largest_)}, {"sum", sum_.get_str()}, {"bins", bins}};
-}
-
-ErrorTally ErrorTally::of(const Json& json) {
-  ErrorTally tally;
-  tally.largest_ = exact_double(json.at("largest"));
-  const std::string sum = json.at("sum").as_text();
-  if (sum.empty() || sum.find_first_not_of("0123456789") != std::string::npos) throw JsonMisfit("sum");
-  tally.sum_ = mpz_class(sum, 10);
-  const std::vector<Json> bins = json.at("bins").items();
-  if (bins.size() % 2 != 0) throw JsonMisfit("bins");
-  for (std::size_t i = 0; i < bins.size(); i += 2) {
-    const auto count = bins[i + 1].as_count();
-    tally.bins_[static_cast<int>(bins[i].as_count())] += count;
-    tally.count_ += count;
-  }
-  return tally;
 }
 
 }  // namespace nipref::verify

@@ -6,8 +6,6 @@
 #include <map>
 #include <vector>
 
-#include <nipref/verify/support/json.hpp>
-
 namespace nipref::verify {
 
 /// A histogram of numbers >= 0 and their sum. Both are the same to the last bit for any order of the numbers and any
@@ -18,20 +16,20 @@ class ErrorTally {
   void add(double number);
   void add(const ErrorTally& more);
 
-  [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] std::uint64_t count() const;
   /// The mean, at most 2^-32 too large; infinite if a number is. There must be a number.
   [[nodiscard]] double mean() const;
   /// The percentile, rounded up to the upper end of its bin, but at most the largest number. There must be a number.
   [[nodiscard]] double percentile(double share) const;
 
-  [[nodiscard]] Json json() const;
-  /// Reads what json() has written. JsonMisfit for anything else.
-  static ErrorTally of(const Json& json);
+  /// See stored.hpp.
+  static void members(auto& self, const auto& each) {
+    each("largest", self.largest_, "sum", self.sum_, "bins", self.bins_);
+  }
 
   bool operator==(const ErrorTally&) const = default;
 
  private:
-  std::uint64_t count_ = 0;
   double largest_ = 0;
   mpz_class sum_;                      ///< in units of 2^-32, each number rounded up
   std::map<int, std::uint64_t> bins_;  ///< by number

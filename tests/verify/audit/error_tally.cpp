@@ -1,4 +1,5 @@
 #include <nipref/verify/audit/error_tally.hpp>
+#include <nipref/verify/audit/internal/stored.hpp>
 #include <nipref/verify/support/random.hpp>
 
 #include "support/test.hpp"
@@ -35,7 +36,7 @@ TEST_CASE("a tally is the same whatever the order and the parts in which numbers
     CHECK(sum == all);
     CHECK(sum.mean() == all.mean());
   }
-  CHECK(ErrorTally::of(Json::parse(all.json().line())) == all);
+  CHECK(restored<ErrorTally>(Json::parse(stored(all).line())) == all);
 }
 
 TEST_CASE("a tally's percentile is never below the exact one, and a thirty-second above it at most") {
@@ -61,7 +62,7 @@ TEST_CASE("a tally's mean is exact to 2^-32, and infinite where a number is or i
   CHECK(tally_of({1, infinite}).percentile(1) == infinite);
   CHECK(tally_of({1e305}).mean() == infinite);
   const ErrorTally endless = tally_of({1, infinite});
-  CHECK(ErrorTally::of(Json::parse(endless.json().line())) == endless);
+  CHECK(restored<ErrorTally>(Json::parse(stored(endless).line())) == endless);
 }
 
 TEST_CASE("what is no tally is not read as one") {
@@ -70,7 +71,7 @@ TEST_CASE("what is no tally is not read as one") {
         R"({"largest":"0x1p0","sum":"-1","bins":[]})", R"({"largest":"0x1p0","sum":"1","bins":[1,-1]})",
         R"({"largest":"","sum":"1","bins":[]})"}) {
     CAPTURE(text);
-    CHECK_THROWS_AS(static_cast<void>(ErrorTally::of(Json::parse(text))), JsonMisfit);
+    CHECK_THROWS_AS(static_cast<void>(restored<ErrorTally>(Json::parse(text))), JsonMisfit);
   }
   CHECK_THROWS_AS(static_cast<void>(Json::parse("{\"torn\":")), JsonMisfit);
 }

@@ -78,21 +78,12 @@ ViscoelasticMaterial solid_of(const Brackets& brackets) {
 
 Propagated of_material(const Brackets& brackets) {
   const data::MaterialFunctions functions = solid_of(brackets).functions().value();
-  const data::MaterialFunction normal = functions.normal_compliance();
   const std::string& name = brackets.name(1);
-  // The functions are sums of a few products, so that this bounds their rounding.
-  const auto rounded = [](double value) { return Propagated(value, 0x1p-48 * std::fabs(value)); };
-  if (name == "theta1" || name == "theta2")
-    return rounded(
-        (name == "theta1" ? functions.theta1 : functions.theta2).transform(brackets.number("p", 0)).real());
-  if (name == "normal_at_once") return rounded(normal.instantaneous);
-  if (name == "normal_long_time") return rounded(normal.long_time());
-  const bool over_squares = name == "sum_of_amplitudes_over_squared_rates";
-  if (!over_squares && name != "sum_of_amplitudes") brackets.refuse(fmt::format("no '{}'", name));
-  Propagated sum = 0;
-  for (const data::RelaxationTerm& term : normal.terms)
-    sum = sum + rounded((term.amplitude / (over_squares ? term.rate * term.rate : 1)).real());
-  return sum;
+  if (name != "theta1" && name != "theta2") brackets.refuse(fmt::format("no '{}'", name));
+  const double value =
+      (name == "theta1" ? functions.theta1 : functions.theta2).transform(brackets.number("p", 0)).real();
+  // It is a sum of a few products, so that this bounds its rounding.
+  return {value, 0x1p-48 * std::fabs(value)};
 }
 
 Propagated printed_cell(const Brackets& brackets) {

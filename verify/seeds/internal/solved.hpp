@@ -56,7 +56,7 @@ std::string with_fields(const std::string& text,
 ///   - started: mu_R by the thesis's line loads. Keys: thickness, load, memory, and distance, from which they start;
 ///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed, in
 ///     that of the sphere's shear waves;
-///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
+///   - material: theta1 or theta2 of a viscoelastic solid at p in the Laplace plane. Keys: solid, memory, p;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
 /// Each contact is solved only once, by all copies together.
