@@ -109,32 +109,22 @@ struct GrippedSystem {
   }
 };
 
-template <class Number>
-Number converted(const Interval& x) {
-  if constexpr (std::is_same_v<Number, double>) return mpfi_get_d(x.get());
-  if constexpr (std::is_same_v<Number, Float>) return middle_of(x);
-  if constexpr (std::is_same_v<Number, Interval>) return x;
-}
-
-template <class Number>
-std::vector<Number> all_converted(const std::vector<Interval>& x) {
-  std::vector<Number> result;
-  result.reserve(x.size());
-  for (const Interval& value : x) result.push_back(converted<Number>(value));
-  return result;
-}
-
+/// Its middles in double or Float.
 template <class Number>
 GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
-  return {from.size,
-          converted<Number>(from.zero),
-          converted<Number>(from.root),
-          converted<Number>(from.share),
-          all_converted<Number>(from.cosines),
-          all_converted<Number>(from.powers),
-          all_converted<Number>(from.normal),
-          all_converted<Number>(from.coupling),
-          all_converted<Number>(from.along)};
+  const auto one = [](const Interval& x) -> Number {
+    if constexpr (std::is_same_v<Number, double>)
+      return mpfi_get_d(x.get());
+    else
+      return middle_of(x);
+  };
+  const auto all = [&](const std::vector<Interval>& x) {
+    std::vector<Number> result;
+    for (const Interval& value : x) result.push_back(one(value));
+    return result;
+  };
+  return {from.size,        one(from.zero),   one(from.root),     one(from.share), all(from.cosines),
+          all(from.powers), all(from.normal), all(from.coupling), all(from.along)};
 }
 
 /// Coefficients f_j of ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, over i^j, j < count.
