@@ -5,7 +5,7 @@
 
 #include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
@@ -198,12 +198,9 @@ fast::Estimate loss_integral(const data::ViscoelasticNip& nip, double first, dou
 EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits) {
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
-  const auto balance_by = [&](const auto& solve) {
-    return balance_of(scene, problem.nip, *naming_keys(scene, solve));
-  };
   auto [balance, seconds] = timed([&] {
-    return digits ? balance_by([&] { return solve_nip<RefPath>(problem, *digits); })
-                  : balance_by([&] { return solve_nip(problem, scene.accuracy); });
+    return digits ? balance_of(scene, problem.nip, *solved<RefPath>(scene, *digits))
+                  : balance_of(scene, problem.nip, *solved<FastPath>(scene, scene.accuracy));
   });
   balance.title = scene.title;
   balance.seconds = seconds;

@@ -6,7 +6,7 @@
 #include <nipref/ref/half_space/joint_response.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
@@ -129,134 +129,132 @@ ref::Estimate from_x1(ref::Estimate angle, double motion) {
   return angle;
 }
 
-/// A body on a half-space by either path: `contact` is solved when a result first needs it; `surface` gives what
-/// depends on the solids and the speed alone.
+/// A body on a half-space by either path: its contact is solved when a result first needs it; `surface` gives what depends on
+/// the solids and the speed alone.
 template <class Path, class Surface, class Contact>
-struct BodyOnHalfSpace {
+class BodyOnHalfSpace final : public SolvedContact<typename Path::Number> {
   using Number = typename Path::Number;
   using Position = typename Path::Position;
+  using Line = typename Path::Line;
 
-  Surface surface;
-  Problem problem;
-  int digits;  ///< the reference's
-  Contact (*make)(const Surface&, const Problem&, int digits);
-  std::optional<Contact> made = {};
-  /// At x on a line, at the scene's depth: along the motion, across it and into the half-space.
-  std::function<std::array<Number, 3>(const typename Path::Line&, const Position&)> displaced = {};
+ public:
+  using Make = Contact(const Surface&, const Problem&, int digits);
+  BodyOnHalfSpace(const Surface& surface, const Problem& problem, int digits, Make* make)
+      : surface_(surface), problem_(problem), digits_(digits), make_(make) {}
 
-  const Contact& contact() {
-    if (!made) made = make(surface, problem, digits);
-    return *made;
+  [[nodiscard]] ContactEnds ends() const override {
+    if (!problem_.line) return {-90, 90};
+    return {value_of(trailing_end_of(*problem_.line)), value_of(end(Path::line(*problem_.line)))};
   }
-  [[nodiscard]] Number exactly(double value) const { return Path::exactly(value, digits); }
+  [[nodiscard]] fast::Work work() const override { return {.line_responses = surface_.evaluations()}; }
+
+ private:
+  void answer(Asked<Number>& asked) const override {
+    using enum ResultId;
+    const auto set = [&](ResultId id, const auto& function) { asked.set(id, function); };
+    set(span_along, [&] { return span_of(0); });
+    set(span_across, [&] { return span_of(90); });
+    set(span_ratio, [&] { return contact().span_ratio(Path::line(90)); });
+    set(normal_force, [&] { return force(); });
+    set(friction_force, [&] { return by_friction(force()); });
+    set(peak_pressure, [&] { return contact().peak_pressure(); });
+    set(critical_speed, [&] { return surface_.critical_speed(); });
+    set(pressure, [&](double x) { return pressure_at(x); });
+    set(shear, [&](double x) { return shear_at(x); });
+    set(span, [&](double psi) { return span_of(psi); });
+    set(leading_end, [&](double psi) { return end(Path::line(psi)); });
+    set(trailing_end, [&](double psi) { return trailing_end_of(psi); });
+    set(peak_on_line, [&](double psi) { return peak_of_line(psi); });
+    set(compliance, [&](double psi) { return surface_.compliance(psi); });
+    set(coupling, [&](double psi) { return surface_.coupling(psi); });
+    if constexpr (requires(const Contact& one) { one.creep(Path::line(0)); }) {
+      set(creep, [&](double psi) { return contact().creep(Path::line(psi)); });
+      set(compressed_radius, [&](double psi) { return contact().compressed_radius(Path::line(psi)); });
+    }
+    if constexpr (requires(const Contact& one) { one.axis_ratio(); }) {
+      set(axis_ratio, [&] { return contact().axis_ratio(); });
+      set(approach, [&] { return contact().approach(); });
+      set(orientation, [&] { return from_x1(contact().orientation(), problem_.direction); });
+      const auto part = [](ResultId id, std::size_t i) {
+        return std::pair(id, [i](const std::array<Number, 3>& u) { return u[i]; });
+      };
+      asked.set_parts(
+          [&] { return mapped(asked.places, [&](const Place& place) { return displacement(place.y); }); },
+          part(tangential_displacement, 0), part(transverse_displacement, 1), part(normal_displacement, 2));
+    }
+    if constexpr (requires(const Contact& one) { one.centre_along(); }) {
+      if (Path::is_fast || problem_.friction != 0) {
+        set(centre_along, [&] { return contact().centre_along(); });
+        set(centre_across, [&] { return contact().centre_across(); });
+        return;
+      }
+    }
+    for (const ResultId centre : {centre_along, centre_across}) set(centre, [&] { return exact(0); });
+  }
+
+  const Contact& contact() const {
+    if (!made_) made_ = make_(surface_, problem_, digits_);
+    return *made_;
+  }
+  Number exact(double value) const { return Path::exactly(value, digits_); }
   /// The reference returns what the scene gives without an error.
-  Number span(double degrees) {
-    const auto* given = std::get_if<data::GivenSpan>(&problem.given);
-    if (!Path::is_fast && given != nullptr && degrees == 0) return exactly(given->along);
+  Number span_of(double degrees) const {
+    const auto* given = std::get_if<data::GivenSpan>(&problem_.given);
+    if (!Path::is_fast && given != nullptr && degrees == 0) return exact(given->along);
     return contact().span(Path::line(degrees));
   }
-  Number normal_force() {
-    const auto* given = std::get_if<data::GivenNormalForce>(&problem.given);
-    if (!Path::is_fast && given != nullptr) return exactly(given->force);
+  Number force() const {
+    const auto* given = std::get_if<data::GivenNormalForce>(&problem_.given);
+    if (!Path::is_fast && given != nullptr) return exact(given->force);
     return contact().force();
   }
-  Number by_friction(const Number& normal) { return exactly(problem.friction) * normal; }
-  Number pressure(double x) { return contact().pressure(Path::line(*problem.line), Position(x)); }
+  Number by_friction(const Number& normal) const { return exact(problem_.friction) * normal; }
+  Number pressure_at(double x) const { return contact().pressure(Path::line(*problem_.line), Position(x)); }
   /// Friction times the pressure of a sliding body, or the shear under a rolling sphere.
-  Number shear(double x) {
+  Number shear_at(double x) const {
     if constexpr (requires { contact().shear(Path::line(x), Position(x)); })
-      return contact().shear(Path::line(*problem.line), Position(x));
-    return by_friction(pressure(x));
+      return contact().shear(Path::line(*problem_.line), Position(x));
+    return by_friction(pressure_at(x));
   }
-  /// At x on the scene's line.
-  std::array<Number, 3> displacement(double x) {
-    const Position depth(problem.depth);
-    if (!displaced) displaced = contact().displacement(surface.of_half_space(depth), depth);
-    return displaced(Path::line(*problem.line), Position(x));
+  /// At x on the scene's line, at its depth: along the motion, across it and into the half-space.
+  std::array<Number, 3> displacement(double x) const {
+    const Position depth(problem_.depth);
+    if (!displaced_) displaced_ = contact().displacement(surface_.of_half_space(depth), depth);
+    return displaced_(Path::line(*problem_.line), Position(x));
   }
   /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
-  Number end(const typename Path::Line& psi) {
+  Number end(const Line& psi) const {
     if constexpr (requires { contact().leading_end(psi); }) return contact().leading_end(psi);
     return 0.5 * contact().span(psi);
   }
-  Number leading_end(double degrees) { return end(Path::line(degrees)); }
+  Number trailing_end_of(double degrees) const { return -1 * end(Path::reversed(Path::line(degrees))); }
   /// Lines differ in it only where their contours are the body's own.
-  Number peak_on_line(double degrees) {
+  Number peak_of_line(double degrees) const {
     if constexpr (requires { contact().peak_pressure(Path::line(degrees)); })
       return contact().peak_pressure(Path::line(degrees));
     return contact().peak_pressure();
   }
-  Number trailing_end(double degrees) { return -1 * end(Path::reversed(Path::line(degrees))); }
-  ContactEnds ends() {
-    if (!problem.line) return {-90, 90};
-    return {value_of(trailing_end(*problem.line)), value_of(leading_end(*problem.line))};
-  }
-  [[nodiscard]] fast::Work work() const { return {.line_responses = surface.evaluations()}; }
+
+  Surface surface_;
+  Problem problem_;
+  int digits_;  ///< the reference's
+  Make* make_;
+  mutable std::optional<Contact> made_;
+  mutable std::function<std::array<Number, 3>(const Line&, const Position&)> displaced_;
 };
 
 template <class Path, class Contact, class Surface>
-std::unique_ptr<SolvedContact<typename Path::Number>> solved(const Surface& surface, const Problem& problem,
-                                                             int digits,
-                                                             Contact (*make)(const Surface&, const Problem&,
-                                                                             int)) {
-  using Number = typename Path::Number;
-  using Body = BodyOnHalfSpace<Path, Surface, Contact>;
-  auto contact = std::make_unique<SolvedContact<Number>>();
-  const auto body = std::make_shared<Body>(Body{surface, problem, digits, make});
-  const auto set = [&](ResultId id, auto function) { contact->set(id, body, function); };
-  set(ResultId::span_along, [](Body& one) { return one.span(0); });
-  set(ResultId::span_across, [](Body& one) { return one.span(90); });
-  set(ResultId::span_ratio, [](Body& one) { return one.contact().span_ratio(Path::line(90)); });
-  set(ResultId::normal_force, &Body::normal_force);
-  set(ResultId::friction_force, [](Body& one) { return one.by_friction(one.normal_force()); });
-  set(ResultId::peak_pressure, [](Body& one) { return one.contact().peak_pressure(); });
-  set(ResultId::critical_speed, [](Body& one) { return one.surface.critical_speed(); });
-  set(ResultId::pressure, &Body::pressure);
-  set(ResultId::shear, &Body::shear);
-  set(ResultId::span, &Body::span);
-  set(ResultId::leading_end, &Body::leading_end);
-  set(ResultId::trailing_end, &Body::trailing_end);
-  set(ResultId::peak_on_line, &Body::peak_on_line);
-  set(ResultId::compliance, [](Body& one, double psi) { return one.surface.compliance(psi); });
-  set(ResultId::coupling, [](Body& one, double psi) { return one.surface.coupling(psi); });
-  for (const ResultId centre : {ResultId::centre_along, ResultId::centre_across})
-    set(centre, [](Body& one) { return one.exactly(0); });
-  if constexpr (requires(const Contact& one) { one.centre_along(); }) {
-    if (Path::is_fast || problem.friction != 0) {
-      set(ResultId::centre_along, [](Body& one) { return one.contact().centre_along(); });
-      set(ResultId::centre_across, [](Body& one) { return one.contact().centre_across(); });
-    }
-  }
-  if constexpr (requires(const Contact& one) { one.creep(Path::line(0)); }) {
-    set(ResultId::creep, [](Body& one, double psi) { return one.contact().creep(Path::line(psi)); });
-    set(ResultId::compressed_radius,
-        [](Body& one, double psi) { return one.contact().compressed_radius(Path::line(psi)); });
-  }
-  if constexpr (requires(const Contact& one) { one.axis_ratio(); }) {
-    using Displacement = std::array<Number, 3>;
-    contact->template set_parts<Displacement>(
-        [body](const Places& places) {
-          return mapped(places, [&](const Place& place) { return body->displacement(place.y); });
-        },
-        {{ResultId::tangential_displacement, [](const Displacement& u) { return u[0]; }},
-         {ResultId::transverse_displacement, [](const Displacement& u) { return u[1]; }},
-         {ResultId::normal_displacement, [](const Displacement& u) { return u[2]; }}});
-    set(ResultId::axis_ratio, [](Body& one) { return one.contact().axis_ratio(); });
-    set(ResultId::approach, [](Body& one) { return one.contact().approach(); });
-    set(ResultId::orientation,
-        [](Body& one) { return from_x1(one.contact().orientation(), one.problem.direction); });
-  }
-  contact->ends = [body] { return body->ends(); };
-  contact->work = [body] { return body->work(); };
-  return contact;
+Solved<Path> body_on(const Surface& surface, const Problem& problem, int digits,
+                     Contact (*make)(const Surface&, const Problem&, int)) {
+  return std::make_unique<BodyOnHalfSpace<Path, Surface, Contact>>(surface, problem, digits, make);
 }
 
 template <class Path, class Surface>
 auto solve_by(const Surface& surface, const Problem& problem, int digits) {
-  if (problem.rule == data::ContourRule::exact) return solved<Path>(surface, problem, digits, ellipse);
+  if (problem.rule == data::ContourRule::exact) return body_on<Path>(surface, problem, digits, ellipse);
   return std::holds_alternative<data::RigidRollingSphere>(problem.body)
-             ? solved<Path>(surface, problem, digits, roll)
-             : solved<Path>(surface, problem, digits, slide);
+             ? body_on<Path>(surface, problem, digits, roll)
+             : body_on<Path>(surface, problem, digits, slide);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <nipref/fast/partial_slip/partial_slip.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -11,7 +11,7 @@
 #include <nipref/ref/partial_slip/partial_slip.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/line_loads.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
 namespace nipref::verify {
@@ -22,6 +22,13 @@ using data::ElasticNipProblem;
 using data::PartialSlipProblem;
 using data::ViscoelasticNipProblem;
 using fast::Estimate;
+
+/// What line loads do on the roller.
+data::Grip grip_of(const ElasticNipProblem& problem) {
+  if (problem.friction == data::Friction::none) return {};
+  if (problem.creep_ratio) return {data::Grip::Creep::given, *problem.creep_ratio};
+  return {data::Grip::Creep::thesis};
+}
 
 /// Calls for_load or for_length with the number that the scene gives.
 auto for_given(const data::Given& given, const auto& for_load, const auto& for_length) {
@@ -60,7 +67,7 @@ auto solution(FastPath, const PartialSlipProblem& problem, const data::LineLoads
   return fast::line_loads_for_load(problem.nip, by.leading_elements,
                                    std::get<data::GivenLoad>(problem.given).per_length);
 }
-[[noreturn]] ref::LineLoadNip solution(RefPath, const PartialSlipProblem&, const data::LineLoads&, int) {
+[[noreturn]] ref::PartialSlipNip solution(RefPath, const PartialSlipProblem&, const data::LineLoads&, int) {
   throw data::BadInput("method.kind", "line-loads",
                        "must be converged for the reference with Coulomb's friction");
 }
@@ -116,177 +123,195 @@ std::vector<ref::Estimate> creep_range_of(const ref::LineLoadNip& loads) {
   return {lower, upper, chosen};
 }
 
-/// A solution's members, functions or numbers, have the names of the results.
-template <class Number, class Solution>
-void set_results(SolvedContact<Number>& solved, const std::shared_ptr<Solution>& solution) {
-  const auto set = [&](ResultId id, auto member) { solved.set(id, solution, member); };
-  set(ResultId::contact_length, &Solution::contact_length);
-  set(ResultId::leading_length, &Solution::leading_length);
-  set(ResultId::trailing_length, &Solution::trailing_length);
-  set(ResultId::load, &Solution::load);
-  set(ResultId::indentation, &Solution::indentation);
-  set(ResultId::edge_displacement, &Solution::leading_displacement);
-  set(ResultId::trailing_displacement, &Solution::trailing_displacement);
-  set(ResultId::rolling_resistance, &Solution::rolling_resistance);
-  set(ResultId::creep_ratio, &Solution::creep_ratio);
-  set(ResultId::pressure, &Solution::pressure);
-  set(ResultId::peak_pressure, &Solution::peak_pressure);
-  set(ResultId::peak_pressure_position, &Solution::peak_pressure_position);
-  set(ResultId::shear, &Solution::shear);
-  set(ResultId::peak_shear, &Solution::peak_shear);
-  set(ResultId::peak_shear_position, &Solution::peak_shear_position);
-  set(ResultId::normal_displacement, &Solution::normal_displacement);
-  set(ResultId::tangential_displacement, &Solution::tangential_displacement);
-  // Results that only some methods have.
-  if constexpr (requires { &Solution::leading_moment; }) {
-    set(ResultId::leading_moment, &Solution::leading_moment);
-    set(ResultId::trailing_moment, &Solution::trailing_moment);
-  }
-  if constexpr (requires { &Solution::surface_strain; })
-    set(ResultId::surface_strain, &Solution::surface_strain);
-  if constexpr (requires { &Solution::shear_zeros; }) set(ResultId::shear_zeros, &Solution::shear_zeros);
-  if constexpr (requires { &Solution::zone_boundaries; }) {
-    set(ResultId::traction, &Solution::traction);
-    set(ResultId::dissipation, &Solution::dissipation);
-    set(ResultId::zone_boundaries, &Solution::zone_boundaries);
-    solved.set(ResultId::heat, [&solved](double y) {
-      const auto size = [&](ResultId id) {
-        const Number& number = solved.at(id, y);
-        return number * exactly(std::signbit(value_of(number)) ? -1 : 1, number);
-      };
-      return size(ResultId::shear) * size(ResultId::slip);
-    });
-    solved.set(ResultId::zone_signs, [=, &solved](const Places&) {
-      return mapped<Number>(std::invoke(&Solution::zone_signs, *solution), [&](int sign) {
-        Number number = exactly(sign, solved.number(ResultId::load));
-        if constexpr (requires { number.proven; }) number.proven = false;
-        return number;
-      });
-    });
-  }
-  if constexpr (requires { &Solution::slip; }) set(ResultId::slip, &Solution::slip);
-  if constexpr (requires(const Solution& one) { creep_range_of(one); })
-    solved.set(ResultId::creep_range, [=](const Places&) { return creep_range_of(*solution); });
+// What a solution has inside the sheet. Functions of the reference's line loads take the digits last.
+auto stresses(const auto& converged, const auto&, const auto& points, auto) {
+  return converged.inner_stresses(points);
+}
+auto stresses(const fast::LineLoadNip& by, const auto& nip, const auto& points, double) {
+  return fast::line_load_stresses(by.face_loads(), nip.half_thickness(), points);
+}
+auto stresses(const ref::LineLoadNip& by, const auto& nip, const auto& points, int digits) {
+  return ref::line_load_stresses(by.face_loads(), nip.half_thickness(), points, digits);
+}
+auto displacements(const auto& converged, const auto&, const auto& points, auto) {
+  return converged.inner_displacements(points);
+}
+auto displacements(const fast::LineLoadNip& by, const auto& nip, const auto& points, double) {
+  return fast::line_load_displacements(by.face_loads(), nip.half_thickness(), nip.material, points);
+}
+auto displacements(const ref::LineLoadNip& by, const auto& nip, const auto& points, int digits) {
+  return ref::line_load_displacements(by.face_loads(), nip.half_thickness(), nip.material, points, digits);
 }
 
-/// The functions of line loads take the digits last, those of the reference.
-auto with_digits(double /*accuracy*/, const auto& function) { return function(); }
-auto with_digits(int digits, const auto& function) { return function(digits); }
-
-/// Stresses inside, and displacements of an elastic sheet's alone.
-template <class Path, class Problem, class Solution>
-void set_inside(SolvedContact<typename Path::Number>& solved, const Problem& problem,
-                typename Path::Accuracy accuracy, const std::shared_ptr<Solution>& solution) {
-  using Stresses = typename Path::Stresses;
-  using Displacements = typename Path::Displacements;
-  using Greatest = typename Path::Greatest;
-  const auto points_at = [](const Places& places) {
-    return mapped(places, [](const Place& one) { return typename Path::Point{one.y, one.depth}; });
-  };
-  solved.template set_parts<Stresses>(
-      [=](const Places& places) {
-        const auto points = points_at(places);
-        if constexpr (requires { solution->inner_stresses(points); }) {
-          return solution->inner_stresses(points);
-        } else {
-          return with_digits(accuracy, [&](auto... digits) {
-            return line_load_stresses(solution->face_loads(), problem.nip.half_thickness(), points,
-                                      digits...);
-          });
-        }
-      },
-      {{ResultId::stress_across, &Stresses::across},
-       {ResultId::stress_along, &Stresses::along},
-       {ResultId::stress_shear, &Stresses::shear},
-       {ResultId::highest_stress, &Stresses::highest},
-       {ResultId::lowest_stress, &Stresses::lowest},
-       {ResultId::maximum_shear, &Stresses::maximum_shear}});
-  if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
-    solved.template set_parts<Displacements>(
-        [=](const Places& places) {
-          const auto points = points_at(places);
-          if constexpr (requires { solution->inner_displacements(points); }) {
-            return solution->inner_displacements(points);
-          } else {
-            return with_digits(accuracy, [&](auto... digits) {
-              return line_load_displacements(solution->face_loads(), problem.nip.half_thickness(),
-                                             problem.nip.material, points, digits...);
-            });
-          }
-        },
-        {{ResultId::displacement_across, &Displacements::across},
-         {ResultId::displacement_along, &Displacements::along}});
-  }
-  if constexpr (requires { solution->greatest_shear(); }) {
-    solved.template set_parts<Greatest>(
-        [=](const Places&) { return std::vector{solution->greatest_shear()}; },
-        {{ResultId::greatest_shear, &Greatest::value},
-         {ResultId::greatest_shear_position, &Greatest::y},
-         {ResultId::greatest_shear_depth, &Greatest::depth}});
-  }
-}
-
-double speed_of(const auto&) { return 1; }
-double speed_of(const ViscoelasticNipProblem& problem) { return problem.nip.speed; }
-
-/// Completes a contact that has the results of a solution: with their products, its ends and what is given.
+/// Says what a contact is of.
 template <class Number, class Problem>
-void complete(SolvedContact<Number>& contact, const Problem& problem) {
+void describe(SolvedContact<Number>& contact, const Problem& problem, Measure measure) {
   contact.is_symmetric = std::is_same_v<Problem, ElasticNipProblem>;
   contact.roller_radius = problem.nip.roller_radius;
-  contact.speed = speed_of(problem);
-  contact.ends = [&contact] {
-    return ContactEnds{-value_of(contact.number(ResultId::trailing_length)),
-                       value_of(contact.number(ResultId::leading_length))};
-  };
-  set_products(contact);
+  if constexpr (requires { problem.nip.speed; }) contact.speed = problem.nip.speed;
+  contact.measure = measure;
 }
 
 /// The contact by either path and any method, of which line loads in double have no errors yet.
-template <class Path, class Problem, class Method>
-Solved<Path> solved(const Problem& problem, const Method& method, typename Path::Accuracy accuracy) {
-  constexpr bool converges = std::is_same_v<Method, ConvergedMethod>;
-  auto contact = std::make_unique<SolvedContact<typename Path::Number>>();
-  const auto found = std::make_shared<decltype(solution(Path(), problem, method, accuracy))>(
-      solution(Path(), problem, method, accuracy));
-  set_results(*contact, found);
-  if constexpr (!std::is_same_v<Problem, PartialSlipProblem>)
-    set_inside<Path>(*contact, problem, accuracy, found);
-  complete(*contact, problem);
-  contact->work = [found] { return work_of(*found); };
-  if constexpr (Path::is_fast && converges) {
-    set_moments(*contact);
-    if constexpr (requires { found->refine(); }) contact->solve_again = [found] { return found->refine(); };
-  } else if constexpr (converges && !std::is_same_v<Problem, PartialSlipProblem>) {
-    set_slip(*contact, has_full_friction(problem));
+template <class Path, class Problem, class Solution>
+class SolvedNip final : public SolvedContact<typename Path::Number> {
+  using Number = typename Path::Number;
+  static constexpr bool slips = std::is_same_v<Problem, PartialSlipProblem>;
+
+ public:
+  SolvedNip(const Problem& problem, Solution solution, typename Path::Accuracy accuracy, Measure measured)
+      : nip_(problem.nip), solution_(std::move(solution)), accuracy_(accuracy) {
+    describe(*this, problem, measured);
   }
-  if (!Path::is_fast && (!converges || contact->is_symmetric)) contact->measure = Measure::itself;
-  return contact;
+  [[nodiscard]] fast::Work work() const override { return work_of(solution_); }
+
+ private:
+  bool solve_again() override {
+    if constexpr (requires { solution_.refine(); }) return solution_.refine();
+    return false;
+  }
+
+  /// The solution's members, functions or numbers, have the names of the results.
+  void answer(Asked<Number>& asked) const override {
+    using enum ResultId;
+    const auto set = [&](ResultId id, auto member) {
+      asked.set(id, std::bind_front(member, std::cref(solution_)));
+    };
+    set(contact_length, &Solution::contact_length);
+    set(leading_length, &Solution::leading_length);
+    set(trailing_length, &Solution::trailing_length);
+    set(load, &Solution::load);
+    set(indentation, &Solution::indentation);
+    set(edge_displacement, &Solution::leading_displacement);
+    set(trailing_displacement, &Solution::trailing_displacement);
+    set(rolling_resistance, &Solution::rolling_resistance);
+    set(creep_ratio, &Solution::creep_ratio);
+    set(pressure, &Solution::pressure);
+    set(peak_pressure, &Solution::peak_pressure);
+    set(peak_pressure_position, &Solution::peak_pressure_position);
+    set(shear, &Solution::shear);
+    set(peak_shear, &Solution::peak_shear);
+    set(peak_shear_position, &Solution::peak_shear_position);
+    set(normal_displacement, &Solution::normal_displacement);
+    set(tangential_displacement, &Solution::tangential_displacement);
+    // Results that only some methods have.
+    if constexpr (requires { &Solution::leading_moment; }) {
+      set(leading_moment, &Solution::leading_moment);
+      set(trailing_moment, &Solution::trailing_moment);
+    }
+    if constexpr (requires { &Solution::surface_strain; }) set(surface_strain, &Solution::surface_strain);
+    if constexpr (requires { &Solution::slip; }) set(slip, &Solution::slip);
+    if constexpr (requires { &Solution::shear_zeros; }) set(shear_zeros, &Solution::shear_zeros);
+    if constexpr (requires { creep_range_of(solution_); })
+      asked.set(creep_range, [&] { return creep_range_of(solution_); });
+    if constexpr (slips) {
+      set(traction, &Solution::traction);
+      set(dissipation, &Solution::dissipation);
+      set(zone_boundaries, &Solution::zone_boundaries);
+      asked.set(zone_signs, [&] {
+        return mapped(std::invoke(&Solution::zone_signs, solution_),
+                      [&](int sign) { return as_number(sign); });
+      });
+    } else {
+      answer_inside(asked);
+    }
+  }
+
+  Number as_number(int sign) const {
+    Number number = exactly(sign, this->number(ResultId::load));
+    if constexpr (requires { number.proven; }) number.proven = false;
+    return number;
+  }
+
+  /// Stresses inside, and displacements of an elastic sheet's alone.
+  void answer_inside(Asked<Number>& asked) const {
+    using enum ResultId;
+    const auto points = mapped(asked.places, [](const Place& one) {
+      return typename Path::Point{one.y, one.depth};
+    });
+    const auto at = [&] { return stresses(solution_, nip_, points, accuracy_); };
+    using Stresses = typename decltype(at())::value_type;
+    asked.set_parts(
+        at, std::pair(stress_across, &Stresses::across), std::pair(stress_along, &Stresses::along),
+        std::pair(stress_shear, &Stresses::shear), std::pair(highest_stress, &Stresses::highest),
+        std::pair(lowest_stress, &Stresses::lowest), std::pair(maximum_shear, &Stresses::maximum_shear));
+    if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
+      const auto moved = [&] { return displacements(solution_, nip_, points, accuracy_); };
+      using Displacements = typename decltype(moved())::value_type;
+      asked.set_parts(moved, std::pair(displacement_across, &Displacements::across),
+                      std::pair(displacement_along, &Displacements::along));
+    }
+    if constexpr (requires { solution_.greatest_shear(); }) {
+      using Greatest = decltype(solution_.greatest_shear());
+      asked.set_parts([&] { return std::array{solution_.greatest_shear()}; },
+                      std::pair(greatest_shear, &Greatest::value),
+                      std::pair(greatest_shear_position, &Greatest::y),
+                      std::pair(greatest_shear_depth, &Greatest::depth));
+    }
+  }
+
+  decltype(Problem::nip) nip_;
+  Solution solution_;
+  typename Path::Accuracy accuracy_;
+};
+
+template <class Path, class Problem, class Method>
+Solved<Path> solved_by(const Problem& problem, const Method& method, typename Path::Accuracy accuracy) {
+  constexpr bool converges = std::is_same_v<Method, ConvergedMethod>;
+  const bool has_errors_of_itself =
+      !Path::is_fast && (!converges || std::is_same_v<Problem, ElasticNipProblem>);
+  auto found = solution(Path(), problem, method, accuracy);
+  return std::make_unique<SolvedNip<Path, Problem, decltype(found)>>(
+      problem, std::move(found), accuracy, has_errors_of_itself ? Measure::itself : Measure::size);
 }
 
 /// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about
 /// 1e-3.
 constexpr double truth_accuracy = 1e-5;
 
-/// The error of each number of line loads is its distance to the truth, of a list to the nearest of the truth's numbers,
-/// whose own error is added.
-std::vector<Estimate> compared(std::vector<Estimate> numbers, const std::vector<Estimate>& truths,
-                               bool is_list) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    auto& [value, error] = numbers[i];
-    const auto distance = [value = value](const Estimate& truth) { return std::fabs(value - truth.value); };
-    const Estimate& truth = is_list ? *std::ranges::min_element(truths, {}, distance) : truths[i];
-    error = distance(truth) + truth.error;
+/// Line loads in double. The error of each number is its distance to the truth, of a list to the nearest of the truth's
+/// numbers, whose own error is added.
+class ComparedLineLoads final : public SolvedContact<Estimate> {
+ public:
+  ComparedLineLoads(const auto& problem, const auto& method, double accuracy)
+      : loads_(solved_by<FastPath>(problem, method, accuracy)),
+        truth_(solved_by<FastPath>(problem, ConvergedMethod(), truth_accuracy)) {
+    describe(*this, problem, Measure::truth);
   }
-  return numbers;
-}
+  [[nodiscard]] fast::Work work() const override { return loads_->work(); }
+  [[nodiscard]] fast::Work error_work() const override { return truth_->work(); }
 
-/// Each length is the last one times the cube root of the load over that found. The steps end at a length for which no load
-/// is found.
+ private:
+  void answer(Asked<Estimate>& asked) const override {
+    if (is_product(asked.id)) return;  // of numbers that were compared
+    // The continuous contact has one creep ratio, to which all three are compared.
+    const auto& truths = asked.id == ResultId::creep_range ? truth_->get(ResultId::creep_ratio)
+                                                           : truth_->get(asked.id, asked.places);
+    const bool is_list = data::scene_result(asked.id).shape == data::Shape::list;
+    std::vector<Estimate> numbers = loads_->get(asked.id, asked.places);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      auto& [value, error] = numbers[i];
+      const auto distance = [value = value](const Estimate& one) { return std::fabs(value - one.value); };
+      const Estimate& truth = is_list ? *std::ranges::min_element(truths, {}, distance) : truths[i];
+      error = distance(truth) + truth.error;
+    }
+    asked.answer[asked.id] = std::move(numbers);
+  }
+
+  SolvedInDouble loads_, truth_;
+};
+
+/// The steps for a scene of such a problem by such line loads. Each length is the last one times the cube root of the load over
+/// that found. The steps end at a length for which no load is found.
 template <class Problem, class Method>
-std::vector<SearchStep> steps_to(Problem problem, Method method, double load, double accuracy) {
-  constexpr std::size_t most = 100;
-  const auto loads_of = [&](const Problem& one) { return solution(FastPath(), one, method, accuracy); };
+std::vector<SearchStep> steps_of(const data::Scene& scene) {
+  const auto* const given = std::get_if<Problem>(&scene.system);
+  if (given == nullptr || !std::holds_alternative<Method>(given->method)) return {};
+  const auto* const wanted = std::get_if<data::GivenLoad>(&given->given);
+  if (wanted == nullptr) return {};
+  Problem problem = *given;
+  Method method = std::get<Method>(given->method);
+  const auto loads_of = [&](const Problem& one) { return solution(FastPath(), one, method, scene.accuracy); };
   double length = problem.nip.sheet_thickness, tolerance = 1e-2;
   if constexpr (std::is_same_v<Problem, ElasticNipProblem>) {
     tolerance = 2e-3;
@@ -296,72 +321,36 @@ std::vector<SearchStep> steps_to(Problem problem, Method method, double load, do
   } else if (!method.trailing_elements) {
     method.trailing_elements = loads_of(problem).trailing_elements();
   }
+  constexpr std::size_t most = 100;
   std::vector<SearchStep> steps;
   try {
     while (steps.size() < most) {
       problem.given = data::GivenLength{length};
       steps.push_back({length, loads_of(problem).load()});
       const double found = steps.back().load;
-      if (!(found > 0) || std::fabs(found / load - 1) <= tolerance) break;
-      length *= std::cbrt(load / found);
+      if (!(found > 0) || std::fabs(found / wanted->per_length - 1) <= tolerance) break;
+      length *= std::cbrt(wanted->per_length / found);
     }
   } catch (const data::BadInput&) {  // no creep meets the thesis's conditions there
   }
   return steps;
 }
 
-SolvedInDouble compared_with_truth(const auto& problem, const auto& line_loads, double accuracy) {
-  const std::shared_ptr<const SolvedContact<Estimate>> truth =
-      solved<FastPath>(problem, ConvergedMethod(), truth_accuracy);
-  const std::shared_ptr<const SolvedContact<Estimate>> loads =
-      solved<FastPath>(problem, line_loads, accuracy);
-  auto contact = std::make_unique<SolvedContact<Estimate>>();
-  for (const data::SceneResult& result : data::scene_results()) {
-    if (!loads->has(result.id)) continue;
-    contact->set(result.id, [=, id = result.id, shape = result.shape](const Places& places) {
-      // The continuous contact has one creep ratio, to which all three are compared.
-      const auto& truths =
-          id == ResultId::creep_range ? truth->get(ResultId::creep_ratio) : truth->get(id, places);
-      return compared(loads->get(id, places), truths, shape == data::Shape::list);
-    });
-  }
-  complete(*contact, problem);
-  contact->measure = Measure::truth;
-  contact->work = [loads] { return loads->work(); };
-  contact->error_work = [truth] { return truth->work(); };
-  return contact;
-}
-
 }  // namespace
 
 template <class Path, class Problem>
 Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy) {
-  const auto solve_by = [&](const auto& method) {
-    if constexpr (Path::is_fast && requires { method.leading_elements; }) {
-      return compared_with_truth(problem, method, accuracy);
-    } else {
-      return solved<Path>(problem, method, accuracy);
-    }
+  const auto solve_by = [&](const auto& method) -> Solved<Path> {
+    if constexpr (Path::is_fast && requires { method.leading_elements; })
+      return std::make_unique<ComparedLineLoads>(problem, method, accuracy);
+    return solved_by<Path>(problem, method, accuracy);
   };
   return std::visit(solve_by, problem.method);
 }
 
 std::vector<SearchStep> thesis_search(const data::Scene& scene) {
-  return std::visit(
-      [&](const auto& problem) -> std::vector<SearchStep> {
-        using Problem = std::remove_cvref_t<decltype(problem)>;
-        if constexpr (requires { problem.method; } && !std::is_same_v<Problem, PartialSlipProblem>) {
-          const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
-          const auto search = [&](const auto& method) -> std::vector<SearchStep> {
-            if constexpr (requires { method.leading_elements; })
-              if (load != nullptr) return steps_to(problem, method, load->per_length, scene.accuracy);
-            return {};
-          };
-          return std::visit(search, problem.method);
-        }
-        return {};
-      },
-      scene.system);
+  const auto steps = steps_of<ElasticNipProblem, data::LineLoads>(scene);
+  return steps.empty() ? steps_of<ViscoelasticNipProblem, data::ViscoelasticLineLoads>(scene) : steps;
 }
 
 template SolvedInDouble solve_nip<FastPath>(const ElasticNipProblem&, double);

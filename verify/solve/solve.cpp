@@ -1,4 +1,4 @@
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
@@ -136,6 +136,17 @@ void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate
   solution.work = contact.work();
 }
 
+/// Whether the scene is solved by line loads.
+bool is_by_line_loads(const data::Scene& scene) {
+  return std::visit(
+      [](const auto& problem) {
+        if constexpr (requires { problem.method; })
+          return !std::holds_alternative<data::ConvergedMethod>(problem.method);
+        return false;
+      },
+      scene.system);
+}
+
 void refuse_moments_by_ref(const data::Scene& scene) {
   if (std::holds_alternative<data::ViscoelasticNipProblem>(scene.system) && is_by_line_loads(scene)) return;
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
@@ -148,21 +159,19 @@ void refuse_moments_by_ref(const data::Scene& scene) {
   }
 }
 
-/// A scene's contact, whose refusal names the scene's key.
-template <class Path>
-Solved<Path> solved(const data::Scene& scene, typename Path::Accuracy accuracy) {
-  const auto solve_one = [&](const auto& problem) -> Solved<Path> {
-    if constexpr (requires { problem.nip; }) {
-      return solve_nip<Path>(problem, accuracy);
-    } else if constexpr (Path::is_fast) {
-      return solve_half_space(problem);
-    } else {
-      const ref::JointResponse surface(problem, accuracy);
-      surface.check_subcritical();
-      return solve_ref_half_space(surface, problem, accuracy);
-    }
-  };
-  return naming_keys(scene, [&] { return std::visit(solve_one, scene.system); });
+/// Throws a solver's error again and names the scene's key: the solver can refuse what Scene::check has accepted only because
+/// of its load or length, its speed, the material, or the digits.
+[[noreturn]] void refuse_by_key(const data::Scene& scene, const data::BadInput& error) {
+  const auto [key, value, argument] =
+      std::visit([](const auto& problem) { return given_key(problem); }, scene.system);
+  if (const auto* const material = dynamic_cast<const data::NoMaterial*>(&error))
+    scene.origin.refuse_as(material->key(), error);
+  if (error.argument() == "digits") throw data::BadInput(error);
+  if (error.argument().ends_with(" rate")) scene.origin.refuse_as("material", error);
+  for (const auto& [name, its_key] : other_keys)
+    if (error.argument() == name) scene.origin.refuse_as(its_key, error);
+  if (error.argument() == argument) scene.origin.refuse_as(key, error);
+  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }
 
 }  // namespace
@@ -170,16 +179,6 @@ Solved<Path> solved(const data::Scene& scene, typename Path::Accuracy accuracy) 
 bool wants(const data::Scene& scene, data::Shape shape) {
   return std::ranges::any_of(scene.wanted,
                              [&](ResultId id) { return data::scene_result(id).shape == shape; });
-}
-
-bool is_by_line_loads(const data::Scene& scene) {
-  return std::visit(
-      [](const auto& problem) {
-        if constexpr (requires { problem.method; })
-          return !std::holds_alternative<data::ConvergedMethod>(problem.method);
-        return false;
-      },
-      scene.system);
 }
 
 template <class Number>
@@ -240,18 +239,26 @@ template SceneSolution<fast::Estimate> collect_results(const data::Scene&,
 template SceneSolution<ref::Estimate> collect_results(const data::Scene&, const SolvedContact<ref::Estimate>&,
                                                       long double);
 
-void refuse_by_key(const data::Scene& scene, const data::BadInput& error) {
-  const auto [key, value, argument] =
-      std::visit([](const auto& problem) { return given_key(problem); }, scene.system);
-  if (const auto* const material = dynamic_cast<const data::NoMaterial*>(&error))
-    scene.origin.refuse_as(material->key(), error);
-  if (error.argument() == "digits") throw data::BadInput(error);
-  if (error.argument().ends_with(" rate")) scene.origin.refuse_as("material", error);
-  for (const auto& [name, its_key] : other_keys)
-    if (error.argument() == name) scene.origin.refuse_as(its_key, error);
-  if (error.argument() == argument) scene.origin.refuse_as(key, error);
-  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
+template <class Path>
+Solved<Path> solved(const data::Scene& scene, typename Path::Accuracy accuracy) try {
+  const auto solve_one = [&](const auto& problem) -> Solved<Path> {
+    if constexpr (requires { problem.nip; }) {
+      return solve_nip<Path>(problem, accuracy);
+    } else if constexpr (Path::is_fast) {
+      return solve_half_space(problem);
+    } else {
+      const ref::JointResponse surface(problem, accuracy);
+      surface.check_subcritical();
+      return solve_ref_half_space(surface, problem, accuracy);
+    }
+  };
+  return std::visit(solve_one, scene.system);
+} catch (const data::BadInput& error) {
+  refuse_by_key(scene, error);
 }
+
+template Solved<FastPath> solved<FastPath>(const data::Scene&, double);
+template Solved<RefPath> solved<RefPath>(const data::Scene&, int);
 
 SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();

@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include <nipref/data/problem/seed_nips.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/witness/witness.hpp>
 
 namespace nipref::verify {

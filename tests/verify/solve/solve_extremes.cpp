@@ -6,10 +6,10 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
 
 #include "support/covered.hpp"
 #include "support/solved_scene.hpp"
+#include "support/stated_contact.hpp"
 
 using namespace nipref;
 
@@ -105,9 +105,9 @@ TEST_CASE("a result that is no number is refused by its name") {
   data::Scene scene = loaded_example("thick-frictionless");
   scene.wanted = {data::ResultId::load};
   for (const fast::Estimate estimate : {fast::Estimate{infinite, 1}, {1, infinite}, {std::nan(""), 1}}) {
-    verify::SolvedContact<fast::Estimate> contact;
-    contact.set(data::ResultId::load, [estimate] { return estimate; });
-    contact.set(data::ResultId::indentation, [] { return fast::Estimate{0, 0}; });
+    StatedContact<fast::Estimate> contact;
+    contact.numbers[data::ResultId::load] = [estimate](double) { return estimate; };
+    contact.numbers[data::ResultId::indentation] = [](double) { return fast::Estimate{0, 0}; };
     CHECK_REFUSED(verify::collect_results(scene, contact, scene.accuracy), "wanted[0] = load: ");
   }
 }

@@ -1,8 +1,8 @@
 // What follows from the results of a nip: eccentricity, resistance, lost power, moments of the pressure.
 #include <nipref/ref/number/enclosure.hpp>
-#include <nipref/verify/solve/internal/solved_contact.hpp>
 
 #include "support/solved_scene.hpp"
+#include "support/stated_contact.hpp"
 
 using namespace nipref;
 
@@ -74,14 +74,13 @@ TEST_CASE("nothing slips where it sticks") {
 }
 
 TEST_CASE("the reference computes the strain of a place once, for itself and for the slip") {
-  verify::SolvedContact<ref::Estimate> contact;
+  StatedContact<ref::Estimate> contact;
   int strains = 0;
-  contact.set(data::ResultId::surface_strain, [&](double) {
+  contact.numbers[data::ResultId::surface_strain] = [&](double) {
     ++strains;
     return ref::exactly(-0.5, 16);
-  });
-  contact.set(data::ResultId::creep_ratio, [] { return ref::exactly(0.25, 16); });
-  verify::set_slip(contact, false);
+  };
+  contact.numbers[data::ResultId::creep_ratio] = [](double) { return ref::exactly(0.25, 16); };
   for (const double y : {0.25, 0.5}) {
     CHECK(std::stod(contact.at(data::ResultId::surface_strain, y).value_text()) == -0.5);
     CHECK(std::stod(contact.at(data::ResultId::slip, y).value_text()) == -0.75);

@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/solved_scene.hpp"
+#include "support/stated_contact.hpp"
 #include "support/unfolded.hpp"
 
 using namespace nipref;
@@ -15,21 +15,22 @@ namespace {
 
 /// L = 2, R = 4, pressure 10 in the middle.
 double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
-  verify::SolvedContact<fast::Estimate> nip;
-  nip.ends = [] { return verify::ContactEnds{-1, 1}; };
+  StatedContact<fast::Estimate> nip;
+  nip.stated_ends = {-1, 1};
   nip.roller_radius = 4;
-  nip.set(ResultId::pressure, [](double) { return fast::Estimate{10, 0}; });
+  nip.numbers[ResultId::pressure] = [](double) { return fast::Estimate{10, 0}; };
   return verify::result_size(nip, id, y, accuracy);
 }
 
 /// Of a contact on a half-space whose pressure and span are 2, its compliance 3, and its depth at the centre 7.
 double size_on_half_space(ResultId id) {
-  verify::SolvedContact<fast::Estimate> contact;
-  contact.ends = [] { return verify::ContactEnds{-1, 1}; };
-  for (const ResultId two : {ResultId::peak_pressure, ResultId::span_along})
-    contact.set(two, [] { return fast::Estimate{2, 0}; });
-  contact.set(ResultId::normal_displacement, [](double) { return fast::Estimate{7, 0}; });
-  contact.set(ResultId::compliance, [](double) { return fast::Estimate{3, 0}; });
+  StatedContact<fast::Estimate> contact;
+  contact.stated_ends = {-1, 1};
+  for (const auto& [name, value] : {std::pair(ResultId::peak_pressure, 2.0),
+                                    {ResultId::span_along, 2},
+                                    {ResultId::normal_displacement, 7},
+                                    {ResultId::compliance, 3}})
+    contact.numbers[name] = [value](double) { return fast::Estimate{value, 0}; };
   return verify::result_size(contact, id, 0, 1e-6);
 }
 

@@ -2,7 +2,7 @@
 
 #include <nipref/data/number/with_error.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {
 namespace {

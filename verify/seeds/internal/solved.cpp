@@ -50,7 +50,7 @@ Propagated of_quantity(const Brackets& brackets) {
 Propagated result_of(const Brackets& brackets, const SolvedContact<fast::Estimate>& contact) {
   const std::string& name = brackets.names.back();
   const data::SceneResult* const what = data::find_scene_result(name);
-  if (what == nullptr || !contact.has(what->id)) brackets.refuse(fmt::format("no '{}'", name));
+  if (what == nullptr) brackets.refuse(fmt::format("no '{}'", name));
   if (what->shape == data::Shape::number) return contact.number(what->id);
   const double at = brackets.number("at", 0);
   if (what->shape == data::Shape::list) return contact.get(what->id).at(static_cast<std::size_t>(at));

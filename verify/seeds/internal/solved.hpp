@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/support/internal/formulas.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 

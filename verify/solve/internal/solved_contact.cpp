@@ -37,6 +37,8 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   return sum;
 }
 
+/// int p Y dY on one side of the line through the rollers' centres (thesis 7.13), by Gauss's rule. The error is the integrated
+/// error of the pressure and twice the difference from half as many nodes.
 Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, bool is_leading) {
   const Estimate leading = contact.number(ResultId::leading_length),
                  trailing = contact.number(ResultId::trailing_length);
@@ -62,40 +64,77 @@ double given_factor(const SolvedContact<Number>& contact, ResultId product) {
   return product == ResultId::power_loss ? contact.speed : 1;
 }
 
-}  // namespace
-
-bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
-
-void set_moments(SolvedContact<Estimate>& contact) {
-  contact.set(ResultId::leading_moment, [&] { return moment_of_pressure(contact, true); });
-  contact.set(ResultId::trailing_moment, [&] { return moment_of_pressure(contact, false); });
+/// The rolling resistance in another unit; the error follows from those of the factors:
+///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
+template <class Number>
+Number product_of(const SolvedContact<Number>& contact, ResultId id) {
+  Number result = contact.number(ResultId::rolling_resistance);
+  if (id != ResultId::eccentricity) result = result * contact.number(ResultId::load);
+  return result * exactly(given_factor(contact, id), result);
 }
 
+/// The velocity of sliding over F_0, the strain of the surface less the creep ratio: by (2.5) the surface moves at F_0 (1 + v')
+/// and the rollers at F_0 (1 + creep ratio). Without friction the creep ratio is the mean strain, so that the mean slip in the
+/// contact is 0. Outside the contact it is the slip that there would be if the surfaces touched.
+ref::Estimate slip_at(const SolvedContact<ref::Estimate>& contact, double y) {
+  const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),
+                      &creep = contact.number(ResultId::creep_ratio);
+  // Where the surface sticks, its strain is the creep ratio.
+  if (!same(strain, creep)) return strain - creep;
+  ref::Estimate none = exactly(0, strain);
+  none.proven = strain.proven;
+  return none;
+}
+
+/// The heat of a face's slip per area and distance rolled, |q (v' - creep ratio)|.
 template <class Number>
-void set_products(SolvedContact<Number>& contact) {
-  for (const ResultId id : {ResultId::eccentricity, ResultId::resistance_force, ResultId::power_loss}) {
-    contact.set(id, [&contact, id] {
-      Number result = contact.number(ResultId::rolling_resistance);
-      if (id != ResultId::eccentricity) result = result * contact.number(ResultId::load);
-      return result * exactly(given_factor(contact, id), result);
-    });
+Number heat_at(const SolvedContact<Number>& contact, double y) {
+  const auto size = [&](ResultId id) {
+    const Number& number = contact.at(id, y);
+    return number * exactly(std::signbit(value_of(number)) ? -1 : 1, number);
+  };
+  return size(ResultId::shear) * size(ResultId::slip);
+}
+
+/// Answers by other results of the contact.
+template <class Number>
+void answer_by_others(const SolvedContact<Number>& contact, Asked<Number>& asked) {
+  if (is_product(asked.id)) asked.set(asked.id, [&] { return product_of(contact, asked.id); });
+  asked.set(ResultId::heat, [&](double y) { return heat_at(contact, y); });
+  if constexpr (std::is_same_v<Number, Estimate>) {
+    asked.set(ResultId::leading_moment, [&] { return moment_of_pressure(contact, true); });
+    asked.set(ResultId::trailing_moment, [&] { return moment_of_pressure(contact, false); });
+  } else {
+    asked.set(ResultId::slip, [&](double y) { return slip_at(contact, y); });
   }
 }
 
-void set_slip(SolvedContact<ref::Estimate>& contact, bool has_full_friction) {
-  contact.set(ResultId::slip, [&contact, has_full_friction](double y) {
-    const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),
-                        &creep = contact.number(ResultId::creep_ratio);
-    // Where the surface sticks, its strain is the creep ratio.
-    if (!has_full_friction || !same(strain, creep)) return strain - creep;
-    ref::Estimate none = exactly(0, strain);
-    none.proven = strain.proven;
-    return none;
-  });
+}  // namespace
+
+bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
+bool is_product(ResultId id) {
+  return id == ResultId::eccentricity || id == ResultId::resistance_force || id == ResultId::power_loss;
 }
 
-template void set_products(SolvedContact<Estimate>&);
-template void set_products(SolvedContact<ref::Estimate>&);
+template <class Number>
+const std::vector<Number>& SolvedContact<Number>::get(ResultId id, const Places& places) const {
+  if (const auto known = cache_.find({id, places}); known != cache_.end()) return known->second;
+  Asked<Number> asked{id, places};
+  answer(asked);
+  if (asked.answer.empty()) answer_by_others(*this, asked);
+  for (auto& [one, numbers] : asked.answer) cache_.try_emplace({one, places}, std::move(numbers));
+  if (asked.answer.empty())
+    throw data::BadInput("result", data::scene_result(id).name, "must be one that this contact has");
+  return cache_.at({id, places});
+}
+
+template <class Number>
+ContactEnds SolvedContact<Number>::ends() const {
+  return {-value_of(number(ResultId::trailing_length)), value_of(number(ResultId::leading_length))};
+}
+
+template class SolvedContact<Estimate>;
+template class SolvedContact<ref::Estimate>;
 
 template <class Number>
 double result_size(const SolvedContact<Number>& contact, ResultId id, double y, double accuracy) {

@@ -1,9 +1,14 @@
 #pragma once
 #include <compare>
 #include <concepts>
+#include <memory>
 
 #include <nipref/data/scene/results.hpp>
+#include <nipref/fast/half_space/direction.hpp>
+#include <nipref/fast/nip/inner_stresses.hpp>
 #include <nipref/fast/nip/work.hpp>
+#include <nipref/ref/half_space/joint_response.hpp>
+#include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/common.hpp>
@@ -39,96 +44,76 @@ enum class Measure {
   truth  ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
 };
 
-/// A solved contact of either path: a function for each of its results. A result is computed when it is first asked
-/// for, and cached.
+/// A result that a contact is asked for, of a profile or a field at these places, and the answer: with it may come others that
+/// are computed at once with it.
 template <class Number>
-struct SolvedContact {
-  SolvedContact() = default;
-  SolvedContact(const SolvedContact&) = delete;
-  SolvedContact& operator=(const SolvedContact&) = delete;
+struct Asked {
+  ResultId id;
+  const Places& places;
+  std::map<ResultId, std::vector<Number>> answer = {};
 
-  /// The numbers of a result: one, all of a list, or one for each place of a profile or field.
-  [[nodiscard]] const std::vector<Number>& get(ResultId id, const Places& places = {}) const {
-    const auto known = cache_.find({id, places});
-    if (known != cache_.end()) return known->second;
-    std::vector<Number> numbers = functions_.at(id)(places);
-    return cache_.emplace(std::pair(id, places), std::move(numbers)).first->second;
-  }
-  [[nodiscard]] bool has(ResultId id) const { return functions_.contains(id); }
-  [[nodiscard]] const Number& number(ResultId id) const { return get(id).front(); }
-  [[nodiscard]] const Number& at(ResultId id, double y) const { return get(id, {{y}}).front(); }
-
-  void set(ResultId id, std::function<std::vector<Number>(const Places&)> function) {
-    functions_[id] = std::move(function);
-  }
-  void set(ResultId id, std::function<Number()> number) {
-    set(id, [number = std::move(number)](const Places&) { return std::vector<Number>{number()}; });
-  }
-  void set(ResultId id, std::function<Number(double y)> at) {
-    set(id, [at = std::move(at)](const Places& places) {
-      return mapped(places, [&](const Place& place) { return at(place.y); });
-    });
-  }
-  /// Sets a result of a solution to one of its members, or to another function of it: a number, a list, or a number at
-  /// Y.
-  template <class Solution>
-  void set(ResultId id, const std::shared_ptr<Solution>& solution, auto function) {
-    if constexpr (std::invocable<decltype(function), Solution&, double>) {
-      set(id, [=](double y) { return number_of(std::invoke(function, *solution, y)); });
-    } else if constexpr (std::ranges::range<std::invoke_result_t<decltype(function), Solution&>>) {
-      set(id, [=](const Places&) {
-        return mapped(std::invoke(function, *solution), [](const auto& one) { return number_of(one); });
-      });
+  /// The result of that name, computed only if it is the one that is asked for: a number, a list, or a number at Y.
+  template <class Result>
+  void set(ResultId name, const Result& result) {
+    if (name != id) return;
+    if constexpr (std::invocable<const Result&, double>) {
+      answer[id] = mapped(places, [&](const Place& place) { return number_of(result(place.y)); });
+    } else if constexpr (std::ranges::range<std::invoke_result_t<const Result&>>) {
+      answer[id] = mapped(result(), [](const auto& one) { return number_of(one); });
     } else {
-      set(id, [=] { return number_of(std::invoke(function, *solution)); });
+      answer[id] = {number_of(result())};
     }
   }
-
-  /// Sets results that are parts of what is computed at once, at each place.
-  template <class Whole>
-  void set_parts(std::function<std::vector<Whole>(const Places&)> function,
-                 const std::vector<std::pair<ResultId, std::function<Number(const Whole&)>>>& parts) {
-    for (const ResultId id : std::views::keys(parts)) {
-      set(id, [this, function, parts, id](const Places& places) {
-        const std::vector<Whole> all = function(places);
-        for (const auto& [other, part] : parts)
-          cache_.emplace(std::pair(other, places), mapped<Number>(all, part));
-        return cache_.at({id, places});
-      });
-    }
+  /// Results that are `parts` of what `all` gives at once, all places together.
+  void set_parts(const auto& all, const auto&... parts) {
+    if (((parts.first != id) && ...)) return;
+    const auto wholes = all();
+    ((answer[parts.first] = mapped<Number>(wholes, parts.second)), ...);
   }
-
-  /// Solves again with more terms for smaller errors; false if this is not possible.
-  bool refine() const {
-    cache_.clear();
-    return solve_again();
-  }
-
-  /// Where evenly spaced profiles begin and end: over half of a symmetric nip.
-  [[nodiscard]] ContactEnds profile_ends() const {
-    const ContactEnds all = ends();
-    return {is_symmetric ? 0 : all.first, all.last};
-  }
-
-  std::function<ContactEnds()> ends = [] { return ContactEnds{0, 0}; };
-  bool is_symmetric = false;
-  double roller_radius = 0, speed = 1;  ///< of a nip; the speed of an elastic sheet does not matter
-  Measure measure = Measure::size;
-  std::function<bool()> solve_again = [] { return false; };
-  /// The work so far on the results, and the work on their error estimates alone.
-  std::function<fast::Work()> work = [] { return fast::Work{}; }, error_work = work;
 
  private:
   /// A double has no error yet.
-  static Number number_of(const auto& found) {
-    if constexpr (std::is_same_v<decltype(found), const double&>) {
-      return {found, 0};
-    } else {
-      return found;
-    }
-  }
+  static Number number_of(double found) requires std::same_as<Number, fast::Estimate> { return {found, 0}; }
+  static Number number_of(const Number& found) { return found; }
+};
 
-  std::map<ResultId, std::function<std::vector<Number>(const Places&)>> functions_;
+/// A solved contact of either path. A result is computed when it is first asked for, and cached.
+template <class Number>
+class SolvedContact {
+ public:
+  SolvedContact() = default;
+  SolvedContact(const SolvedContact&) = delete;
+  SolvedContact& operator=(const SolvedContact&) = delete;
+  virtual ~SolvedContact() = default;
+
+  /// The numbers of a result: one, all of a list, or one for each place of a profile or field. BadInput if the contact does not
+  /// have it.
+  [[nodiscard]] const std::vector<Number>& get(ResultId id, const Places& places = {}) const;
+  [[nodiscard]] const Number& number(ResultId id) const { return get(id).front(); }
+  [[nodiscard]] const Number& at(ResultId id, double y) const { return get(id, {{y}}).front(); }
+
+  [[nodiscard]] virtual ContactEnds ends() const;
+  /// Where evenly spaced profiles begin and end: over half of a symmetric nip.
+  [[nodiscard]] ContactEnds profile_ends() const { return {is_symmetric ? 0 : ends().first, ends().last}; }
+
+  /// Solves again with more terms for smaller errors; false if this is not possible.
+  bool refine() {
+    cache_.clear();
+    return solve_again();
+  }
+  /// The work so far on the results, and the work on their error estimates alone.
+  [[nodiscard]] virtual fast::Work work() const { return {}; }
+  [[nodiscard]] virtual fast::Work error_work() const { return {}; }
+
+  bool is_symmetric = false;
+  double roller_radius = 0, speed = 1;  ///< of a nip; the speed of an elastic sheet does not matter
+  Measure measure = Measure::size;
+
+ private:
+  /// Answers what the solution has; what follows from other results of a nip is known without.
+  virtual void answer(Asked<Number>& asked) const = 0;
+  virtual bool solve_again() { return false; }
+
   mutable std::map<std::pair<ResultId, Places>, std::vector<Number>> cache_;
 };
 
@@ -139,21 +124,86 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
 
 /// Whether it is leading_moment or trailing_moment.
 bool is_moment(ResultId id);
+/// Whether it is the rolling resistance in another unit: eccentricity, resistance_force, power_loss.
+bool is_product(ResultId id);
 
-/// Sets the results of a nip that are products of others; the errors follow from those of the factors:
-///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
+/// What differs between the paths for a template that serves both.
+struct FastPath {
+  static constexpr bool is_fast = true;
+  using Accuracy = double;  ///< a scene's
+  using Number = fast::Estimate;
+  using Point = fast::InnerPoint;
+  using Line = fast::Direction;  ///< of a half-space's surface, from the motion
+  using Position = double;
+  static Number exactly(double value, int) { return {value, 0}; }
+  static Line line(double degrees) { return Line::of_degrees(degrees); }
+  static Line reversed(const Line& psi) { return {-psi.cosine, -psi.sine, -psi.cosine_low, -psi.sine_low}; }
+};
+struct RefPath {
+  static constexpr bool is_fast = false;
+  using Accuracy = int;  ///< digits
+  using Number = ref::Estimate;
+  using Point = ref::InnerPoint;
+  using Line = ref::Exact;  ///< degrees
+  using Position = ref::Exact;
+  static Number exactly(double value, int digits) { return ref::exactly(value, digits); }
+  static Line line(double degrees) { return Line(degrees); }
+  static Line reversed(const Line& psi) { return Line(mpq_class(psi.value() + 180)); }
+};
+
+template <class Path>
+using Solved = std::unique_ptr<SolvedContact<typename Path::Number>>;
+using SolvedInDouble = Solved<FastPath>;
+using SolvedByRef = Solved<RefPath>;
+
+// A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if
+// the contact's length is not allowed.
+
+/// A nip by its problem's method; `accuracy` is the scene's, or the digits. Without a method it is the continuous contact.
+///
+/// In double the error of a result of line loads is its distance to the same result of the continuous contact, solved to
+/// 1e-5, whose own error is added. The kernels of line loads of a rolling nip are exact to rounding, or the truncated
+/// series that the scene asks for. The reference's errors are proven bounds for line loads, and for much of what the
+/// continuous contacts have (ref/README.md, What is proven), otherwise estimates. Instantiated for the problems of nips.
+template <class Path = FastPath, class Problem>
+Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy);
+
+/// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
+SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
+
+/// A body on a half-space by the reference: the errors of the response of a line and, where all lines are alike, of the
+/// critical speed are proven bounds, those of the contact are estimates. BadInput "digits" if the digits cannot be
+/// reached, "span" if the span of a rolling sphere is too large.
+SolvedByRef solve_ref_half_space(const ref::JointResponse& surface, const data::HalfSpaceProblem& problem,
+                                 int digits);
+
+/// The contact of a scene, which Scene::check has accepted: BadInput names the scene's key that its solver refuses.
+template <class Path>
+Solved<Path> solved(const data::Scene& scene, typename Path::Accuracy accuracy);
+
+/// The measures of a solved nip that are too large for linear theory: the mean strain across the sheet in the middle of
+/// the nip, indentation/half-thickness, and the slope of the roller's parabola at the farther end of the contact, Y/R.
+/// Throws BadInput, naming the given load or length, if that strain is 1 or more: the rollers' faces would meet.
 template <class Number>
-void set_products(SolvedContact<Number>& contact);
+std::vector<BeyondTheory> beyond_theory(const data::Scene& scene, const SolvedContact<Number>& contact);
 
-/// Sets leading_moment = int p Y dY ahead of the line through the rollers' centres, and trailing_moment behind it
-/// (thesis 7.13), by Gauss's rule. The error is the integrated error of the pressure and twice the difference from half
-/// as many nodes.
-void set_moments(SolvedContact<fast::Estimate>& contact);
+/// Computes all results that the scene wants, and the indentation of a nip, see beyond_theory. `accuracy` is the
+/// requested one.
+template <class Number>
+SceneSolution<Number> collect_results(const data::Scene& scene, const SolvedContact<Number>& contact,
+                                      long double accuracy);
 
-/// Sets slip = v' - creep ratio, v' the strain of the surface: by (2.5) the surface moves at F_0 (1 + v') and the
-/// rollers at F_0 (1 + creep ratio), so that the slip is the velocity of sliding over F_0. It is 0 in a contact with
-/// full friction. Without friction the creep ratio is the mean strain, so that the mean slip in the contact is 0.
-/// Outside the contact it is the slip that there would be if the surfaces touched.
-void set_slip(SolvedContact<ref::Estimate>& contact, bool has_full_friction);
+inline bool has_full_friction(const data::ElasticNipProblem& problem) {
+  return problem.friction == data::Friction::full;
+}
+inline bool has_full_friction(const auto&) { return false; }
+
+/// Calls function() with what the solvers of a continuous contact take besides the load or the length.
+auto with_nip(const data::ElasticNipProblem& problem, const auto& function) {
+  return function(problem.nip, problem.friction);
+}
+auto with_nip(const data::ViscoelasticNipProblem& problem, const auto& function) {
+  return function(problem.nip);
+}
 
 }  // namespace nipref::verify
