@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/formulas/propagated.hpp>
 #include <nipref/verify/support/json.hpp>
 
 // What the seeds state in words, in limits and in formulas that are printed wrong: the files of data/statements. Reading them

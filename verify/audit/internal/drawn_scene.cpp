@@ -155,7 +155,7 @@ class SceneDrawing {
   static Propagated exact(double value) { return Propagated::exact(value); }
 
   Random& random_;
-  StatedFormulas formulas_{[this](const std::string& words, StatedFormulas&) { return number(words); }};
+  Formulas formulas_{[this](const std::string& words, Formulas&) { return number(words); }};
 };
 
 /// Numbers of 34 bits, whose products with a few small whole numbers are exact.

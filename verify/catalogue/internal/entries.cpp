@@ -96,8 +96,8 @@ std::string functions_in(const char* part) {
   return definitions_table()[part]["functions"].value<std::string>().value();
 }
 
-const Formulas<double>& sampling_formulas() {
-  static const Formulas<double> all({}, functions_in("sampling"));
+const Formulas& sampling_formulas() {
+  static const Formulas all({}, functions_in("sampling"));
   return all;
 }
 
@@ -110,11 +110,10 @@ GivenNumbers given_by_point(const std::vector<Argument>& arguments, std::span<co
 
 /// The size of a quantity by its formula.
 decltype(Quantity::envelope) size_of(const std::string& formula, const std::vector<Argument>& arguments) {
-  static const Formulas<double> functions({}, functions_in("sizes"));
+  static const Formulas functions({}, functions_in("sizes"));
   return [arguments, size = functions.compiled(formula)](std::span<const double> x) {
-    Formulas<double> scope;
-    scope.define(given_by_point(arguments, x));
-    return size(scope);
+    Formulas scope(given_by_point(arguments, x));
+    return size(scope).value();
   };
 }
 
@@ -124,16 +123,16 @@ bool has_argument(const std::vector<Argument>& arguments, const std::string& nam
 
 /// What formulas of [sampling] have in brackets: a kind of number and formulas without blanks. `random`: null where a point is
 /// only moved.
-double sampled_number(const std::string& words, Formulas<double>& scope,
-                      const std::vector<Argument>& arguments, Random* random) {
-  static Cache<std::string, std::vector<Formulas<double>::Expression>> read;
+double sampled_number(const std::string& words, Formulas& scope, const std::vector<Argument>& arguments,
+                      Random* random) {
+  static Cache<std::string, std::vector<Formulas::Expression>> read;
   const auto formulas = read.at(words, [&] {
     const std::vector<std::string> all = words_of(words);
     return mapped(std::span(all).subspan(1),
                   [](const auto& one) { return sampling_formulas().compiled(one); });
   });
   const std::string kind = words.substr(0, words.find(' '));
-  const auto at = [&](std::size_t i) { return formulas->at(i)(scope); };
+  const auto at = [&](std::size_t i) { return formulas->at(i)(scope).value(); };
   const auto index = [&](std::size_t count) { return static_cast<double>(random->index(count)); };
   const auto root = [&] { return fast::sheet_root(static_cast<int>(at(0))); };
   if (kind == "uniform") return random->uniform(at(0), at(1));
@@ -143,7 +142,7 @@ double sampled_number(const std::string& words, Formulas<double>& scope,
   if (kind == "pick") return at(random->index(formulas->size()));
   if (kind == "root_re") return root().real();
   if (kind == "root_im") return root().imag();
-  const Point point = mapped(arguments, [&](const Argument& one) { return scope.number(one.name); });
+  const Point point = mapped(arguments, [&](const Argument& one) { return scope.number(one.name).value(); });
   return point_functions().at(kind)(NamedPoint(arguments, point));
 }
 
@@ -165,11 +164,11 @@ std::string whole_lines(const std::string& text, const std::vector<Argument>& ar
 std::function<void(Point& point, Random* random)> changed_by(const std::string& text, double nearest,
                                                              const std::vector<Argument>& arguments,
                                                              const std::vector<ModelKey>& solid) {
-  using Lines = std::vector<std::pair<std::string, Formulas<double>::Expression>>;
+  using Lines = std::vector<std::pair<std::string, Formulas::Expression>>;
   return [=](Point& point, Random* random) {
     static Cache<std::string, Lines> compiled;
     const auto lines = compiled.at(text, [&] { return sampling_formulas().compiled_lines(text); });
-    Formulas<double> scope([&](const std::string& words, Formulas<double>& inner) {
+    Formulas scope([&](const std::string& words, Formulas& inner) {
       return sampled_number(words, inner, arguments, random);
     });
     const auto put_default = [&](const std::string& name) {
@@ -179,10 +178,10 @@ std::function<void(Point& point, Random* random)> changed_by(const std::string& 
     for (std::size_t i = 0; i < point.size(); ++i) scope.define(arguments[i].name, point[i]);
     for (const auto& [name, formula] : *lines) {
       scope.define(name, formula(scope));
-      if (name == "default_solid" && scope.number(name) != 0)
+      if (name == "default_solid" && scope.number(name).value() != 0)
         for (const ModelKey& key : solid) std::ranges::for_each(key.arguments, put_default);
     }
-    for (std::size_t i = 0; i < point.size(); ++i) point[i] = scope.number(arguments[i].name);
+    for (std::size_t i = 0; i < point.size(); ++i) point[i] = scope.number(arguments[i].name).value();
   };
 }
 
@@ -309,7 +308,7 @@ const Quantity& described(std::string_view name) {
 std::vector<double> hard_values(ArgumentKind kind) {
   const auto listed = [](std::string_view key) {
     const auto words = words_of(definitions_table()["hard"][key].value_or(std::string()));
-    return mapped(words, [](const std::string& formula) { return Formulas<double>().value(formula); });
+    return mapped(words, [](const std::string& formula) { return Formulas().value(formula).value(); });
   };
   std::vector<double> values;
   const auto add_with_neighbours = [&](double value) {
@@ -325,11 +324,10 @@ std::vector<double> hard_values(ArgumentKind kind) {
 }
 
 double drawn(const std::string& formula, Random& random, const GivenNumbers& given) {
-  Formulas<double> scope([&](const std::string& words, Formulas<double>& inner) {
-    return sampled_number(words, inner, {}, &random);
-  });
+  Formulas scope(
+      [&](const std::string& words, Formulas& inner) { return sampled_number(words, inner, {}, &random); });
   scope.define(given);
-  return sampling_formulas().compiled(formula)(scope);
+  return sampling_formulas().compiled(formula)(scope).value();
 }
 
 double draw_passing_time(double t, Random& random) { return drawn("passing_time(t)", random, {{"t", t}}); }

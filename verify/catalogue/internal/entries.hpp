@@ -1,8 +1,8 @@
 #pragma once
 #include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/formulas/internal/formulas.hpp>
 #include <nipref/verify/support/internal/common.hpp>
-#include <nipref/verify/support/internal/double_formulas.hpp>
 
 namespace nipref::verify {
 

@@ -4,8 +4,8 @@ namespace nipref::verify {
 namespace {
 
 /// The text of printed.txt, put here by the build.
-const Formulas<double>& printed_formulas() {
-  static const Formulas<double> all({},
+const Formulas& printed_formulas() {
+  static const Formulas all({},
 #include <nipref_printed.inc>
   );
   return all;
@@ -14,15 +14,13 @@ const Formulas<double>& printed_formulas() {
 }  // namespace
 
 double printed(const std::string& function, const std::vector<double>& numbers, const GivenNumbers& given) {
-  Formulas<double> scope;
-  scope.define(given);
-  return printed_formulas().value_of(function, numbers, scope);
+  Formulas scope(given);
+  return printed_formulas().value_of(function, {numbers.begin(), numbers.end()}, scope).value();
 }
 
 double printed_value(const std::string& formula, const GivenNumbers& given) {
-  Formulas<double> scope;
-  scope.define(given);
-  return printed_formulas().compiled(formula)(scope);
+  Formulas scope(given);
+  return printed_formulas().compiled(formula)(scope).value();
 }
 
 GivenNumbers scaled_moduli(const data::TransverselyIsotropicSolid& half_space,

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/material/solids.hpp>
-#include <nipref/verify/support/internal/double_formulas.hpp>
+#include <nipref/verify/formulas/internal/formulas.hpp>
 
 namespace nipref::verify {
 

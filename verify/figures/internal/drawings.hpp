@@ -62,7 +62,7 @@ class FigureFormulas {
   void define_parameters(const data::Table& table);
 
   FigureContacts& contacts_;
-  StatedFormulas formulas_;
+  Formulas formulas_;
   const RowValues* replayed_ = nullptr;  ///< in the row of the cell that was entered
 };
 

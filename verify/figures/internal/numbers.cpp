@@ -57,7 +57,7 @@ const SolvedContact<fast::Estimate>& scene_of(const Brackets& brackets, const Fi
 FigureFormulas::FigureFormulas(const FigureScope& of, FigureContacts& contacts)
     : scope(of),
       contacts_(contacts),
-      formulas_([this](const std::string& words, StatedFormulas&) { return solve(words); }) {
+      formulas_([this](const std::string& words, Formulas&) { return solve(words); }) {
   for (const auto& [list, words] : scope.row->lists)
     if (words.size() == 1) define(list, scope.row->numbers(list).front());
   if (!tables().empty()) define_parameters(tables().front().table);

@@ -158,7 +158,7 @@ const std::map<std::string, Propagated (*)(const Brackets&)> other_kinds{
 
 }  // namespace
 
-Brackets::Brackets(const std::string& words, StatedFormulas& scope) : text(words), formulas(scope) {
+Brackets::Brackets(const std::string& words, Formulas& scope) : text(words), formulas(scope) {
   for (const std::string& word : words_of(words)) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {
@@ -210,7 +210,7 @@ std::string with_fields(const std::string& text,
   return all;
 }
 
-Propagated SolvedNumbers::operator()(const std::string& words, StatedFormulas& formulas) const {
+Propagated SolvedNumbers::operator()(const std::string& words, Formulas& formulas) const {
   const Brackets brackets(words, formulas);
   if (brackets.names.size() != 2) brackets.refuse("2 names");
   return contacts_by_kind.contains(brackets.name(0))

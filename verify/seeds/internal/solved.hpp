@@ -1,35 +1,20 @@
 #pragma once
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/formulas/internal/formulas.hpp>
+#include <nipref/verify/formulas/propagated.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
-#include <nipref/verify/support/internal/formulas.hpp>
 #include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
 
-/// Besides the functions of Propagated: certain(x), 1 if x is positive beyond its error, otherwise 0; within(e), 0 with the
-/// error e; exactly(x), x without its error.
-template <>
-struct FormulaWords<Propagated> {
-  using OfOne = verify::OfOne;
-  using OfTwo = verify::OfTwo;
-  static Propagated pi() { return Propagated::pi(); }
-  static Propagated exact(double value) { return Propagated::exact(value); }
-  static double value(const Propagated& x) { return x.value(); }
-  static const std::map<std::string, OfOne*> of_one;
-  static const std::map<std::string, OfTwo*> of_two;
-  static const std::map<std::string, FormulaFunctional<Propagated>> functionals;
-};
-using StatedFormulas = Formulas<Propagated>;
-
 /// The words of a formula's brackets, [KIND NAME ... KEY=VALUE ...], whose values are formulas of the same scope.
 struct Brackets {
   std::string text;
-  StatedFormulas& formulas;
+  Formulas& formulas;
   std::vector<std::string> names = {};  ///< the kind first
   Assignments given = {};
 
-  Brackets(const std::string& words, StatedFormulas& scope);
+  Brackets(const std::string& words, Formulas& scope);
   /// Throws BadInput that names the brackets.
   [[noreturn]] void refuse(std::string_view lacking) const;
   [[nodiscard]] const std::string& name(std::size_t i) const;
@@ -62,7 +47,7 @@ std::string with_fields(const std::string& text,
 /// Each contact is solved only once, by all copies together.
 class SolvedNumbers {
  public:
-  Propagated operator()(const std::string& words, StatedFormulas& formulas) const;
+  Propagated operator()(const std::string& words, Formulas& formulas) const;
   /// The contact that is asked for, whatever the name of the result.
   [[nodiscard]] const SolvedContact<fast::Estimate>& contact(const Brackets& brackets) const;
 
@@ -92,7 +77,7 @@ class StatementFormulas {
 
  private:
   const TomlTable& entry_;
-  StatedFormulas formulas_;
+  Formulas formulas_;
   std::string setting_;
 };
 

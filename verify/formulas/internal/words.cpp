@@ -4,14 +4,15 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 
-#include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/support/internal/common.hpp>
+#include <nipref/fast/half_space/direction.hpp>
+#include <nipref/verify/formulas/internal/formulas.hpp>
 
 namespace nipref::verify {
 namespace {
 
-using Function = StatedFormulas::Function;
-using Numbers = StatedFormulas::Numbers;
+using Function = Formulas::Function;
+using Numbers = Formulas::Numbers;
+using fast::Direction;
 
 /// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
 /// infinite if `certain` holds at none.
@@ -57,9 +58,8 @@ Maximum maximum_of(const Function& f, double lower, double upper) {
   return {reached, {value.value(), value.error() + fall}};
 }
 
-using StatedWords = FormulaWords<Propagated>;
-
-Propagated certain(const Propagated& x) { return StatedWords::exact(x.is_positive() ? 1 : 0); }
+/// 1 if x is positive beyond its error, otherwise 0; 0 with the error e; x without its error.
+Propagated certain(const Propagated& x) { return Propagated::exact(x.is_positive() ? 1 : 0); }
 Propagated within(const Propagated& error) { return {0, error.value()}; }
 Propagated without_error(const Propagated& x) { return Propagated::exact(x.value()); }
 
@@ -156,15 +156,52 @@ Propagated place_of_largest(const Function& f, double lower, double upper) {
   return maximum_of(f, lower, upper).place;
 }
 
+// Values whose errors are not known. Degrees and the angle psi turned by degrees keep their digits near 90 degrees.
+Propagated alone(double value) { return {value, std::numeric_limits<double>::infinity()}; }
+Propagated floor(const Propagated& x) { return alone(std::floor(x.value())); }
+Propagated round(const Propagated& x) { return alone(std::round(x.value())); }
+Propagated log1p(const Propagated& x) { return alone(std::log1p(x.value())); }
+Propagated atan2(const Propagated& y, const Propagated& x) { return alone(std::atan2(y.value(), x.value())); }
+Propagated nextafter(const Propagated& x, const Propagated& to) {
+  return alone(std::nextafter(x.value(), to.value()));
+}
+Propagated cosine(const Propagated& degrees) { return alone(Direction::of_degrees(degrees.value()).cosine); }
+Propagated sine(const Propagated& degrees) { return alone(Direction::of_degrees(degrees.value()).sine); }
+Direction turned(const Propagated& psi, const Propagated& degrees) {
+  return Direction::of_angle(psi.value()).turned(Direction::of_degrees(degrees.value()));
+}
+Propagated turned_cosine(const Propagated& psi, const Propagated& degrees) {
+  return alone(turned(psi, degrees).cosine);
+}
+Propagated turned_sine(const Propagated& psi, const Propagated& degrees) {
+  return alone(turned(psi, degrees).sine);
+}
+Propagated quick_integral(const Function& f, double from, double to) {
+  return alone(boost::math::quadrature::tanh_sinh<double>().integrate([&](double x) { return f(x).value(); },
+                                                                      from, to));
+}
+Propagated quick_smooth_integral(const Function& f, double from, double to) {
+  return alone(boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+      [&](double x) { return f(x).value(); }, from, to, 10, 1e-10));
+}
+
 }  // namespace
 
-const std::map<std::string, OfOne*> StatedWords::of_one{
-    {"fabs", fabs},   {"sqrt", sqrt},       {"exp", exp},       {"expm1", expm1},
-    {"log", log},     {"sinh", sinh},       {"cosh", cosh},     {"tanh", tanh},
-    {"atanh", atanh}, {"sin", sin},         {"cos", cos},       {"tan", tan},
-    {"atan", atan},   {"certain", certain}, {"within", within}, {"exactly", without_error}};
-const std::map<std::string, OfTwo*> StatedWords::of_two{{"hypot", hypot}, {"pow", pow}};
-const std::map<std::string, FormulaFunctional<Propagated>> StatedWords::functionals{
+const std::map<std::string, OfOne*> FormulaWords::of_one{
+    {"fabs", fabs},       {"sqrt", sqrt},     {"exp", exp},
+    {"expm1", expm1},     {"log", log},       {"log1p", log1p},
+    {"sinh", sinh},       {"cosh", cosh},     {"tanh", tanh},
+    {"atanh", atanh},     {"sin", sin},       {"cos", cos},
+    {"tan", tan},         {"atan", atan},     {"cosine", cosine},
+    {"sine", sine},       {"floor", floor},   {"round", round},
+    {"certain", certain}, {"within", within}, {"exactly", without_error}};
+const std::map<std::string, OfTwo*> FormulaWords::of_two{{"hypot", hypot},
+                                                         {"pow", pow},
+                                                         {"atan2", atan2},
+                                                         {"nextafter", nextafter},
+                                                         {"turned_cosine", turned_cosine},
+                                                         {"turned_sine", turned_sine}};
+const std::map<std::string, Functional> FormulaWords::functionals{
     {"integral", {2, of_range<integral>}},
     {"smooth_integral", {2, of_range<smooth_integral>}},
     {"derivative", {2, of_range<derivative>}},
@@ -173,6 +210,8 @@ const std::map<std::string, FormulaFunctional<Propagated>> StatedWords::function
     {"largest", {2, of_range<largest>}},
     {"half_line_integral", {0, half_line_integral}},
     {"hilbert", {3, hilbert}},
-    {"monotonic", {1, monotonic}}};
+    {"monotonic", {1, monotonic}},
+    {"quick_integral", {2, of_range<quick_integral>}},
+    {"quick_smooth_integral", {2, of_range<quick_smooth_integral>}}};
 
 }  // namespace nipref::verify

@@ -7,7 +7,7 @@ using namespace nipref;
 namespace {
 
 double value(const std::string& formula, const std::string& given = "") {
-  verify::StatedFormulas formulas(verify::SolvedNumbers{});
+  verify::Formulas formulas(verify::SolvedNumbers{});
   formulas.define(given);
   return formulas.value(formula).value();
 }

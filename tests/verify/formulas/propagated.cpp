@@ -2,7 +2,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/formulas/propagated.hpp>
 
 #include "support/test.hpp"
 
@@ -85,7 +85,7 @@ TEST_CASE("slopes, zeros, maxima and integrals lie within their errors") {
         {"smooth_integral(x, 0, 1, exp(x))", exp(Wide(1)) - 1, 1},
         {"hilbert(t, 0.25, -1, 1, sqrt((1 - t)*(1 + t)))", -0.25, 1}}) {
     CAPTURE(formula);
-    const Propagated found = verify::StatedFormulas().value(formula);
+    const Propagated found = verify::Formulas().value(formula);
     check_covers(found, truth);
     CHECK(found.error() < most);
   }

@@ -1,4 +1,4 @@
-#include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/formulas/propagated.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {
@@ -64,7 +64,9 @@ Propagated sqrt(const Propagated& x) {
   return inflated(root, x.error() / (root + std::sqrt(least)) + half_unit * root);
 }
 
-Propagated hypot(const Propagated& x, const Propagated& y) { return sqrt(x * x + y * y); }
+Propagated hypot(const Propagated& x, const Propagated& y) {
+  return {std::hypot(x.value(), y.value()), sqrt(x * x + y * y).error()};
+}
 
 Propagated exp(const Propagated& x) {
   const double value = std::exp(x.value());
@@ -81,7 +83,9 @@ Propagated log(const Propagated& x) {
   return of_library(std::log(x.value()), std::log1p(x.error() / least));
 }
 
-Propagated pow(const Propagated& x, const Propagated& exponent) { return exp(exponent * log(x)); }
+Propagated pow(const Propagated& x, const Propagated& exponent) {
+  return {std::pow(x.value(), exponent.value()), exp(exponent * log(x)).error()};
+}
 
 Propagated sinh(const Propagated& x) {
   return of_library(std::sinh(x.value()), x.error() * std::cosh(std::fabs(x.value()) + x.error()));
