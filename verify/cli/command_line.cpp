@@ -46,7 +46,7 @@ const OptionText& option_called(const VerbText& verb, const Divided& word) {
   std::vector<std::string> known{"--help"};
   for (const OptionText& option : verb.options) {
     known.push_back("--" + option.name);
-    if (word.name == known.back() || word.name == "-" + option.letter) return option;
+    if (word.name == known.back() || word.name == "-" + option.letter()) return option;
   }
   refuse(word.name, word.value.value_or("(given)"), "unknown option: {}{} takes {}",
          data::did_you_mean(word.name, {known.begin(), known.end()}), verb.name, fmt::join(known, ", "));
@@ -71,12 +71,13 @@ void add_option(CommandLine& line, const OptionText& option, const std::string& 
 void add_word(CommandLine& line, const VerbText& verb, const std::string& word) {
   const auto [name, value] = divided(word);
   if (!value) {
-    if (verb.words.empty()) throw BadInput("argument", word, "unexpected: " + verb.name + " takes no names");
+    if (verb.text("words").empty())
+      throw BadInput("argument", word, "unexpected: " + verb.name + " takes no names");
     return line.words.push_back(word);
   }
   if (const OptionText* const option = find_option(verb, name); option != nullptr && !option->is_flag)
     return add_option(line, *option, *value);
-  if (!verb.takes_assignments)
+  if (verb.row.number_or("takes_assignments", 0) == 0)
     refuse(name, *value, "unknown argument: {}{} takes none of that name",
            data::did_you_mean(name, mapped<std::string_view>(verb.options, &OptionText::name)), verb.name);
   line.assignments.emplace_back(name, *value);
@@ -92,7 +93,7 @@ std::optional<std::string> CommandLine::option(const std::string& name) const {
 std::string CommandLine::option_or_usual(const std::string& name) const {
   if (const auto given = option(name)) return *given;
   const OptionText* const known = find_option(find_verb(verb), name);
-  return known == nullptr ? "" : known->usual;
+  return known == nullptr ? "" : known->usual();
 }
 
 std::optional<double> CommandLine::number(const std::string& name) const {

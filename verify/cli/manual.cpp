@@ -26,13 +26,14 @@ std::string roff(const std::string& text) {
 
 /// Names that a verb's words may be, of those that are known here.
 std::vector<std::string> names_for(const VerbText& verb) {
+  const std::string words = verb.text("words");
   std::vector<std::string> names;
-  if (verb.words == "action") names.assign(golden_actions.begin(), golden_actions.end());
-  if (verb.words == "quantity" || verb.words == "file" || verb.words == "action") {
+  if (words == "action") names.assign(golden_actions.begin(), golden_actions.end());
+  if (words == "quantity" || words == "file" || words == "action") {
     for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
-  } else if (verb.words == "table") {
+  } else if (words == "table") {
     names = replayable_tables();
-  } else if (verb.words == "scene") {
+  } else if (words == "scene") {
     for (const auto& file : std::filesystem::directory_iterator(data::scenes_directory()))
       if (file.path().extension() == ".toml") names.push_back(file.path().stem().string());
     std::ranges::sort(names);
@@ -42,7 +43,7 @@ std::vector<std::string> names_for(const VerbText& verb) {
 
 /// "-o,--output output", or the name of a flag.
 Json option_json(const OptionText& option) {
-  const std::string letter = option.letter.empty() ? "" : "-" + option.letter + ",";
+  const std::string letter = option.letter().empty() ? "" : "-" + option.letter() + ",";
   return {{"names", letter + "--" + option.name + (option.is_flag ? "" : " " + option.name)},
           {"assigned", option.is_flag ? Json() : Json(option.name)},
           {"meaning", help_of(option)}};
@@ -53,11 +54,11 @@ Json verb_json(const VerbText& verb) {
   std::vector<std::string> words = names_for(verb);
   for (const OptionText& option : verb.options) words.push_back("--" + option.name);
   return {{"name", verb.name},
-          {"meaning", verb.meaning},
-          {"positional", Json::unless_empty(verb.words)},
-          {"meaning_of_words", verb.meaning_of_words},
+          {"meaning", verb.text("meaning")},
+          {"positional", Json::unless_empty(verb.text("words"))},
+          {"meaning_of_words", verb.text("meaning_of_words")},
           {"options", json_list(verb.options, option_json)},
-          {"examples", json_list(verb.examples)},
+          {"examples", json_list(verb.row.words_of("examples"))},
           {"exit_statuses", exit_statuses()},
           {"words", fmt::format("{}", fmt::join(words, " "))}};
 }

@@ -26,36 +26,28 @@ const TomlTable& definitions() {
 
 OptionText option_of(const std::string& key, bool is_flag) {
   const TomlTable& options = definitions().table("options");
-  if (const std::string meaning = options.text_or(key, ""); !meaning.empty()) return {key, meaning, is_flag};
-  const TomlTable& table = options.table(key);
-  const std::vector<std::string> limits = table.words_of("range");
-  std::optional<NumberRange> range;
-  if (!limits.empty()) range = {limits.at(0), limits.at(1), table.number_or("whole", 1) != 0};
-  return {table.text_or("name", key),          table.text("meaning"),        is_flag,
-          table.text_or("letter", ""),         table.text_or("default", ""), std::move(range),
-          table.number_or("positive", 0) != 0, table.words_of("choices"),    table.texts_of("needs"),
-          table.texts_of("without"),           table.words_of("actions")};
+  if (const std::string meaning = options.text_or(key, ""); !meaning.empty())
+    return {key, is_flag, {options.what, options.where, {{"meaning", meaning}}}};
+  const TomlTable& row = options.table(key);
+  return {row.text_or("name", key), is_flag, row};
 }
 
-VerbText verb_of(const TomlTable& table) {
-  std::vector<OptionText> options;
-  for (const std::string& name : table.words_of("options")) options.push_back(option_of(name, false));
-  for (const std::string& name : table.words_of("flags")) options.push_back(option_of(name, true));
-  return VerbText(table.text("name"), handlers.at(table.text("name")), table.text("meaning"),
-                  table.text_or("words", ""), table.text_or("meaning_of_words", ""),
-                  table.text_or("too_many", ""), table.text_or("missing", ""), std::move(options),
-                  table.words_of("examples"), table.number_or("takes_assignments", 0) != 0);
+VerbText verb_of(const TomlTable& row) {
+  VerbText verb{row.text("name"), handlers.at(row.text("name")), row, {}};
+  for (const std::string& name : row.words_of("options")) verb.options.push_back(option_of(name, false));
+  for (const std::string& name : row.words_of("flags")) verb.options.push_back(option_of(name, true));
+  return verb;
 }
 
 /// "a whole number from 1 to 100", "ref, fast or both"; empty if the table has no domain for it.
-std::string domain_of(const OptionText& option) {
-  if (option.positive) return "a number > 0";
-  if (option.range)
-    return fmt::format("a {} from {} to {}", option.range->whole ? "whole number" : "number",
-                       option.range->least, option.range->most);
-  if (option.choices.empty()) return "";
-  const auto last = option.choices.end() - 1;
-  return fmt::format("{} or {}", fmt::join(option.choices.begin(), last, ", "), *last);
+std::string domain_of(const TomlTable& option) {
+  if (option.number_or("positive", 0) != 0) return "a number > 0";
+  if (const std::vector<std::string> range = option.words_of("range"); !range.empty())
+    return fmt::format("a {} from {} to {}", option.number_or("whole", 1) != 0 ? "whole number" : "number",
+                       range.at(0), range.at(1));
+  const std::vector<std::string> choices = option.words_of("choices");
+  if (choices.empty()) return "";
+  return fmt::format("{} or {}", fmt::join(choices.begin(), choices.end() - 1, ", "), choices.back());
 }
 
 constexpr int status_bad_input = 2;
@@ -76,35 +68,37 @@ const std::string& program_meaning() { return definitions().text("meaning"); }
 const std::string& exit_statuses() { return definitions().text("exit_statuses"); }
 
 std::string help_of(const OptionText& option) {
-  const std::string domain = domain_of(option);
-  return option.meaning + (domain.empty() ? "" : "; " + domain) +
-         (option.usual.empty() ? "" : " (default " + option.usual + ")");
+  const std::string domain = domain_of(option.row), usual = option.usual();
+  return option.row.text("meaning") + (domain.empty() ? "" : "; " + domain) +
+         (usual.empty() ? "" : " (default " + usual + ")");
 }
 
 void check_option(const OptionText& option, const std::string& value) {
-  bool allowed = option.choices.empty() || std::ranges::find(option.choices, value) != option.choices.end();
-  if (option.positive) allowed = parse_real(option.name, value) > 0;
-  if (const auto& range = option.range) {
-    const double number = parse_real(option.name, value);
-    allowed = number >= parse_real(option.name, range->least) &&
-              number <= parse_real(option.name, range->most) &&
-              (!range->whole || number == std::floor(number));
+  const auto real = [&](const std::string& text) { return parse_real(option.name, text); };
+  const std::vector<std::string> choices = option.row.words_of("choices"),
+                                 range = option.row.words_of("range");
+  bool allowed = choices.empty() || std::ranges::find(choices, value) != choices.end();
+  if (option.row.number_or("positive", 0) != 0) allowed = real(value) > 0;
+  if (!range.empty()) {
+    const double number = real(value);
+    allowed = number >= real(range.at(0)) && number <= real(range.at(1)) &&
+              (option.row.number_or("whole", 1) == 0 || number == std::floor(number));
   }
-  if (!allowed) throw BadInput(option.name, value, "must be " + domain_of(option));
+  if (!allowed) throw BadInput(option.name, value, "must be " + domain_of(option.row));
 }
 
 void check_company(const VerbText& verb, const CommandLine& line) {
-  if (line.words.empty() && !verb.missing.empty()) throw BadInput(verb.words, "(missing)", verb.missing);
-  if (line.words.size() > 1 && !verb.too_many.empty())
-    throw BadInput("argument", line.words[1], "unexpected: " + verb.too_many);
+  const std::string missing = verb.text("missing"), too_many = verb.text("too_many");
+  if (line.words.empty() && !missing.empty()) throw BadInput(verb.text("words"), "(missing)", missing);
+  if (line.words.size() > 1 && !too_many.empty())
+    throw BadInput("argument", line.words[1], "unexpected: " + too_many);
   for (const OptionText& option : verb.options) {
-    for (const auto& [other, why] : option.needs)
+    for (const auto& [other, why] : option.row.texts_of("needs"))
       if (!line.has(other)) refuse_option(line, option.name, why);
-    for (const auto& [other, why] : option.without)
+    for (const auto& [other, why] : option.row.texts_of("without"))
       if (line.has(other)) refuse_option(line, option.name, why);
-    const bool suits = option.actions.empty() || line.words.empty() ||
-                       std::ranges::find(option.actions, line.words.front()) != option.actions.end();
-    if (!suits)
+    const std::vector<std::string> actions = option.row.words_of("actions");
+    if (!actions.empty() && !line.words.empty() && std::ranges::count(actions, line.words.front()) == 0)
       refuse_option(line, option.name,
                     fmt::format("{} {} has no such option", verb.name, line.words.front()));
   }

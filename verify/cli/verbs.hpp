@@ -1,6 +1,7 @@
 #pragma once
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/internal/common.hpp>
+#include <nipref/verify/support/internal/toml_table.hpp>
 
 namespace nipref::verify {
 
@@ -11,24 +12,16 @@ Verb list_verb, eval_verb, solve_verb, balance_verb, tables_verb, limits_verb, c
     figures_verb, audit_verb, merge_verb, points_verb, grade_verb, golden_verb, bench_verb, report_verb;
 inline constexpr std::array<std::string_view, 5> golden_actions{"make", "check", "update", "list", "export"};
 
-/// The numbers that an option may have, including both limits.
-struct NumberRange {
-  std::string least, most;
-  bool whole = true;
-};
-
+/// An option of a verb, by its row of verbs.toml, whose keys are described there.
 struct OptionText {
   std::string name;
-  std::string meaning;  ///< with the unit; with the domain where neither a range nor choices can express it
-  bool is_flag;         ///< it has no value
-  std::string letter = {};  ///< "o" where -o is short for it
-  std::string usual = {};   ///< the default; empty where `meaning` describes it
-  std::optional<NumberRange> range = {};
-  bool positive = false;  ///< any number > 0 is allowed
-  std::vector<std::string> choices = {};
-  /// The options with which alone, or without which alone, it is allowed, and what is said otherwise.
-  std::map<std::string, std::string> needs = {}, without = {};
-  std::vector<std::string> actions = {};  ///< the verb's first words with which it is allowed; empty: all
+  bool is_flag;  ///< it has no value
+  TomlTable row;
+
+  [[nodiscard]] std::string usual() const { return row.text_or("default", ""); }  ///< empty: `meaning` has it
+  [[nodiscard]] std::string letter() const {
+    return row.text_or("letter", "");
+  }  ///< "o" where -o is short for it
 };
 
 /// The meaning with the domain and the default.
@@ -37,18 +30,14 @@ std::string help_of(const OptionText& option);
 /// BadInput that names the option if `value` is outside its range or none of its choices.
 void check_option(const OptionText& option, const std::string& value);
 
-/// A verb of the command line, its options and its help, as defined in verbs.toml.
+/// A verb of the command line, by its row of verbs.toml.
 struct VerbText {
   std::string name;
   Verb* run;
-  std::string meaning;
-  std::string words;  ///< name of the words that are no name=value pairs; empty if the verb has none
-  std::string meaning_of_words;
-  std::string too_many;             ///< what is said where there is a second word; empty if there may be
-  std::string missing;              ///< what is said where there is no word; empty if there may be none
+  TomlTable row;
   std::vector<OptionText> options;  ///< --name value, or name=value; flags behind the others
-  std::vector<std::string> examples;
-  bool takes_assignments;  ///< whether it takes name=value pairs that are no options
+
+  [[nodiscard]] std::string text(const std::string& key) const { return row.text_or(key, ""); }
 };
 
 const std::vector<VerbText>& verbs();

@@ -1,5 +1,4 @@
 #include <cctype>
-#include <regex>
 
 #include <nipref/verify/support/formula.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -35,13 +34,35 @@ std::string row(const std::string& content) { return element("mrow", content); }
 
 /// A name, with the digits of its index, or with its sign where no summand follows: x+ and x- are the ends of a contact; a
 /// number; the bar of a fraction; signs.
-std::vector<std::string> tokens_of(const std::string& formula) {
-  static const std::regex token(
-      R"(([A-Za-z]+)(\d+|[+-](?=[ )]))?|\d[\d.]*(?:e-?\d+)?| / |<=|>=|\+-|->|''|[^ ])");
+std::vector<std::string> tokens_of(std::string_view formula) {
   std::vector<std::string> tokens;
-  for (std::sregex_iterator at(formula.begin(), formula.end(), token), end; at != end; ++at) {
-    tokens.push_back((*at)[1].matched ? (*at)[1].str() : at->str());
-    if ((*at)[2].matched) tokens.insert(tokens.end(), {"_", (*at)[2].str()});
+  const auto take = [&](std::size_t size) {
+    tokens.emplace_back(formula.substr(0, size));
+    formula.remove_prefix(size);
+  };
+  const auto reach = [&](std::string_view of, std::size_t from = 0) {
+    return std::min(formula.find_first_not_of(of, from), formula.size());
+  };
+  constexpr std::string_view digits = "0123456789", pairs[] = {"<=", ">=", "+-", "->", "''"},
+                             letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  while (!formula.empty()) {
+    if (const std::size_t name = reach(letters); name > 0) {
+      take(name);
+      const std::string_view sign = formula.substr(0, 2);
+      const bool is_end = sign == "+ " || sign == "- " || sign == "+)" || sign == "-)";
+      const std::size_t index = is_end ? 1 : reach(digits);
+      if (index > 0) tokens.emplace_back("_"), take(index);
+    } else if (reach(digits) > 0) {
+      const std::size_t end = reach("0123456789."), minus = formula.substr(end, 2) == "e-" ? 2 : 1,
+                        power = formula.substr(end, 1) == "e" ? reach(digits, end + minus) : end;
+      take(power > end + minus ? power : end);
+    } else if (formula.starts_with(" / ")) {
+      take(3);
+    } else if (formula.front() == ' ') {
+      formula.remove_prefix(1);
+    } else {
+      take(std::ranges::count(pairs, formula.substr(0, 2)) > 0 ? 2 : 1);
+    }
   }
   return tokens;
 }

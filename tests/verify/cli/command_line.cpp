@@ -237,21 +237,21 @@ TEST_CASE("defaults are in the domains of the table of verbs, and each verb refu
   for (const verify::VerbText& verb : verify::verbs()) {
     for (const verify::OptionText& option : verb.options) {
       CAPTURE(verb.name, option.name);
-      if (!option.usual.empty()) CHECK_NOTHROW(verify::check_option(option, option.usual));
-      if (option.positive) {
+      if (!option.usual().empty()) CHECK_NOTHROW(verify::check_option(option, option.usual()));
+      if (option.row.number_or("positive", 0) != 0) {
         for (const char* const beyond : {"0", "-1", "nan"})
           CHECK_THROWS_AS(verify::check_option(option, beyond), data::BadInput);
       }
-      if (!option.range) continue;
+      const std::vector<std::string> range = option.row.words_of("range");
+      if (range.empty()) continue;
       ++ranges;
-      CHECK_NOTHROW(verify::check_option(option, option.range->least));
-      CHECK_NOTHROW(verify::check_option(option, option.range->most));
-      for (const std::string& beyond : {std::string("0"), option.range->most + "9", std::string("nan")}) {
+      for (const std::string& end : range) CHECK_NOTHROW(verify::check_option(option, end));
+      for (const std::string& beyond : {std::string("0"), range.back() + "9", std::string("nan")}) {
         const std::string assignment = option.name + "=" + beyond;
         const std::array words{"nipref", verb.name.c_str(), assignment.c_str()};
         CHECK_THROWS_AS(static_cast<void>(verify::parse_command_line(3, words.data())), data::BadInput);
       }
-      CHECK(contains(verify::help_of(option), option.range->least + " to " + option.range->most));
+      CHECK(contains(verify::help_of(option), range.front() + " to " + range.back()));
     }
   }
   CHECK(ranges > 10);

@@ -1,3 +1,4 @@
+#define TOML_HEADER_ONLY 0  // the parser is compiled in data
 #include <toml++/toml.h>
 
 #include <stdexcept>

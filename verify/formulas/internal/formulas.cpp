@@ -184,6 +184,11 @@ class Formulas::Parser {
     if (called == "if" && arguments.size() == 3)
       return [=](Formulas& scope) { return arguments[arguments[0](scope).value() != 0 ? 1 : 2](scope); };
     const std::size_t count = arguments.size();
+    if (const auto defined = formulas_.functions_.find(called);
+        defined != formulas_.functions_.end() && defined->second->parameters.size() == count)
+      return [arguments, definition = defined->second](Formulas& scope) {
+        return scope.with(definition->parameters, values(arguments, scope), definition->body);
+      };
     if (const auto known = FormulaWords::of_one.find(called);
         known != FormulaWords::of_one.end() && count == 1)
       return [apply = known->second, of = arguments[0]](Formulas& scope) { return apply(of(scope)); };
@@ -198,12 +203,7 @@ class Formulas::Parser {
         const Numbers all = values(arguments, scope);
         return is_min ? std::ranges::min(all, has_less_value) : std::ranges::max(all, has_less_value);
       };
-    const auto defined = formulas_.functions_.find(called);
-    if (defined == formulas_.functions_.end() || defined->second->parameters.size() != count)
-      fail(fmt::format("a function of {} arguments instead of '{}' before", count, called));
-    return [arguments, definition = defined->second](Formulas& scope) {
-      return scope.with(definition->parameters, values(arguments, scope), definition->body);
-    };
+    fail(fmt::format("a function of {} arguments instead of '{}' before", count, called));
   }
 
   static Numbers values(const std::vector<Expression>& all, Formulas& scope) {

@@ -7,7 +7,7 @@ namespace nipref::verify {
 /// Evaluates formulas of numbers with their errors. A formula is made of
 ///   - decimal numbers, pi and names that were defined,
 ///   - + - * / ^ (the exponent is a whole number), parentheses, and x < y and x > y, which compare values and are 1 or 0,
-///   - sqrt(x) and the other functions of words.cpp, min(x, ...) and max(x, ...) by value, and defined ones,
+///   - sqrt(x) and the other functions of words.cpp, min(x, ...) and max(x, ...) by value, and defined ones, which come first,
 ///   - if(condition, x, y), of which only one is evaluated,
 ///   - integral(t, a, b, f(t)) and the other functionals of words.cpp, whose first argument names the variable,
 ///   - [WORDS]: a number that the program computes,
