@@ -10,36 +10,31 @@ namespace {
 
 using data::BadInput;
 
-/// A row that was computed or refused; neither where the process was interrupted before.
-struct FinishedRow {
-  std::optional<SweepRow> row;
-  std::optional<BadInput> refused;
-};
+bool is_computed(const SweepRow& row) { return !row.columns.empty(); }
 
-FinishedRow finished(const Sweep& sweep, std::size_t number) try {
-  return {sweep.row_at(number), {}};
-} catch (const BadInput& error) {
-  return {{}, error};
-}
-
-std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
-  std::vector<FinishedRow> rows(sweep.product.size());
+std::vector<SweepRow> finished_rows(const Sweep& sweep, bool quiet) {
+  std::vector<SweepRow> rows(sweep.product.size());
   Progress progress(quiet);
   progress.begin("sweep", 1);
   progress.next(fmt::format("{} rows", rows.size()));
+  const auto finish = [&](std::size_t i) {
+    try {
+      rows[i] = sweep.row_at(i);
+    } catch (const BadInput& error) {
+      rows[i].refused = error;
+    }
+  };
   try {
-    parallel_for(
-        rows.size(), [&](std::size_t i) { rows[i] = finished(sweep, i); },
-        [&](double part) { progress.at(part); });
+    parallel_for(rows.size(), finish, [&](double part) { progress.at(part); });
   } catch (const Interrupted&) {
     // The rows that were finished before the interrupt are printed.
   }
   return rows;
 }
 
-std::string refusal_text(const FinishedRow& row) {
+std::string refusal_text(const SweepRow& row) {
   if (row.refused) return row.refused->what();
-  return row.row ? "" : "not computed: interrupted";
+  return is_computed(row) ? "" : "not computed: interrupted";
 }
 
 /// As a field of CSV: a comma in quotes is one more column to readers such as NumPy's genfromtxt.
@@ -49,12 +44,12 @@ std::string without_commas(std::string text) {
 }
 
 /// Of the first row that there is; without one there are no columns.
-SweepRow shape_of(const std::vector<FinishedRow>& rows) {
-  const auto known = std::ranges::find_if(rows, [](const FinishedRow& row) { return row.row.has_value(); });
-  return known == rows.end() ? SweepRow() : *known->row;
+SweepRow shape_of(const std::vector<SweepRow>& rows) {
+  const auto known = std::ranges::find_if(rows, is_computed);
+  return known == rows.end() ? SweepRow() : *known;
 }
 
-std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+std::string sweep_csv(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   const SweepRow shape = shape_of(rows);
   const std::vector<std::string>& heads = shape.heads.empty() ? shape.columns : shape.heads;
   const std::vector<std::vector<std::string>> unknown{std::vector<std::string>(heads.size())};
@@ -65,7 +60,7 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) 
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::string start;
     for (const AxisValue* const value : sweep.product.at(i)) start += csv_field(value->shown) + ",";
-    for (const std::vector<std::string>& line : rows[i].row ? rows[i].row->lines : unknown) {
+    for (const std::vector<std::string>& line : is_computed(rows[i]) ? rows[i].lines : unknown) {
       text += start;
       for (const std::string& cell : line) text += without_commas(cell) + ",";
       text += without_commas(refusal_text(rows[i])) + "\n";
@@ -74,7 +69,7 @@ std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) 
   return text;
 }
 
-Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+Json sweep_json(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   Json columns = Json::object();
   const auto& axes = sweep.product.axes();
   for (std::size_t a = 0; a < axes.size(); ++a)
@@ -82,24 +77,24 @@ Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
                                         [&](std::size_t i) { return sweep.product.at(i)[a]->shown; }));
   const std::vector<std::string> names = shape_of(rows).columns;
   for (std::size_t j = 0; j < names.size(); ++j)
-    columns.set(names[j], json_list(rows, [&](const FinishedRow& row) {
-                  return row.row ? row.row->values[j] : Json();
+    columns.set(names[j], json_list(rows, [&](const SweepRow& row) {
+                  return is_computed(row) ? row.values[j] : Json();
                 }));
   Json members = sweep.members;
   members.set("columns", columns);
   members.set("refused",
-              json_list(rows, [](const FinishedRow& row) { return Json::unless_empty(refusal_text(row)); }));
+              json_list(rows, [](const SweepRow& row) { return Json::unless_empty(refusal_text(row)); }));
   return members;
 }
 
 }  // namespace
 
 VerbAnswer swept(const Sweep& sweep, const CommandLine& line) {
-  const std::vector<FinishedRow> rows = finished_rows(sweep, line.has("quiet"));
-  if (std::ranges::all_of(rows, [](const FinishedRow& row) { return row.refused.has_value(); }))
+  const std::vector<SweepRow> rows = finished_rows(sweep, line.has("quiet"));
+  if (std::ranges::all_of(rows, [](const SweepRow& row) { return row.refused.has_value(); }))
     throw BadInput(*rows.front().refused);
   const bool all_well =
-      std::ranges::all_of(rows, [](const FinishedRow& row) { return row.row && !row.row->fell_short; });
+      std::ranges::all_of(rows, [](const SweepRow& row) { return is_computed(row) && !row.fell_short; });
   if (line.json) return {sweep.verb, sweep_json(sweep, rows), all_well};
   return {sweep.verb, {}, all_well, [csv = sweep_csv(sweep, rows)] { return csv; }};
 }

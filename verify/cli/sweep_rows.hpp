@@ -7,7 +7,7 @@
 
 namespace nipref::verify {
 
-/// What came of one combination of a sweep. All rows of a sweep have the same columns.
+/// What came of one combination of a sweep. All rows that were computed have the same columns, the others none.
 struct SweepRow {
   std::vector<std::string> columns;  ///< behind those of the axes
   std::vector<Json> values;          ///< of JSON, one for each column
@@ -15,6 +15,7 @@ struct SweepRow {
   /// Of CSV, one for each number where a column has several.
   std::vector<std::vector<std::string>> lines{{}};
   bool fell_short = false;  ///< of what was asked
+  std::optional<data::BadInput> refused = {};
 
   /// A column of JSON alone.
   void add(const std::string& column, const Json& value) {

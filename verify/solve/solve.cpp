@@ -50,70 +50,65 @@ long double magnitude_of(const ref::Estimate& number) {
   return std::fabs(mpfr_get_ld(ref::raw(number.value), MPFR_RNDN));
 }
 
-/// The places at which a result of this shape is wanted.
+/// Collects what a scene wants of its contact.
 template <class Number>
-Places places_of(data::Shape shape, const SceneSolution<Number>& solution) {
-  Places places;
-  if (shape == data::Shape::profile)
-    for (const double y : solution.positions) places.push_back({y});
-  if (shape == data::Shape::field) {
-    for (const double depth : solution.field.depths)
-      for (const double y : solution.field.positions) places.push_back({y, depth});
-  }
-  return places;
-}
+struct Collector {
+  using Result = typename SceneSolution<Number>::Result;
+  const data::Scene& scene;
+  const SolvedContact<Number>& contact;
+  SceneSolution<Number>& solution;
 
-/// The largest error of each number that meets the accuracy; empty if the error does not depend on the accuracy.
-template <class Number>
-std::vector<long double> allowed_errors(const SolvedContact<Number>& contact, ResultId id,
-                                        const Places& places, const std::vector<Number>& numbers,
-                                        long double accuracy) {
-  if (contact.measure == Measure::truth) return {};
-  long double largest = 0;
-  for (const Number& number : numbers) largest = std::max(largest, magnitude_of(number));
-  std::vector<long double> allowed;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const long double least =
-        result_size(contact, id, places.empty() ? 0 : places[i].y, static_cast<double>(accuracy));
-    // The reference's digits are relative to the largest number of the result.
-    constexpr bool is_ref = std::is_same_v<Number, ref::Estimate>;
-    allowed.push_back(accuracy * std::max(least, is_ref ? largest : magnitude_of(numbers[i])));
+  /// The result at this place of the scene's list.
+  [[nodiscard]] Result result(std::size_t wanted) const {
+    Result found{&data::scene_result(scene.wanted[wanted]), {}};
+    const Places places = places_of(found.what->shape);
+    found.numbers = found.what->shape == data::Shape::profile ? profile(found.what->id, places)
+                                                              : contact.get(found.what->id, places);
+    if (!std::ranges::all_of(found.numbers, [](const Number& number) { return is_finite(number); }))
+      scene.origin.refuse(fmt::format("wanted[{}]", wanted), found.what->name,
+                          "must be left out: in this scene it leaves the range of doubles");
+    if (contact.measure != Measure::truth) found.allowed = allowed_errors(found, places);
+    return found;
   }
-  return allowed;
-}
 
-/// The numbers of a profile, of which BadInput names the position that it refuses.
-template <class Number>
-std::vector<Number> profile_of(const SolvedContact<Number>& contact, ResultId id, const Places& places,
-                               const data::SceneOrigin& origin) {
-  std::vector<Number> numbers;
-  for (const Place& place : places) {
-    try {
-      numbers.push_back(contact.at(id, place.y));
-    } catch (const data::BadInput& error) {
-      origin.refuse_as("profile.positions[" + std::to_string(numbers.size()) + "]", error);
+ private:
+  [[nodiscard]] Places places_of(data::Shape shape) const {
+    Places places;
+    if (shape == data::Shape::profile)
+      for (const double y : solution.positions) places.push_back({y});
+    if (shape == data::Shape::field) {
+      for (const double depth : solution.field.depths)
+        for (const double y : solution.field.positions) places.push_back({y, depth});
     }
+    return places;
   }
-  return numbers;
-}
-
-/// Computes the result at this place of the scene's list of wanted results.
-template <class Number>
-typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
-                                                      const SolvedContact<Number>& contact,
-                                                      const SceneSolution<Number>& solution) {
-  typename SceneSolution<Number>::Result result{&data::scene_result(scene.wanted[wanted]), {}};
-  const auto [id, shape] = std::pair(result.what->id, result.what->shape);
-  const Places places = places_of(shape, solution);
-  result.numbers =
-      shape == data::Shape::profile ? profile_of(contact, id, places, scene.origin) : contact.get(id, places);
-  if (!std::ranges::all_of(result.numbers, [](const Number& number) { return is_finite(number); })) {
-    scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", result.what->name,
-                        "must be left out: in this scene it leaves the range of doubles");
+  /// BadInput names the position that it refuses.
+  [[nodiscard]] std::vector<Number> profile(ResultId id, const Places& places) const {
+    std::vector<Number> numbers;
+    for (const Place& place : places) {
+      try {
+        numbers.push_back(contact.at(id, place.y));
+      } catch (const data::BadInput& error) {
+        scene.origin.refuse_as(fmt::format("profile.positions[{}]", numbers.size()), error);
+      }
+    }
+    return numbers;
   }
-  result.allowed = allowed_errors(contact, id, places, result.numbers, solution.accuracy);
-  return result;
-}
+  /// The largest error of each number that meets the accuracy. The reference's digits are relative to the largest number of
+  /// the result.
+  [[nodiscard]] std::vector<long double> allowed_errors(const Result& found, const Places& places) const {
+    auto magnitudes = mapped(found.numbers, [](const Number& number) { return magnitude_of(number); });
+    if (std::is_same_v<Number, ref::Estimate> && !magnitudes.empty())
+      magnitudes.assign(magnitudes.size(), std::ranges::max(magnitudes));
+    std::vector<long double> allowed;
+    for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+      const double y = places.empty() ? 0 : places[i].y, accuracy = static_cast<double>(solution.accuracy);
+      const long double least = result_size(contact, found.what->id, y, accuracy);
+      allowed.push_back(solution.accuracy * std::max(least, magnitudes[i]));
+    }
+    return allowed;
+  }
+};
 
 /// The largest ratio of an error of the result to its allowed error.
 long double excess(const SceneSolution<fast::Estimate>::Result& result) {
@@ -130,7 +125,7 @@ void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate
   for (std::size_t wanted = 0; wanted < solution.results.size(); ++wanted) {
     auto& result = solution.results[wanted];
     if (result.met().value_or(true)) continue;
-    auto refined = collect_result(scene, wanted, contact, solution);
+    auto refined = Collector<fast::Estimate>{scene, contact, solution}.result(wanted);
     if (excess(refined) < excess(result)) result = std::move(refined);
   }
   solution.work = contact.work();
@@ -228,7 +223,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const SolvedCont
       },
       scene.system);
   for (std::size_t wanted = 0; wanted < scene.wanted.size(); ++wanted)
-    solution.results.push_back(collect_result(scene, wanted, contact, solution));
+    solution.results.push_back(Collector<Number>{scene, contact, solution}.result(wanted));
   solution.work = contact.work();
   solution.error_work = contact.error_work();
   return solution;

@@ -12,6 +12,7 @@ namespace {
 
 using Function = Formulas::Function;
 using Numbers = Formulas::Numbers;
+using Real = std::function<double(double)>;
 using fast::Direction;
 
 /// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
@@ -22,6 +23,10 @@ Propagated with_reach(double x, double first, const std::function<bool(double re
   return {x, std::numeric_limits<double>::infinity()};
 }
 
+Real values_of(const Function& f) {
+  return [&](double x) { return f(x).value(); };
+}
+
 /// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size. The error of an integral is
 /// the sum of the rule's estimate of its truncation error, the integral of the errors of f, and the rounding of the sum.
 Propagated integral_by(const auto& integrate, const Function& f) {
@@ -29,9 +34,9 @@ Propagated integral_by(const auto& integrate, const Function& f) {
   // it would resolve, and of the errors, which jump. Those are doubled below, so that a tenth of them does.
   constexpr double roughly = 0.1, finest = 1e-15;
   double truncation = 0, size = 0, unused = 0;
-  const auto values = [&](double x) { return f(x).value(); };
+  const Real values = values_of(f), errors = [&](double x) { return f(x).error(); };
   integrate(values, roughly, &unused, &size);
-  const double of_errors = integrate([&](double x) { return f(x).error(); }, roughly, &unused, &unused);
+  const double of_errors = integrate(errors, roughly, &unused, &unused);
   const double value = integrate(values, std::max(finest, of_errors / size), &truncation, &size);
   return {value, truncation + 2 * of_errors + 0x1p-50 * size};
 }
@@ -177,12 +182,11 @@ Propagated turned_sine(const Propagated& psi, const Propagated& degrees) {
   return alone(turned(psi, degrees).sine);
 }
 Propagated quick_integral(const Function& f, double from, double to) {
-  return alone(boost::math::quadrature::tanh_sinh<double>().integrate([&](double x) { return f(x).value(); },
-                                                                      from, to));
+  return alone(boost::math::quadrature::tanh_sinh<double>().integrate(values_of(f), from, to));
 }
 Propagated quick_smooth_integral(const Function& f, double from, double to) {
-  return alone(boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
-      [&](double x) { return f(x).value(); }, from, to, 10, 1e-10));
+  return alone(
+      boost::math::quadrature::gauss_kronrod<double, 31>::integrate(values_of(f), from, to, 10, 1e-10));
 }
 
 }  // namespace
