@@ -4,25 +4,23 @@
 namespace nipref::verify {
 namespace {
 
-bool is_proven(const fast::Estimate&) { return false; }
-bool is_proven(const ref::Estimate& number) { return number.proven; }
-
-// In JSON a number of the reference is text: it may have more digits than a double, and an error below all doubles.
-Json value_json(const fast::Estimate& number) { return number.value; }
-Json error_json(const fast::Estimate& number) { return number.error; }
-Json value_json(const ref::Estimate& number) { return number.value_text(); }
-Json error_json(const ref::Estimate& number) { return number.error_text(); }
+/// A number in JSON. One of the reference is text: it may have more digits than a double, and an error below all doubles.
+struct Shown {
+  Json value, error;
+  bool proven;
+};
+Shown shown(const fast::Estimate& number) { return {number.value, number.error, false}; }
+Shown shown(const ref::Estimate& number) { return {number.value_text(), number.error_text(), number.proven}; }
 
 /// One, a list, or of a field a list for each depth.
-template <class Number>
-Json values_json(const data::SceneResult& what, const std::vector<Number>& numbers,
-                 const data::FieldPlaces& field, Json (*json)(const Number&)) {
-  if (what.shape == data::Shape::number) return json(numbers.front());
-  if (what.shape != data::Shape::field) return json_list(numbers, json);
+Json list_json(const data::SceneResult& what, const std::vector<Shown>& numbers,
+               const data::FieldPlaces& field, Json Shown::*part) {
+  if (what.shape == data::Shape::number) return numbers.front().*part;
+  if (what.shape != data::Shape::field) return json_list(numbers, part);
   const std::size_t across = field.positions.size();
   std::vector<Json> depths;
   for (std::size_t first = 0; first < numbers.size(); first += across)
-    depths.push_back(json_list(std::span(numbers).subspan(first, across), json));
+    depths.push_back(json_list(std::span(numbers).subspan(first, across), part));
   return depths;
 }
 
@@ -49,15 +47,16 @@ Json work_json(const fast::Work& work) {
 /// The numbers of a result as the text shows them, of a profile or a field each with its place; `next_depth` stands at the
 /// first of each depth.
 template <class Number>
-std::vector<Json> shown_numbers(const SceneSolution<Number>& solution,
-                                const typename SceneSolution<Number>::Result& result) {
+std::vector<Json> numbers_json(const SceneSolution<Number>& solution,
+                               const typename SceneSolution<Number>::Result& result,
+                               const std::vector<Shown>& numbers) {
   return mapped(std::views::iota(std::size_t{0}, result.numbers.size()), [&](std::size_t i) {
     const Number& number = result.numbers[i];
     const auto [position, depth] = solution.place(*result.what, i);
     const bool is_first = depth && i % solution.field.positions.size() == 0;
     return Json{{"value", value_text(number)},
                 {"error", error_text(number)},
-                {"error_word", is_proven(number) ? "bound" : "error"},
+                {"error_word", numbers[i].proven ? "bound" : "error"},
                 {"position", position},
                 {"depth", depth},
                 {"next_depth", is_first ? Json(depth) : Json()}};
@@ -95,18 +94,18 @@ Json solution_json(const SceneSolution<Number>& solution, bool full) {
   Json results = Json::object();
   for (const auto& result : solution.results) {
     const data::SceneResult& what = *result.what;
-    const std::vector<Json> shown = shown_numbers(solution, result);
-    results.set(what.name,
-                {{"value", values_json<Number>(what, result.numbers, solution.field, value_json)},
-                 {"error", values_json<Number>(what, result.numbers, solution.field, error_json)},
-                 {"proven", std::ranges::all_of(result.numbers, [](const auto& x) { return is_proven(x); })},
-                 {"met", result.met()},
-                 {"unit", what.unit},
-                 {"_meaning", what.meaning},
-                 {"_measured_against", data::text(what.scale)},
-                 {"_axis", what.is_along_line() ? "Y" : "psi"},
-                 {"_one", what.shape == data::Shape::number ? shown.front() : Json()},
-                 {"_numbers", shown}});
+    const auto numbers = mapped(result.numbers, [](const Number& number) { return shown(number); });
+    const std::vector<Json> texts = numbers_json(solution, result, numbers);
+    results.set(what.name, {{"value", list_json(what, numbers, solution.field, &Shown::value)},
+                            {"error", list_json(what, numbers, solution.field, &Shown::error)},
+                            {"proven", std::ranges::all_of(numbers, &Shown::proven)},
+                            {"met", result.met()},
+                            {"unit", what.unit},
+                            {"_meaning", what.meaning},
+                            {"_measured_against", data::text(what.scale)},
+                            {"_axis", what.is_along_line() ? "Y" : "psi"},
+                            {"_one", what.shape == data::Shape::number ? texts.front() : Json()},
+                            {"_numbers", texts}});
   }
   const auto& positions = solution.positions;
   const std::optional<bool> met = solution.met();
