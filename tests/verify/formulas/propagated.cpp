@@ -1,8 +1,8 @@
 // Numbers of claims, limits and errata: each has an error, which covers, and no more digits than that bears out.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/formulas/propagated.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 
 #include "support/test.hpp"
 
