@@ -63,7 +63,7 @@ Rests rests(double alpha) {
 
 /// Of the rests as functions on the whole contact, for rounding: their singularities 2 i beside it are on the ellipse of
 /// convergence whose half axes add up to 4/length + sqrt((4/length)^2 + 1) half lengths.
-int terms_of(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
+int points_for(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
 
 /// U, V and S from a source to a target, in their places in the matrix of both.
 void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of) {
@@ -76,8 +76,8 @@ void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of
 
 }  // namespace
 
-SlopeKernels::Series::Series(int eighths) : length(std::exp2(eighths / 8.0)) {
-  const int count = terms_of(length);
+SlopeKernels::Points::Points(int eighths) : length(std::exp2(eighths / 8.0)) {
+  const int count = points_for(length);
   const ArrayXd points = internal::chebyshev_points(length, count);
   values.resize(2 * count, 2 * count);
   slopes.resize(2 * count, 2 * count);
@@ -93,11 +93,11 @@ SlopeKernels::Series::Series(int eighths) : length(std::exp2(eighths / 8.0)) {
 }
 
 SlopeKernels::SlopeKernels(double length, const ArrayXd& targets, const ArrayXd& sources) {
-  static Cache<int, Series> kept([](const int& eighths) { return Series(eighths); });
-  series_ = kept.at(static_cast<int>(std::ceil(8 * std::log2(length))));
-  const Index terms = series_->values.rows() / 2;
-  at_targets_ = internal::interpolation(targets, series_->length, terms);
-  at_sources_ = internal::interpolation(sources, series_->length, terms).transpose();
+  static Cache<int, Points> kept([](const int& eighths) { return Points(eighths); });
+  points_ = kept.at(static_cast<int>(std::ceil(8 * std::log2(length))));
+  const Index count = points_->values.rows() / 2;
+  at_targets_ = internal::interpolation(targets, points_->length, count);
+  from_sources_ = internal::interpolation(sources, points_->length, count).transpose();
 }
 
 }  // namespace nipref::fast

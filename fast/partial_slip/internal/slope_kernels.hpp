@@ -8,8 +8,9 @@
 namespace nipref::fast {
 
 /// The slopes of the sheet's displacements over N under line loads, U = (I1/pi)', V = (I3/pi)' and S = (I6(alpha, 0)/pi)', are
-/// -1/(pi alpha) in U and S and rests that are analytic for |Im alpha| < 2. These are the rests between points of a contact, as
-/// Chebyshev series of both points, to rounding: U = A K B^T for points e = a of targets and e = b of sources, alpha = a - b.
+/// -1/(pi alpha) in U and S and rests that are analytic for |Im alpha| < 2. These are the rests between points of a contact, alpha =
+/// a - b for points e = a of targets and e = b of sources, interpolated between Chebyshev points to rounding: U = A K B^T, K the
+/// rests between these.
 class SlopeKernels {
  public:
   /// All points are between 0 and `length`.
@@ -20,41 +21,41 @@ class SlopeKernels {
     Eigen::MatrixXd normal, along;
   };
   [[nodiscard]] Rows values(const auto& pressures, const auto& shears) const {
-    return at_targets(as_series(pressures, shears));
+    return at_targets(at_points(pressures, shears));
   }
   /// Their derivatives by the target's place.
   [[nodiscard]] Rows slopes(const auto& pressures, const auto& shears) const {
-    return at_targets(under(series_->slopes, pressures, shears));
+    return at_targets(under(points_->slopes, pressures, shears));
   }
-  /// The values as series of the target's place, and the matrix that sums these at some of the targets.
-  [[nodiscard]] Rows as_series(const auto& pressures, const auto& shears) const {
-    return under(series_->values, pressures, shears);
+  /// The values at the Chebyshev points, and the matrix that makes of these the values at some of the targets.
+  [[nodiscard]] Rows at_points(const auto& pressures, const auto& shears) const {
+    return under(points_->values, pressures, shears);
   }
   [[nodiscard]] Eigen::MatrixXd to_targets(const std::vector<Eigen::Index>& targets) const {
     return at_targets_(targets, Eigen::all);
   }
 
  private:
-  [[nodiscard]] Rows at_targets(const Rows& series) const {
-    return {at_targets_ * series.normal, at_targets_ * series.along};
+  [[nodiscard]] Rows at_targets(const Rows& at_points) const {
+    return {at_targets_ * at_points.normal, at_targets_ * at_points.along};
   }
   [[nodiscard]] Rows under(const Eigen::MatrixXd& kernels, const auto& pressures, const auto& shears) const {
-    const Eigen::Index terms = at_sources_.rows();
-    Eigen::MatrixXd both(2 * terms, pressures.cols());
-    both.topRows(terms) = product(at_sources_, pressures);
-    both.bottomRows(terms) = product(at_sources_, shears);
+    const Eigen::Index count = from_sources_.rows();
+    Eigen::MatrixXd both(2 * count, pressures.cols());
+    both.topRows(count) = product(from_sources_, pressures);
+    both.bottomRows(count) = product(from_sources_, shears);
     const Eigen::MatrixXd sums = product(kernels, both);
-    return {sums.topRows(terms), sums.bottomRows(terms)};
+    return {sums.topRows(count), sums.bottomRows(count)};
   }
 
-  /// Coefficients on a contact a little longer: K of U and -V over those of V and S.
-  struct Series {
-    explicit Series(int eighths);  ///< of an octave of lengths
+  /// Between the Chebyshev points of a contact a little longer: U and -V over V and S, and their derivatives.
+  struct Points {
+    explicit Points(int eighths);  ///< of an octave of lengths
     double length;
     Eigen::MatrixXd values, slopes;
   };
-  std::shared_ptr<const Series> series_;
-  Eigen::MatrixXd at_targets_, at_sources_;  ///< Chebyshev polynomials, in columns and in rows
+  std::shared_ptr<const Points> points_;
+  Eigen::MatrixXd at_targets_, from_sources_;  ///< A and the transposed B
 };
 
 }  // namespace nipref::fast

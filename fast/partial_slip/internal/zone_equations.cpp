@@ -193,17 +193,17 @@ Eigen::MatrixXd ZoneEquations::jacobian(const Kernels& kernels) const {
   const Eigen::VectorXd weights = this->weights();
   const Sparse pressure = weights.asDiagonal() * mesh_.at_nodes().pressure,
                shear = weights.asDiagonal() * mesh_.at_nodes().shear;
-  const Rows rest = kernels.rest.as_series(pressure, shear), by_lengths = this->by_lengths(kernels);
+  const Rows rest = kernels.rest.at_points(pressure, shear), by_lengths = this->by_lengths(kernels);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(lengths + zones, lengths + zones);
   Index row = 0;
   const auto add = [&](const std::vector<Index>& matched, const Sparse& forces,
-                       const Eigen::MatrixXd& rest_series, const Sparse& here,
+                       const Eigen::MatrixXd& rest_at_points, const Sparse& here,
                        const Eigen::MatrixXd& of_lengths) {
     const Eigen::MatrixXd cauchy = kernels.cauchy(matched, Eigen::all);
     auto rows = jacobian.middleRows(row, std::ssize(matched));
     auto by_tractions = rows.leftCols(unknowns);
     add_product(cauchy, forces, by_tractions);
-    add_product(kernels.rest.to_targets(matched), rest_series, by_tractions);
+    add_product(kernels.rest.to_targets(matched), rest_at_points, by_tractions);
     by_tractions += here;
     rows.rightCols(zones) = of_lengths(matched, Eigen::all);
     row += rows.rows();
