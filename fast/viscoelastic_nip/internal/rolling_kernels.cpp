@@ -189,64 +189,57 @@ Eigen::MatrixXd RollingKernels::ahead_at(std::span<const double> alpha, bool who
   return values;
 }
 
-/// I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate, and its slope ln alpha e^(rate alpha).
-Eigen::MatrixXd RollingKernels::factor_of_logarithm(const Eigen::ArrayXd& alpha, bool whole) const {
-  const Eigen::Index of_terms = functionals_ahead(false);
-  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals_ahead(whole), alpha.size());
-  for (Eigen::Index i = 0; i < alpha.size(); ++i) {
-    auto column = factor.col(i);
-    for (std::size_t k = 0; k < fades_.size(); ++k) {
-      const auto set_factor = [&](auto rate) {
-        const auto set_at = [&](Eigen::Index row, Complex value) {
-          column.segment<2>(row + 2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
-        };
-        set_at(0, alpha(i) * internal::phi1(-rate * alpha(i)) / pi);
-        if (whole) set_at(of_terms, std::exp(rate * alpha(i)) / pi);
-      };
-      if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
-        set_factor(rate.real());
-      else if (rate.imag() > 0)
-        set_factor(rate);
-    }
-    if (whole) column(2 * of_terms) = -1 / pi;
+/// I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate.
+Eigen::MatrixXd RollingKernels::factor_of_logarithm(const Eigen::ArrayXd& alpha) const {
+  Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals_ahead(false), alpha.size());
+  for (std::size_t k = 0; k < fades_.size(); ++k) {
+    const auto set_rows = [&](auto rate) {
+      for (Eigen::Index i = 0; i < alpha.size(); ++i) {
+        const Complex value = alpha(i) * internal::phi1(-rate * alpha(i)) / pi;
+        factor.col(i).segment<2>(2 * static_cast<Eigen::Index>(k)) << value.real(), value.imag();
+      }
+    };
+    if (const Complex rate = sheet_.normal.terms[k].rate; rate.imag() == 0)
+      set_rows(rate.real());
+    else if (rate.imag() > 0)
+      set_rows(rate);
   }
   return factor;
 }
 
-Eigen::MatrixXd RollingKernels::rest_at(const Eigen::ArrayXd& alpha, bool whole) const {
-  return ahead_at({alpha.data(), static_cast<std::size_t>(alpha.size())}, whole) -
-         factor_of_logarithm(alpha, whole) * alpha.log().matrix().asDiagonal();
+Eigen::MatrixXd RollingKernels::rest_at(const Eigen::ArrayXd& alpha) const {
+  return ahead_at({alpha.data(), static_cast<std::size_t>(alpha.size())}, false) -
+         factor_of_logarithm(alpha) * alpha.log().matrix().asDiagonal();
 }
 
-Eigen::MatrixXd RollingKernels::interpolated_rest(const Eigen::ArrayXd& alpha, double width,
-                                                  bool whole) const {
+Eigen::MatrixXd RollingKernels::interpolated_rest(const Eigen::ArrayXd& alpha, double width) const {
   constexpr double spare = 1.1, nats_of_double = 37;
   constexpr double most_points = 40;  // with more, interpolation costs as much as it saves
-  const bool is_kept = width <= kept_rest_.length && kept_rest_.length <= spare * spare * width &&
-                       kept_rest_.values.rows() == functionals_ahead(whole);
-  if (!is_kept) {
+  if (!(width <= kept_rest_.length && kept_rest_.length <= spare * spare * width)) {
     double fastest = 0;
     for (const Complex& rate : rates()) fastest = std::max(fastest, std::abs(rate));
     const double length = spare * width,
                  points = internal::points_of_analytic(length, fastest, nats_of_double);
-    if (!(points <= most_points)) return rest_at(alpha, whole);
+    if (!(points <= most_points)) return rest_at(alpha);
     const auto count = static_cast<Eigen::Index>(std::ceil(points));
-    kept_rest_ = {length, rest_at(internal::chebyshev_points(length, count), whole)};
+    kept_rest_ = {length, rest_at(internal::chebyshev_points(length, count))};
   }
   const auto& [length, values] = kept_rest_;
   return values * internal::interpolation(alpha, length, values.cols()).transpose();
 }
 
 Tractions::Kernel RollingKernels::ahead(bool whole) const {
-  const auto at = [this, whole](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-    on_q = on_p = ahead_at(alpha, whole);
-  };
-  const auto by_logarithm = [this, whole](const Eigen::ArrayXd& alpha, double width) {
-    return Tractions::Kernel::ByLogarithm{factor_of_logarithm(alpha, whole),
-                                          interpolated_rest(alpha, width, whole)};
-  };
-  return {static_cast<int>(functionals_ahead(whole)), Tractions::Kernel::FarAway::negligible, rates(), at,
-          by_logarithm};
+  Tractions::Kernel kernel{static_cast<int>(functionals_ahead(whole)), Tractions::Kernel::FarAway::negligible,
+                           rates(),
+                           [this, whole](std::span<const double> alpha, Eigen::MatrixXd& on_p,
+                                         Eigen::MatrixXd& on_q) { on_q = on_p = ahead_at(alpha, whole); }};
+  // Where there are layers, in nearly all contacts a rate is too large for that.
+  if (!whole) {
+    kernel.by_logarithm = [this](const Eigen::ArrayXd& alpha, double width) {
+      return Tractions::Kernel::ByLogarithm{factor_of_logarithm(alpha), interpolated_rest(alpha, width)};
+    };
+  }
+  return kernel;
 }
 
 }  // namespace nipref::fast

@@ -59,15 +59,15 @@ class RollingKernels {
   [[nodiscard]] Sized strain_at(double alpha, const internal::SurfacePoint& at) const;
   [[nodiscard]] std::vector<std::complex<double>> rates() const;
 
-  /// Of ahead(): the number of functionals, the kernel, and the factor of its logarithm, a row for each functional.
+  /// Of ahead(): the number of functionals, and the kernel, a row for each.
   [[nodiscard]] Eigen::Index functionals_ahead(bool whole) const;
   [[nodiscard]] Eigen::MatrixXd ahead_at(std::span<const double> alpha, bool whole) const;
-  [[nodiscard]] Eigen::MatrixXd factor_of_logarithm(const Eigen::ArrayXd& alpha, bool whole) const;
-  /// The kernel less its logarithm; and the same, at 0 <= alpha <= width, from its values at Chebyshev points of [0, length] that are
-  /// kept. The length is a little more than the width: the contacts of a search for a length differ by less.
-  [[nodiscard]] Eigen::MatrixXd rest_at(const Eigen::ArrayXd& alpha, bool whole) const;
-  [[nodiscard]] Eigen::MatrixXd interpolated_rest(const Eigen::ArrayXd& alpha, double width,
-                                                  bool whole) const;
+  /// Of ahead(false): the factor of its logarithm; the rest; and the rest at 0 <= alpha <= width from its values at Chebyshev
+  /// points of [0, length] that are kept. The length is a little more than the width: the contacts of a search for a length differ
+  /// by less.
+  [[nodiscard]] Eigen::MatrixXd factor_of_logarithm(const Eigen::ArrayXd& alpha) const;
+  [[nodiscard]] Eigen::MatrixXd rest_at(const Eigen::ArrayXd& alpha) const;
+  [[nodiscard]] Eigen::MatrixXd interpolated_rest(const Eigen::ArrayXd& alpha, double width) const;
   struct KeptRest {
     double length;
     Eigen::MatrixXd values;
