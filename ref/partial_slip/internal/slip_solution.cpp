@@ -43,16 +43,23 @@ bool are_alike(const Zones& a, const Zones& b) {
   return std::ranges::equal(a, b, {}, &SlipZone::sign, &SlipZone::sign);
 }
 
-/// Newton's method for the unknowns and the logarithms of the zones' lengths together. It begins at the least squares of the
-/// equations for these lengths, which are linear.
+/// Newton's method for the unknowns and the logarithms of the zones' lengths together.
 class Newton {
  public:
   Newton(std::shared_ptr<const ZoneGrid> grid, SheetKernels& kernels, const Zones& zones)
       : grid_(std::move(grid)), kernels_(kernels), zones_(zones) {
     renew();
     unknowns_ = Vector(contact_->sizes().count());
-    evaluate();
-    change_unknowns(Eigen::HouseholderQR<Eigen::MatrixXd>(contact_->slopes()).solve(in_double(rest_, 1)), 1);
+  }
+
+  /// The tractions of `near`, or of least squares.
+  void begin(const SlipField* near) {
+    if (near != nullptr) {
+      unknowns_ = contact_->unknowns_of(*near);
+    } else {
+      evaluate();
+      change_unknowns(contact_->slopes().colPivHouseholderQr().solve(in_double(rest_, 1)), 1);
+    }
     evaluate();
   }
 
@@ -178,18 +185,20 @@ void slip_at_end(Zones& zones, const Zones& before, const SlipProblem& problem, 
   zones.push_back({-sign, part});
 }
 
-/// Solved with errors of about 10^-digits; the zones are left as they were found.
+/// Solved with errors of about 10^-digits, from the field `near`, if any; the zones are left as they were found.
 std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels& kernels, Zones& zones,
-                                        int digits) {
+                                        int digits, const SlipField* near) {
+  std::unique_ptr<const SlipField> field;
   for (int correction = 0; correction < most_corrections; ++correction) {
     Newton newton(std::make_shared<ZoneGrid>(problem, digits * std::numbers::ln10, zones), kernels, zones);
+    newton.begin(field != nullptr ? field.get() : near);
     const bool converges = newton.converges();
-    auto field = converges ? std::make_unique<SlipField>(newton.result()) : nullptr;
+    if (converges) field = std::make_unique<SlipField>(newton.result());
     Zones better = converges ? corrected(*field) : newton.zones();
     slip_at_end(better, zones, problem, !converges);
     const bool is_same = are_alike(better, zones);
     zones = converges && is_same ? newton.zones() : better;
-    if (is_same) return field;
+    if (is_same) return converges ? std::move(field) : nullptr;
   }
   return nullptr;
 }
@@ -199,7 +208,7 @@ std::unique_ptr<const SlipField> solved(const SlipProblem& problem, SheetKernels
 SolvedSlip solved_slip(const SlipProblem& problem, SheetKernels& kernels, Row<SlipZone> zones, int digits) {
   SolvedSlip result;
   for (int goal : {first_digits, 2 * first_digits, digits + coarse_guard, digits + fine_guard}) {
-    auto field = solved(problem, kernels, zones, goal);
+    auto field = solved(problem, kernels, zones, goal, result.fine.get());
     // Short zones may show on a finer grid only.
     if (!field && goal == first_digits) continue;
     if (!field) return {};
