@@ -149,6 +149,8 @@ void describe(SolvedContact<Number>& contact, const Problem& problem, Measure me
   contact.is_symmetric = std::is_same_v<Problem, ElasticNipProblem>;
   contact.roller_radius = problem.nip.roller_radius;
   if constexpr (requires { problem.nip.speed; }) contact.speed = problem.nip.speed;
+  if constexpr (requires { problem.nip.friction_coefficient; })
+    contact.friction = problem.nip.friction_coefficient;
   contact.measure = measure;
 }
 

@@ -147,6 +147,8 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
   const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;
   const double flat_maximum = (1e-6 + 10 * std::sqrt(accuracy)) / accuracy;
   const double rounding_of_slope = slope * std::min(1.0, 1e-14 / accuracy);
+  // Where little or nothing slips, little or nothing is left of the resistance that friction would have.
+  const double resistance = rounding_of_slope + 0.1 * std::min(contact.friction, 1.0) * slope / 2;
   const auto indentation = [&] { return value_of(contact.at(ResultId::normal_displacement, 0)); };
   const auto growth = [&] { return growth_next_to_end(y, ends, accuracy); };
   const auto pressure = [&] {
@@ -183,10 +185,10 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
       return flat_maximum;
     case Scale::flat_maximum:
       return half * flat_maximum;
-    case Scale::rounding_of_slope:
-      return rounding_of_slope;
     case Scale::rolling_resistance:
-      return rounding_of_slope * std::fabs(given_factor(contact, id)) *
+      return resistance;
+    case Scale::product_of_resistance:
+      return resistance * std::fabs(given_factor(contact, id)) *
              (id == ResultId::eccentricity ? 1 : value_of(contact.number(ResultId::load)));
     case Scale::radian:
       return 180 / std::numbers::pi;

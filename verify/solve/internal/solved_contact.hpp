@@ -107,6 +107,7 @@ class SolvedContact {
 
   bool is_symmetric = false;
   double roller_radius = 0, speed = 1;  ///< of a nip; the speed of an elastic sheet does not matter
+  double friction = 0;                  ///< Coulomb's coefficient
   Measure measure = Measure::size;
 
  private:
