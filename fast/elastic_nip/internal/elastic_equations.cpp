@@ -68,8 +68,9 @@ Tractions::SplitKernel ElasticEquations::matching(CountedKernels& kernels) const
   const auto whole = [=, &kernels, this](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
     both(kernels.I1(alpha), coupling(alpha, kernels), kernels.I6(alpha), on_p, on_q);
   };
-  const auto regular = [=, &kernels](Alphas alpha, MatrixXd& on_p, MatrixXd& on_q) {
-    both(kernels.regular_I1(alpha), kernels.I3(alpha) / pi, kernels.regular_I6(alpha), on_p, on_q);
+  const auto regular = [=, &kernels](Alphas alpha, Alphas logarithm, MatrixXd& on_p, MatrixXd& on_q) {
+    both(kernels.regular_I1(alpha, logarithm), kernels.I3(alpha) / pi, kernels.regular_I6(alpha, logarithm),
+         on_p, on_q);
   };
   return {{2, Tractions::Kernel::FarAway::varying, {}, whole},
           Eigen::Matrix2d::Identity(),

@@ -39,11 +39,11 @@ RowVectorXd CountedKernels::I6(Alphas alpha) {
   const std::vector<double> eta(alpha.size(), 0.0);
   return counted(6, alpha, [&](auto values) { fast::I6(alpha, eta, values, accuracy_); });
 }
-RowVectorXd CountedKernels::regular_I1(Alphas alpha) {
-  return counted(1, alpha, [&](auto values) { internal::regular_I1(alpha, values); });
+RowVectorXd CountedKernels::regular_I1(Alphas alpha, Alphas logarithm) {
+  return counted(1, alpha, [&](auto values) { internal::regular_I1(alpha, logarithm, values); });
 }
-RowVectorXd CountedKernels::regular_I6(Alphas alpha) {
-  return counted(6, alpha, [&](auto values) { internal::regular_I6(alpha, values); });
+RowVectorXd CountedKernels::regular_I6(Alphas alpha, Alphas logarithm) {
+  return counted(6, alpha, [&](auto values) { internal::regular_I6(alpha, logarithm, values); });
 }
 
 }  // namespace nipref::fast

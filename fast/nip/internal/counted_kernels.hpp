@@ -18,9 +18,9 @@ class CountedKernels {
   [[nodiscard]] Eigen::RowVectorXd I3(Alphas alpha);
   /// I6(alpha, 0): by symmetry the terms in eta cancel in pairs.
   [[nodiscard]] Eigen::RowVectorXd I6(Alphas alpha);
-  /// The same plus ln|alpha|.
-  [[nodiscard]] Eigen::RowVectorXd regular_I1(Alphas alpha);
-  [[nodiscard]] Eigen::RowVectorXd regular_I6(Alphas alpha);
+  /// The same plus ln|alpha|, which is known.
+  [[nodiscard]] Eigen::RowVectorXd regular_I1(Alphas alpha, Alphas logarithm);
+  [[nodiscard]] Eigen::RowVectorXd regular_I6(Alphas alpha, Alphas logarithm);
 
  private:
   [[nodiscard]] Eigen::RowVectorXd counted(std::size_t kernel, Alphas alpha, const auto& evaluate);

@@ -61,8 +61,9 @@ Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels) {
   const auto whole = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
     on_q = on_p = kernels.I1(alpha) / std::numbers::pi;
   };
-  const auto regular = [&kernels](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
-    on_q = on_p = kernels.regular_I1(alpha) / std::numbers::pi;
+  const auto regular = [&kernels](Alphas alpha, Alphas logarithm, Eigen::MatrixXd& on_p,
+                                  Eigen::MatrixXd& on_q) {
+    on_q = on_p = kernels.regular_I1(alpha, logarithm) / std::numbers::pi;
   };
   return {{1, Tractions::Kernel::FarAway::negligible, {}, whole},
           Eigen::RowVector2d(1, 1),

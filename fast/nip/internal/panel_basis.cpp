@@ -155,6 +155,12 @@ struct PointIntegrals {
   }
 };
 
+Eigen::ArrayXd nodes_of_rule(int points) {
+  return Eigen::ArrayXd::NullaryExpr(points, [&](Eigen::Index number) {
+    return internal::shifted_chebyshev_zero(points - 1 - static_cast<int>(number), points);
+  });
+}
+
 ProductRule make_product_rule(const std::tuple<PanelBasis, int, int, RuleFor>& key) {
   const auto& [basis, points, degrees, integrand] = key;
   const int count = degrees + points;
@@ -180,8 +186,7 @@ ProductRule make_product_rule(const std::tuple<PanelBasis, int, int, RuleFor>& k
     }
   }
   ProductRule rule;
-  rule.at.resize(points);
-  for (int i = 0; i < points; ++i) rule.at(i) = internal::shifted_chebyshev_zero(points - 1 - i, points);
+  rule.at = nodes_of_rule(points);
   rule.weight.real = coefficients * real;
   if (basis.exponent != 0) rule.weight.imaginary = coefficients * imaginary;
   return rule;
@@ -241,6 +246,15 @@ std::shared_ptr<const Eigen::ArrayXd> MatchingPoints::at() const {
     });
   });
   return kept.at(*this);
+}
+
+std::shared_ptr<const Eigen::ArrayXXd> logarithms(int points_of_rule, const MatchingPoints& points) {
+  static Cache<std::pair<int, MatchingPoints>, Eigen::ArrayXXd> kept(
+      [](const std::pair<int, MatchingPoints>& key) -> Eigen::ArrayXXd {
+        const Eigen::ArrayXd nodes = nodes_of_rule(key.first), places = *key.second.at();
+        return (nodes.replicate(1, places.size()).rowwise() - places.transpose()).abs().log();
+      });
+  return kept.at({points_of_rule, points});
 }
 
 std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees,

@@ -46,6 +46,9 @@ struct MatchingPoints {
   [[nodiscard]] std::shared_ptr<const Eigen::ArrayXd> at() const;  ///< rising
 };
 
+/// ln|x - s|, a row for each node x of a product rule with so many points and a column for each matching point s.
+std::shared_ptr<const Eigen::ArrayXXd> logarithms(int points_of_rule, const MatchingPoints& points);
+
 /// The integrals of a basis times ln|x - s| and times the sign of x - s, one row for each matching point s; and those of the
 /// basis alone, one row.
 struct SingularIntegrals {

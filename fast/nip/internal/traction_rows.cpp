@@ -393,10 +393,12 @@ bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eig
   Eigen::ArrayXXd alpha(nodes, points.points);
   const auto places = points.at();
   for (int j = 0; j < points.points; ++j) alpha.col(j) = width * (rule->at - (*places)(j));
-  Eigen::MatrixXd on_p, on_q;
-  split.regular({alpha.data(), static_cast<std::size_t>(alpha.size())}, on_p, on_q);
-  const int count = panel.terms + left_out;
   const double log_width = std::log(width);
+  const Eigen::ArrayXXd logarithm = *logarithms(static_cast<int>(nodes), points) + log_width;
+  const auto size = static_cast<std::size_t>(alpha.size());
+  Eigen::MatrixXd on_p, on_q;
+  split.regular({alpha.data(), size}, {logarithm.data(), size}, on_p, on_q);
+  const int count = panel.terms + left_out;
   const auto add = [&](const Eigen::MatrixXd& values, Eigen::Index functional, Eigen::Index of, double sign,
                        int component, const Eigen::MatrixXd PanelBasis::Rows::*part) {
     if ((rule->weight.*part).size() == 0) return;

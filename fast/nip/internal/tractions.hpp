@@ -79,7 +79,10 @@ class Tractions {
   struct SplitKernel {
     Kernel whole;
     Eigen::MatrixX2d logarithm, jump;
-    decltype(Kernel::at) regular;
+    std::function<void(std::span<const double> alpha, std::span<const double> logarithm,
+                       Eigen::MatrixXd& on_p,
+                       Eigen::MatrixXd& on_q)>
+        regular;  ///< with ln|alpha|, which is known
   };
   /// One row for each functional at a place, one column for each of columns(). e <= A, negative outside the contact.
   /// `trailing`: the place is on the other half, -y.

@@ -13,7 +13,7 @@ namespace {
 /// Near 0 the constant and the tabulated rest, beyond it the kernel itself; `kernel` is that of a batch.
 template <class KernelOf>
 void regular_part(Component component, const KernelOf& kernel, std::span<const double> alpha,
-                  std::span<double> value) {
+                  std::span<const double> logarithm, std::span<double> value) {
   const auto rest = [&](std::span<const double> at, std::span<double> to) {
     sheet_code().even_rest(component, 0, 1, at.data(), to.data(), at.size());
   };
@@ -26,26 +26,42 @@ void regular_part(Component component, const KernelOf& kernel, std::span<const d
   // The kernel is computed near 0, too, but at near_end.
   const auto count = static_cast<Eigen::Index>(alpha.size());
   const auto span_of = [&](Eigen::ArrayXd& numbers) { return std::span(numbers.data(), alpha.size()); };
-  const Eigen::Map<const Eigen::ArrayXd> at(alpha.data(), count);
+  const Eigen::Map<const Eigen::ArrayXd> at(alpha.data(), count), log_at(logarithm.data(), count);
   Eigen::ArrayXd far = at.abs().max(near_end), near_value(count), far_value(count);
   rest(alpha, span_of(near_value));
   kernel(span_of(far), span_of(far_value));
   Eigen::Map<Eigen::ArrayXd>(value.data(), count) =
-      (at.abs() < near_end).select(near_value + constant, far_value + far.log());
+      (at.abs() < near_end).select(near_value + constant, far_value + log_at);
+}
+
+std::vector<double> logarithms(std::span<const double> alpha) {
+  std::vector<double> result;
+  result.reserve(alpha.size());
+  for (const double one : alpha) result.push_back(std::log(std::fabs(one)));
+  return result;
 }
 
 }  // namespace
 
-void regular_I1(std::span<const double> alpha, std::span<double> value) {
+void regular_I1(std::span<const double> alpha, std::span<const double> logarithm, std::span<double> value) {
   regular_part(
-      Component::I1, [](std::span<const double> at, std::span<double> to) { I1(at, to); }, alpha, value);
+      Component::I1, [](std::span<const double> at, std::span<double> to) { I1(at, to); }, alpha, logarithm,
+      value);
 }
 
-void regular_I6(std::span<const double> alpha, std::span<double> value) {
+void regular_I6(std::span<const double> alpha, std::span<const double> logarithm, std::span<double> value) {
   regular_part(
       Component::alpha_part_of_I6,
       [](std::span<const double> at, std::span<double> to) { I6(at, std::vector<double>(at.size()), to); },
-      alpha, value);
+      alpha, logarithm, value);
+}
+
+void regular_I1(std::span<const double> alpha, std::span<double> value) {
+  regular_I1(alpha, logarithms(alpha), value);
+}
+
+void regular_I6(std::span<const double> alpha, std::span<double> value) {
+  regular_I6(alpha, logarithms(alpha), value);
 }
 
 }  // namespace nipref::fast::internal
