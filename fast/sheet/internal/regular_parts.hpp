@@ -7,7 +7,7 @@ namespace nipref::fast::internal {
 /// in the last place of 1 + ln max(1, |alpha|). The spans have the same size.
 void regular_I1(std::span<const double> alpha, std::span<double> value);
 void regular_I6(std::span<const double> alpha, std::span<double> value);
-/// The same, where ln|alpha| is known.
+/// The same where ln|alpha| is known: what that is off comes to the error.
 void regular_I1(std::span<const double> alpha, std::span<const double> logarithm, std::span<double> value);
 void regular_I6(std::span<const double> alpha, std::span<const double> logarithm, std::span<double> value);
 
