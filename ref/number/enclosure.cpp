@@ -38,7 +38,7 @@ bool is_exact(const std::string& text, const Float& value) {
   return rounded == 0 && mpfr_equal_p(raw(read), raw(value)) != 0;
 }
 
-/// A number that is computed from two others.
+/// The estimate for an interval that is computed from a and b.
 Estimate computed(const Interval& number, const Estimate& a, const Estimate& b) {
   Estimate result = enclosure_of(number, std::max(a.digits, b.digits));
   result.proven = a.proven && b.proven;
@@ -95,16 +95,16 @@ Estimate operator*(double factor, Estimate number) {
 
 namespace {
 
-/// Digits computed beyond those asked for; most of them end up in the printed text.
+/// Digits computed beyond those asked for. value_text() prints most of them.
 constexpr int spare_digits = 4;
 constexpr int most_attempts = 16;
-/// How many nats the precision is raised at most for a small value. Arguments have at most 5000 digits, so that a value
-/// that is not 0 is expected above the square root of e^-30000.
+/// The largest increase of the precision for a small value, in nats. Arguments have at most 5000 digits, so that values
+/// other than 0 are expected above e^-15000.
 constexpr double most_further_nats = 30'000;
 constexpr mpfr_prec_t bound_precision = 64;
 
-/// The logarithm of the bound over 10^-(digits+2) min(1, |value|): positive if the bound is too large, infinite if the
-/// interval contains 0.
+/// The natural logarithm of error/(10^-(digits+2) min(1, |value|)). It is positive if the error is too large, and
+/// infinite if the interval contains 0.
 double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(raw(result.error))) return -1;
   if (mpfr_cmpabs(raw(result.value), raw(result.error)) <= 0) return HUGE_VAL;

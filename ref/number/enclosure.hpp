@@ -6,9 +6,8 @@
 
 namespace nipref::ref {
 
-/// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). A
-/// truth that is exactly 0 is returned as value 0 with error 0. Only code that proves the bound constructs an
-/// Enclosure.
+/// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). If the
+/// truth is exactly 0, value and error are 0. Only code that proves the bound constructs an Enclosure.
 struct Enclosure : Estimate {
   Enclosure(Float the_value, Float bound, int the_digits);
 };
@@ -16,22 +15,22 @@ struct Enclosure : Estimate {
 /// BadInput naming "digits" unless 16 <= digits <= 1000.
 void check_digits(int digits);
 
-/// A truth that is exactly 0, or this rational number; BadInput for digits out of range.
+/// The exact number 0, and a rational number; BadInput for digits out of range.
 Enclosure exact_zero(int digits);
 Enclosure exactly(const mpq_class& value, int digits);
 
 /// The interval from value - error to value + error, rounded outwards.
 Interval interval_of(const Estimate& number);
 
-/// The middle of an interval with its half-width as the error. The caller ensures that the half-width keeps the
-/// promise.
+/// The middle of an interval with its half-width as the error. The caller ensures that the half-width is at most
+/// 10^-digits min(1, |truth|).
 Enclosure enclosure_of(const Interval& interval, int digits);
 
-/// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
-/// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
-/// where the value turns out smaller, as near a zero, it is evaluated once more with the missing nats added. BadInput
-/// for digits out of range, and naming "arguments" where 30000 more nats do not distinguish the value from 0, or where
-/// the value is above e^{30000}.
+/// Encloses a quantity to the accuracy that Enclosure promises. `interval_at(nats)` returns an interval that contains
+/// the quantity and has a half-width of about e^{-nats}. `first_nats` is a guess at -ln|truth|, 0 where the truth is of
+/// order 1. Where the value turns out smaller, as near a zero, it is evaluated once more with the missing nats added.
+/// BadInput for digits out of range. BadInput naming "arguments" if 30000 more nats do not distinguish the value from
+/// 0, or if the value is above e^{30000}.
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at);
 
 }  // namespace nipref::ref

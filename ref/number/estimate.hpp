@@ -6,18 +6,18 @@
 
 namespace nipref::ref {
 
-/// A number of the reference, its error (>= 0), and the digits that were asked for. An estimated error is meant to
-/// cover the truth with a margin; where the error is proven, see Enclosure, `proven` is true.
+/// A number, its error (>= 0), and the significant digits that the caller asked for. If `proven` is true, the error is
+/// a proven bound, see Enclosure. Otherwise it is an estimate, meant to exceed |value - truth| with a margin.
 struct Estimate : data::WithError<Float> {
   int digits;
   bool proven = false;
 
   Estimate(Float the_value, Float the_error, int the_digits);
 
-  /// Decimal text of the value, three significant digits more than were asked for (and as many more as the
-  /// value has before the point).
+  /// Decimal text of the value. It has three significant digits more than were asked for, and as many more as the
+  /// value has before the point.
   [[nodiscard]] std::string value_text() const;
-  /// The error and what rounding the value to value_text() adds to it, two significant digits, rounded up: "1.2e-53".
+  /// The error plus the rounding error of value_text(), rounded up to two significant digits: "1.2e-53".
   [[nodiscard]] std::string error_text() const;
   /// Nearest double.
   [[nodiscard]] double to_double() const;
@@ -25,13 +25,13 @@ struct Estimate : data::WithError<Float> {
   [[nodiscard]] double error_of(double x) const;
 };
 
-// What follows has the larger number of digits of its two terms. It is proven if both are, and if a factor is exactly
-// 0.
+// The `digits` of a result are the larger of those of its operands. A result is proven if both operands are proven. A
+// product is also proven if one factor is exactly 0.
 
-/// The product and the difference, with their rounding.
+/// The product and the difference; their errors include the rounding errors of the operation.
 Estimate operator*(const Estimate& a, const Estimate& b);
 Estimate operator-(const Estimate& a, const Estimate& b);
-/// The product with a factor for which it is exact, which is a sign or a power of two.
+/// The exact product with a factor that is a sign or a power of two.
 Estimate operator*(double factor, Estimate number);
 
 }  // namespace nipref::ref

@@ -19,14 +19,14 @@ mpq_class power(unsigned long base, long exponent) {
   return exponent >= 0 ? mpq_class(magnitude) : mpq_class(mpz_class(1), magnitude);
 }
 
-/// Whether a sign is taken off that is a minus.
+/// Removes a leading sign and returns whether it is a minus.
 bool take_minus(std::string_view& text) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   return negative;
 }
 
-/// The signed exponent that is all of the text; nothing if it is malformed or too large.
+/// The exponent, with its sign, that the whole text is; nothing if the text is malformed or the exponent too large.
 std::optional<long> exponent_of(std::string_view text) {
   const bool negative = take_minus(text);
   unsigned exponent = 0;
@@ -42,7 +42,7 @@ std::optional<mpq_class> parse_rational(std::string_view text) {
   if (hexadecimal) text.remove_prefix(2);
   const std::size_t end = std::min(text.find_first_of(hexadecimal ? "pP" : "eE"), text.size());
   const std::optional<long> exponent = end < text.size() ? exponent_of(text.substr(end + 1)) : 0L;
-  // Digits before and after the point, as one integer and the number of them behind the point.
+  // The digits before and after the point form one integer; behind_point counts those after the point.
   std::string digits(text.substr(0, end));
   long behind_point = 0;
   if (const std::size_t point = digits.find('.'); point != std::string::npos) {

@@ -8,28 +8,28 @@
 namespace nipref::ref {
 
 /// A floating-point number of MPFR with the arithmetic of a built-in type. A copy is exact and has the precision of the
-/// original. A result is rounded once, to nearest, to the precision of its operands or the working precision of the
-/// thread, see WorkingDigits, whichever is larger; but where an operand is a temporary, Boost 1.81 computes in its
-/// place, with its bits. Boost counts in decimal digits (its member precision() does too), so that a result has up to
-/// two bits less than an operand that has bits of its own. Code that needs more than the working precision therefore
-/// calls MPFR's functions.
+/// original. A result is rounded once, to nearest. The precision of a result is the largest of the precisions of its
+/// operands and the working precision of the thread, see WorkingDigits. There are two exceptions. If an operand is a
+/// temporary, Boost 1.81 stores the result in it, with its precision. Boost counts in decimal digits, as its member
+/// precision() does, so that a result may have up to two bits less than an operand whose precision was set in bits.
+/// Code that needs more than the working precision therefore calls MPFR's functions.
 using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
                                             boost::multiprecision::et_off>;
 
-/// The number as MPFR's own functions take it, where the bits and the direction of rounding are chosen.
+/// The number as an argument of MPFR's functions, where the caller chooses the precision and the direction of rounding.
 inline mpfr_ptr raw(Float& x) { return x.backend().data(); }
 inline mpfr_srcptr raw(const Float& x) { return x.backend().data(); }
 
 inline mpfr_prec_t bits_of(const Float& x) { return mpfr_get_prec(raw(x)); }
 
-/// Of x not 0, also where the double under- or overflows.
+/// log2 |x| of x != 0, also where the nearest double under- or overflows.
 inline double log2_magnitude(const Float& x) {
   long exponent = 0;
   const double fraction = mpfr_get_d_2exp(&exponent, raw(x), MPFR_RNDN);
   return std::log2(std::abs(fraction)) + static_cast<double>(exponent);
 }
 
-/// 0 with bits of its own, whatever the working precision is.
+/// 0 with a precision of `bits` bits, whatever the working precision is.
 inline Float zero_of_bits(mpfr_prec_t bits) {
   Float zero;
   mpfr_set_prec(raw(zero), bits);
@@ -37,7 +37,7 @@ inline Float zero_of_bits(mpfr_prec_t bits) {
   return zero;
 }
 
-/// Sets the decimal digits of new numbers of this thread, until its destructor restores the previous ones.
+/// Sets the working precision of this thread, in decimal digits. The destructor restores the previous precision.
 class WorkingDigits {
  public:
   explicit WorkingDigits(int digits) : before_(Float::thread_default_precision()) {
@@ -51,9 +51,9 @@ class WorkingDigits {
   unsigned before_;
 };
 
-/// The bits of new numbers of this thread.
+/// The working precision of this thread in bits.
 inline mpfr_prec_t working_bits() { return bits_of(Float()); }
-/// Decimal digits that hold so many bits.
+/// A number of decimal digits that holds `bits` bits.
 inline int digits_of(mpfr_prec_t bits) { return static_cast<int>(static_cast<double>(bits) * 0.30103) + 1; }
 /// The number rounded to the working precision.
 inline Float at_working_precision(const Float& x) {
@@ -62,7 +62,7 @@ inline Float at_working_precision(const Float& x) {
   return result;
 }
 
-/// sum += x y by a scratch number, so that none is allocated.
+/// sum += x y. The caller provides the number for the product, so that none is allocated.
 inline void add_product(Float& sum, Float& scratch, const Float& x, const Float& y) {
   mpfr_mul(raw(scratch), raw(x), raw(y), MPFR_RNDN);
   mpfr_add(raw(sum), raw(sum), raw(scratch), MPFR_RNDN);
@@ -73,7 +73,7 @@ inline Float pi() {
   mpfr_const_pi(raw(result), MPFR_RNDN);
   return result;
 }
-/// The root of the sum of the squares, without overflow and rounded once.
+/// sqrt(x^2 + y^2), without overflow and rounded once.
 inline Float hypot(const Float& x, const Float& y) {
   Float result = zero_of_bits(std::max({bits_of(x), bits_of(y), working_bits()}));
   mpfr_hypot(raw(result), raw(x), raw(y), MPFR_RNDN);

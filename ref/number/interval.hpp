@@ -9,8 +9,8 @@
 
 namespace nipref::ref {
 
-/// Owner of one MPFI interval. Every operation returns an interval that contains the true result for all
-/// points of its operands; its precision is that of the widest operand.
+/// Owner of one MPFI interval. Every operation returns an interval that contains the true result for all points of its
+/// operands. The precision of the result is the largest of the operands' precisions.
 class Interval {
  public:
   explicit Interval(mpfr_prec_t precision) {
@@ -50,14 +50,14 @@ class Interval {
   [[nodiscard]] mpfr_srcptr lower() const { return &value_->left; }
   [[nodiscard]] mpfr_srcptr upper() const { return &value_->right; }
 
-  /// The interval made wider by `radius` >= 0 on both sides (its upper end counts).
+  /// The interval made wider on both sides by the upper end of `radius` >= 0.
   [[nodiscard]] Interval widened(const Interval& radius) const;
 
  private:
   mpfi_t value_;
 };
 
-/// What a function of MPFI makes of one or two intervals.
+/// Applies a function of MPFI to one or two intervals.
 template <auto function>
 Interval by_mpfi(const Interval& x) {
   Interval result(x.precision());
@@ -113,11 +113,11 @@ inline Interval Interval::widened(const Interval& radius) const {
   return *this + both;
 }
 
-/// The number as an interval, of width 0 if the precision suffices for it, which is by default its own.
+/// The number as an interval. Its width is 0 if `precision`, by default that of x, suffices for x.
 inline Interval interval_of(const Float& x, mpfr_prec_t precision) { return {x, x, precision}; }
 inline Interval interval_of(const Float& x) { return {x, x, bits_of(x)}; }
 
-/// Contains the larger of any number of x and any of y.
+/// Contains max(a, b) for all a in x and all b in y.
 inline Interval larger_of(const Interval& x, const Interval& y) {
   Interval result = x;
   if (mpfr_greater_p(y.lower(), x.lower()) != 0) mpfr_set(&result.get()->left, y.lower(), MPFR_RNDD);
@@ -125,7 +125,7 @@ inline Interval larger_of(const Interval& x, const Interval& y) {
   return result;
 }
 
-/// Rounded to the working precision.
+/// The middle of x, rounded to the working precision.
 inline Float middle_of(const Interval& x) {
   Float value = zero_of_bits(x.precision());
   mpfi_mid(raw(value), x.get());
@@ -139,22 +139,24 @@ inline Float upper_end(const Interval& x) {
   return result;
 }
 
-/// The largest |x|, the sum of those of several, and the largest distance of x from `centre`, as points.
+/// The largest magnitude in x, as an interval of width 0.
 inline Interval magnitude_of(const Interval& x) {
   Float value = zero_of_bits(x.precision());
   mpfi_mag(raw(value), x.get());
   return interval_of(value);
 }
+/// The sum of the largest magnitudes of several intervals.
 inline Interval sum_of_magnitudes(const std::vector<Interval>& x) {
   Interval sum(x.front().precision());
   for (const Interval& value : x) sum = sum + magnitude_of(value);
   return sum;
 }
+/// The largest distance of a point of x from `centre`.
 inline Interval distance_from(const Float& centre, const Interval& x) {
   return magnitude_of(x - interval_of(centre));
 }
 
-/// [-1, 1] times x >= 0.
+/// The interval [-1, 1] times x >= 0.
 inline Interval either_side(const Interval& x) { return Interval(0L, x.precision()).widened(x); }
 
 }  // namespace nipref::ref

@@ -5,8 +5,8 @@
 
 namespace nipref::ref {
 
-/// A root of f between `positive` and `negative`, where f has these signs, by the Illinois form of false
-/// position, which ends when a step is below `tolerance`. Nothing if no step is, because f is NaN somewhere.
+/// A root of f between `positive`, where f > 0, and `negative`, where f < 0, by the Illinois method (a modified false
+/// position). It ends when a step is shorter than `tolerance`. Nothing if no step is, because f is NaN somewhere.
 template <class Scalar, class Function>
 std::optional<Scalar> bracketed_root(const Function& f, Scalar positive, Scalar negative,
                                      const Scalar& tolerance) {
@@ -36,8 +36,9 @@ std::optional<Scalar> bracketed_root(const Function& f, Scalar positive, Scalar 
   return std::nullopt;
 }
 
-/// The first of root -+ distance, distance growing by a factor up to `most`, at whose ends sign(x), which is proven, is as at
-/// the left end of a zero and the opposite: it contains the zero. Nothing if there is none.
+/// A proven bracket of a zero near `root`: the narrowest interval [root - d, root + d], d = distance, factor distance,
+/// factor^2 distance, ... < most, with the sign `at_left` at its left end and -at_left at its right end. sign(x) is the
+/// sign at x if it is proven, and 0 otherwise. Nothing if there is no such interval.
 template <class Sign>
 std::optional<Interval> proven_bracket(const Float& root, Float distance, const Float& most, int factor,
                                        int at_left, const Sign& sign) {

@@ -18,16 +18,16 @@ class ClearableCache {
 
  protected:
   ~ClearableCache() = default;
-  /// Registers the cache with clear_caches(), and removes it. The derived class calls them at the end of its
-  /// constructor and at the start of its destructor, so that clear() is only called on a complete object.
+  /// enter() registers the cache with clear_caches(), leave() removes it. The derived class calls enter() at the end of
+  /// its constructor and leave() at the start of its destructor, so that clear() is only called on a complete object.
   void enter();
   void leave();
 };
 
-/// A cache of the values of a function of `Key`, each computed at its first request. When they take more than
+/// A cache of the values of a function of `Key`, each computed at its first request. When the values take more than
 /// `capacity` bytes, the least recently requested ones are dropped, but never the latest. All caches of the reference
-/// are of this type. Thread-safe: each value is computed by one thread, for which requests of the same key wait and
-/// others do not.
+/// are of this type. Thread-safe: one thread computes a value; requests for the same key wait for it, requests for
+/// other keys do not.
 template <class Key, class Value>
 class Cache final : public ClearableCache {
  public:
@@ -42,8 +42,8 @@ class Cache final : public ClearableCache {
   }
   ~Cache() { leave(); }
 
-  /// The value lives as long as the cache or a caller holds it. An exception thrown by `make` is passed on, and the
-  /// next call tries again.
+  /// The value of the function at `key`. It lives as long as the cache or a caller holds it. An exception thrown by
+  /// `make` is passed on, and the next call tries again.
   std::shared_ptr<const Value> at(const Key& key) {
     const std::shared_ptr<Slot> slot = slot_of(key);
     const std::lock_guard lock(slot->making);
@@ -69,7 +69,7 @@ class Cache final : public ClearableCache {
   struct Slot {
     std::mutex making;  ///< guards the value
     std::shared_ptr<const Value> value;
-    std::size_t bytes = 0;  ///< this and last_use are guarded by the cache's mutex
+    std::size_t bytes = 0;  ///< size of the value; the cache's mutex guards it and last_use
     long last_use = 0;
   };
 

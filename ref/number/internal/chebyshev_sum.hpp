@@ -8,23 +8,23 @@
 namespace nipref::ref {
 
 /// sum_n c_n T_n(x), |x| <= 1, by Clenshaw's recurrence b_n = c_n + 2 x b_{n+1} - b_{n+2}. The rounding error of b_n is
-/// at most 4 units of |c_n| + 2 |b_{n+1}| + |b_{n+2}| and has the effect of the same change of c_n; |b_n| is at most
-/// the sum of all (k + 1) |c_k|.
+/// at most 4 units in the last place of |c_n| + 2 |b_{n+1}| + |b_{n+2}|. It changes the sum as an equal change of c_n
+/// would. |b_n| is at most the sum of (k + 1) |c_k| over all k.
 Float chebyshev_sum(std::span<const Float> coefficients, const Float& x);
 
 /// T_0 .. T_{values.size() - 1} at x.
 void chebyshev_values(const Float& x, std::vector<Float>& values);
 
-/// Chebyshev's points of 0 .. 1, rising: sin^2((2i + 1) pi/(4 count)).
+/// The Chebyshev points of [0, 1] in ascending order: sin^2((2i + 1) pi/(4 count)), i = 0 .. count - 1.
 std::vector<Float> chebyshev_points(int count);
 
-/// Enclosures of cos(k pi/(2n)) for whole k, n > 0.
+/// Enclosures of cos(k pi/(2n)) for integers k and n > 0.
 class Cosines {
  public:
   Cosines(long n, mpfr_prec_t precision) {
     const Interval pi = Interval::pi(precision);
     for (long k = 0; k < 4 * n; ++k) {
-      // The first quarter of the period gives the others.
+      // The other three quarters of the period follow from the first by symmetry.
       if (k < n)
         values_.push_back(cos(k * pi / (2 * n)));
       else if (k == n)
@@ -53,11 +53,11 @@ struct UnitRule {
   [[nodiscard]] std::size_t size() const { return weight.size(); }
 };
 
-/// The rule of Gauss and Legendre, which is exact for polynomials of degree 2 points - 1.
+/// The Gauss-Legendre rule, which is exact for polynomials up to degree 2 points - 1.
 UnitRule gauss_rule(int points);
 
-/// A point 1/(1 + e^{-pi sinh t}) of the double exponential rule on (0, 1), which is the trapezoidal rule in t: the distances
-/// from 0 and 1, each exact where points crowd there, and the derivative by t. (Takahasi and Mori 1974)
+/// A node x = 1/(1 + e^{-pi sinh t}) of the double exponential rule on (0, 1), which is the trapezoidal rule in t: x
+/// and 1 - x, both with a small relative error however close x is to 0 or 1, and dx/dt. (Takahasi and Mori 1974)
 struct UnitPoint {
   Float from_left, from_right, slope;
 

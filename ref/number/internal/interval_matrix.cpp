@@ -5,7 +5,7 @@ namespace {
 
 Interval squared_magnitude(const ComplexInterval& x) { return square(x.re) + square(x.im); }
 
-/// The minor of x without one row and one column.
+/// The minor of x that leaves out one row and one column.
 ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t column) {
   const std::size_t r0 = row == 0 ? 1 : 0;
   const std::size_t r1 = row == 2 ? 1 : 2;

@@ -8,12 +8,12 @@
 
 namespace nipref::ref {
 
-/// A complex 3x3 matrix of intervals; every operation encloses.
+/// A complex 3x3 matrix of intervals. The result of every operation contains the true result.
 class IntervalMatrix {
  public:
   IntervalMatrix(const std::function<ComplexInterval(std::size_t row, std::size_t column)>& entry);
 
-  /// Float entries.
+  /// A matrix of real entries.
   static IntervalMatrix real(const std::function<Interval(std::size_t row, std::size_t column)>& entry);
 
   [[nodiscard]] const ComplexInterval& operator()(std::size_t row, std::size_t column) const {
@@ -41,7 +41,7 @@ IntervalMatrix hermitian_inverse(const IntervalMatrix& x);
 /// Whether every Hermitian matrix within x is positive definite; false where that is not proven.
 bool is_positive_definite(const IntervalMatrix& x);
 
-/// The upper end bounds the row-sum norm, which for Hermitian matrices bounds the spectral norm.
+/// An interval whose upper end bounds the row-sum norm, and with it the spectral norm of a Hermitian matrix.
 Interval norm_bound(const IntervalMatrix& x);
 
 }  // namespace nipref::ref

@@ -42,7 +42,7 @@ std::optional<LargestValue> largest_value(const std::function<FunctionOver(const
       const Interval slope = here.slope.widened(slope_error);
       mpfi_intersect(rest.get(), part.get(), (middle - slope / over.curvature).get());
       if (mpfi_is_empty(rest.get()) != 0) continue;
-      // What Newton's method and places that are rounded cannot tell apart.
+      // The half-width that slope_error and the rounding of places leave to the result of Newton's method.
       const Float unsure = upper_end(magnitude_of(distance_from(middle_of(slope), slope) / over.curvature)) +
                            abs(middle_of(part)) * std::numeric_limits<Float>::epsilon();
       if (half_width(rest) <= 4 * unsure) {

@@ -6,18 +6,19 @@
 
 namespace nipref::ref {
 
-/// What contains a function's values, slopes and curvatures on an interval.
+/// Enclosures of a function's values, slopes and curvatures on an interval.
 struct FunctionOver {
   Interval value, slope, curvature;
 };
 
-/// What contains the largest value of a function, and all places where it is.
+/// Enclosures of the largest value of a function and of all places where the function takes it.
 struct LargestValue {
   Interval value, place;
 };
 
-/// That on `range` of any function that differs from `near` by at most `value_error`, and in its slope by at most
-/// `slope_error`; nothing if it may be at an end, or is not found. By bisection, and Newton's method where `near` is concave.
+/// The largest value on `range` of any function that differs from `near` by at most `value_error`, and whose slope
+/// differs by at most `slope_error`: by bisection, and Newton's method where `near` is concave. Nothing if the largest
+/// value may be at an end of `range`, or is not found.
 std::optional<LargestValue> largest_value(const std::function<FunctionOver(const Interval&)>& near,
                                           const Interval& range, const Interval& value_error,
                                           const Interval& slope_error);

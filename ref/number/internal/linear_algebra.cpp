@@ -137,7 +137,7 @@ void NearlyKnownSystem::set_right(Matrix::Index row, Matrix::Index column, const
   keep(right(row, column), right_error(column), value);
 }
 
-// A sum of n products has a rounding error of at most (n + 2) units of the sum of their magnitudes.
+// The rounding error of a sum of n products is at most (n + 2) epsilon times the sum of their magnitudes.
 std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system) {
   const auto n = system.matrix.rows();
   const Matrix inverse = system.matrix.inverse();

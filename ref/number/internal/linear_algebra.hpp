@@ -12,7 +12,7 @@
 namespace nipref::ref {
 
 /// Eigen's matrix of Float or double, initialised with zeros. A vector is a matrix of one column. Shapes are not
-/// checked. The products and the elimination of this class take half the time of Eigen's, which allocates a new number
+/// checked. Products and elimination of this class take half the time of Eigen's, because Eigen allocates a new number
 /// for each product of two entries.
 template <class Scalar>
 class DenseMatrix : public Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> {
@@ -51,42 +51,42 @@ DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right)
 
 using EliminatedInDouble = Eigen::PartialPivLU<Eigen::MatrixXd>;
 
-/// The solution x of apply(x) = right by iterative refinement. `approximate`, nearly the same system in double, gives
-/// corrections from the residuals in the working precision, until a residual is of the order of the rounding errors. Nothing
-/// if none becomes so small.
+/// The solution x of apply(x) = right by iterative refinement. The residuals have the working precision. `approximate`,
+/// an LU decomposition of nearly the same matrix in double, gives the corrections. The iteration ends when the residual
+/// is of the order of the rounding errors. Nothing if no residual becomes so small.
 std::optional<Vector> refined_solution(const EliminatedInDouble& approximate, const Vector& right,
                                        const std::function<Vector(const Vector&)>& apply);
 
-/// The result of solve(), up to rounding, for one right-hand side. Computed by iterative refinement, which takes a
-/// fraction of the time, unless the matrix is so close to singular that refinement does not converge; then by solve().
+/// The result of solve(), up to rounding errors, for one right-hand side. Iterative refinement computes it in a
+/// fraction of the time. If the matrix is so close to singular that refinement does not converge, solve() computes it.
 Vector refined_solution(const Matrix& matrix, const Vector& right);
 
-/// A linear system whose coefficients are known to an error.
+/// A linear system whose coefficients are known up to an error.
 struct NearlyKnownSystem {
   Matrix matrix;
   Matrix right;             ///< a column for each right-hand side
-  Float error = 0;          ///< of each coefficient of the matrix
-  Vector right_error = {};  ///< of each coefficient of a column, beyond rounding; a row for each column
+  Float error = 0;          ///< error bound of each coefficient of the matrix
+  Vector right_error = {};  ///< the same for each right-hand side, beyond rounding errors
 
-  /// With all coefficients 0.
+  /// The system with all coefficients 0.
   static NearlyKnownSystem of_size(Matrix::Index unknowns, Matrix::Index right_sides) {
     return {Matrix(unknowns, unknowns), Matrix(unknowns, right_sides), 0, Vector(right_sides)};
   }
-  /// Make a coefficient the middle of what contains it.
+  /// Sets a coefficient to the middle of its enclosure, and raises the error bound where the enclosure is wider.
   void set(Matrix::Index row, Matrix::Index column, const Interval& value);
   void set_right(Matrix::Index row, Matrix::Index column, const Interval& value);
 };
 
-/// Enclosures of the solutions of all systems within those errors, none of which is singular.
+/// Enclosures of the solutions of all systems within the error bounds of a NearlyKnownSystem. None of them is singular.
 struct EnclosedSolutions {
-  std::vector<std::vector<Interval>> unknowns;  ///< by column of the right-hand side
+  std::vector<std::vector<Interval>> unknowns;  ///< a vector of the unknowns for each right-hand side
   Float error;                                  ///< the largest radius of an unknown
   Float largest;                                ///< the largest magnitude of an unknown's middle
-  Float condition;                              ///< of the matrix, in the row-sum norm
+  Float condition;                              ///< condition number of the matrix in the row-sum norm
 };
 
-/// Solves with an approximate inverse C: |x - truth| <= |C (b - A x)|/(1 - |1 - C A|), with the coefficients'
-/// errors and all rounding added. Nothing if the working precision does not suffice for |1 - C A| < 1/2.
+/// Solves with an approximate inverse C: |x - truth| <= |C (b - A x)|/(1 - |1 - C A|). The bound includes the errors of
+/// the coefficients and all rounding errors. Nothing if the working precision does not suffice for |1 - C A| < 1/2.
 std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system);
 
 }  // namespace nipref::ref
