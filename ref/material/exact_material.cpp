@@ -12,7 +12,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Real rates alone.
+/// The function with the exact values of the doubles. BadInput unless all rates are real.
 ExactFunction as_given(const data::MaterialFunction& function, const char* name) {
   ExactFunction result{function.instantaneous, {}, {}};
   for (const data::RelaxationTerm& term : function.terms) {
@@ -94,7 +94,7 @@ ExactFunction given_part(ExactFunction function) {
   return function;
 }
 
-/// The middle of a real number's interval; `error` becomes at least its share that the interval has beside it.
+/// The middle of the interval of a real number. Raises `error` to at least the relative error of the middle.
 mpq_class middle_and_error(const ComplexInterval& number, mpq_class& error) {
   Float middle = zero_of_bits(number.re.precision());
   mpfi_mid(raw(middle), number.re.get());

@@ -7,17 +7,17 @@
 
 namespace nipref::ref {
 
-/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t), as data::MaterialFunction in double. Rates that are
-/// given are exact and >= 0 and stand in `terms`; all other rates are the roots of the denominators in `fractions`.
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t), as data::MaterialFunction in double. `terms` has the
+/// terms of exactly known rates >= 0. The other rates are minus the roots of the denominators of `fractions`.
 struct ExactFunction {
   struct Term {
     mpq_class amplitude;  ///< 1/(stress time)
     mpq_class rate;       ///< 1/time
   };
   mpq_class instantaneous;  ///< 1/stress
-  std::vector<Term> terms;  ///< no rate twice
-  /// Transforms numerator/denominator in p, 1/time, without common factors. The denominator has the higher degree,
-  /// and its roots are simple and have negative real parts.
+  std::vector<Term> terms;  ///< the rates are all different
+  /// The transforms of the other terms: ratios of polynomials in p, 1/time, without common factors. The denominator has
+  /// the higher degree, and its roots are simple and have negative real parts.
   std::vector<ExactRatio> fractions;
 };
 
@@ -26,26 +26,26 @@ struct ExactMaterial {
   ExactFunction theta1;
   ExactFunction theta2;
 
-  /// N = theta1 + theta2, terms of equal rate joined.
+  /// N = theta1 + theta2; terms of equal rates are added.
   [[nodiscard]] ExactFunction normal() const;
 };
 
-/// The material whose constants are the exact values of the doubles. BadInput for given rates that are not real, and as
-/// below.
+/// The material whose constants are the exact values of the doubles. Throws BadInput if given rates are not real, and
+/// data::NoMaterial as the next function does.
 ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
 
-/// The material by its compliances theta1 and theta2. Throws data::NoMaterial that names Q or Q_dilatation for what gives way
-/// at once without bound, or later than a dashpot does, for repeated roots, and for a memory that does not decay, except
-/// that of a fluid.
+/// The material with the compliances theta1 and theta2 of the solid. Throws data::NoMaterial, naming Q or Q_dilatation,
+/// if the instantaneous compliance is infinite, if the transform of a compliance decreases faster than 1/p, as of a
+/// dashpot, or if a denominator has repeated roots or a root with real part >= 0, except the root 0 of a fluid.
 ExactMaterial exact_material(const ExactRationalSolid& solid);
 
-/// A material without fractions, and the share by which its amplitudes and rates may be off.
+/// A material without fractions, and a bound of the relative errors of its amplitudes and rates.
 struct NearMaterial {
   ExactMaterial material;
   mpq_class memory_error;
 };
 
-/// The terms of all fractions, enclosed with about so many bits. BadInput unless their rates are real.
+/// The material with the terms of all fractions, enclosed with about `bits` bits. BadInput unless their rates are real.
 NearMaterial with_given_rates(const ExactMaterial& material, mpfr_prec_t bits);
 
 /// The thesis's standard linear solid: G = 3K/8, and both moduli relax to one half.
@@ -54,8 +54,8 @@ enum class Solid {
   thesis                  ///< as printed and used: theta2 decays like e^{-2t/tau} (thesis AIII.15)
 };
 
-/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau] and theta2 a third of it, with the exponent of `solid`. bulk > 0 is the
-/// instantaneous modulus, unit of stress, and tau > 0 the relaxation time. BadInput otherwise. (thesis AIII.14)
+/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau] (thesis AIII.14); theta2 is a third of it, with the exponent of `solid`.
+/// bulk > 0 is the instantaneous modulus, unit of stress; tau > 0 is the relaxation time. BadInput otherwise.
 ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 
 }  // namespace nipref::ref

@@ -112,7 +112,7 @@ ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vecto
   return exact_moduli(operators_of(p, q, ""), operators_of(p_dilatation, q_dilatation, "_dilatation"));
 }
 
-// 1/(2G) and 3/(6K + 2G)
+// theta1 = 1/(2G), theta2 = 3/(6K + 2G)
 ExactRationalSolid exact_moduli(const ExactRatio& G, const ExactRatio& K) {
   return {
       G,

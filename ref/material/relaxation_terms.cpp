@@ -17,12 +17,12 @@ double middle(const Interval& x) { return mpfi_get_d(x.get()); }
 
 bool meet(const Interval& a, const Interval& b) { return mpfi_has_zero((a - b).get()) > 0; }
 
-/// Whether the conjugate of the first rate may be the second.
+/// Whether the second rate may be the conjugate of the first.
 bool may_be_pair(const OscillatingTerm& a, const OscillatingTerm& b) {
   return meet(a.rate.re, b.rate.re) && meet(-a.rate.im, b.rate.im);
 }
 
-/// gamma_0 and the rest, a ratio without common factors.
+/// theta = gamma_0 + numerator/denominator, a ratio without common factors.
 struct Split {
   mpq_class at_once;
   Polynomial numerator, denominator;
@@ -40,7 +40,7 @@ struct Split {
                            "must not be repeated: t e^(-rate t) is not among the terms of a material");
   }
   [[nodiscard]] int terms() const { return static_cast<int>(denominator.size()) - 1; }
-  /// In their order.
+  /// The terms in the order of relaxation_terms.hpp.
   [[nodiscard]] Terms at(mpfr_prec_t bits) const {
     Terms all = partial_fractions(numerator, denominator, bits);
     std::ranges::sort(all, [](const OscillatingTerm& a, const OscillatingTerm& b) {
@@ -58,8 +58,8 @@ struct Split {
   }
 };
 
-/// Whether the rate is real: its disc meets the real axis, and no other disc meets its mirror image, which holds the
-/// conjugate of the one root in it.
+/// Whether a rate is real. It is real if its disc meets the real axis and no other disc meets the mirror image of its
+/// disc, because the mirror image contains the conjugate of the rate, which is a rate, too.
 bool is_real(const Split& theta, std::size_t number) {
   for (mpfr_prec_t bits = 128;; bits *= 2) {
     const Terms all = theta.at(bits);

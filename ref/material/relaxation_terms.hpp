@@ -4,14 +4,14 @@
 
 namespace nipref::ref {
 
-// theta = gamma_0 + sum gamma_r/(p + lambda_r) as a function of p: the terms in the order of Re lambda_r, of a conjugate
-// pair that with Im lambda_r < 0 first. (thesis 6.16, 6.17, AIII.5-AIII.8)
+// The terms of theta = gamma_0 + sum gamma_r/(p + lambda_r), r = 1, 2, ..., as a function of p. They are in the order
+// of Re lambda_r; in a conjugate pair, the term with Im lambda_r < 0 is first. (thesis 6.16, 6.17, AIII.5-AIII.8)
 
-/// gamma of the term of that number, 0 for what answers at once; digits 16 to 1000. Proven. BadInput for a number of no
-/// term, a theta that answers an impulse by more than an impulse, repeated rates, and for two terms that are no pair with
-/// rates whose real parts agree to 1e-12: their order could be either.
+/// gamma_r, r = `number`; number 0 is the instantaneous compliance gamma_0. digits 16 to 1000. Proven. BadInput if
+/// there is no such term, if the numerator of theta has a higher degree than the denominator, if rates are repeated,
+/// and if the real parts of two rates that are no pair agree to 1e-12 of them, so that their order is not certain.
 Enclosure relaxation_amplitude(const ExactRatio& theta, int number, ComplexPart part, int digits);
-/// lambda, number >= 1.
+/// lambda_r, r = `number` >= 1.
 Enclosure relaxation_rate(const ExactRatio& theta, int number, ComplexPart part, int digits);
 
 }  // namespace nipref::ref

@@ -9,17 +9,17 @@ namespace nipref::ref {
 /// The term amplitude e^(-rate t).
 struct ComplianceTerm {
   ComplexFloat amplitude;  ///< 1/(stress time)
-  ComplexFloat rate;       ///< 1/time; exactly 0 if the function's is
+  ComplexFloat rate;       ///< 1/time; exactly 0 if the material's rate is 0
 };
-/// Whether it never fades.
+/// Whether the term is a constant, the flow of a fluid.
 inline bool is_flow(const ComplianceTerm& term) { return term.rate.re == 0; }
 
-/// theta(t) = at_once delta(t) + sum of the terms; those that are not real stand in conjugate pairs.
+/// theta(t) = at_once delta(t) + sum of the terms. Terms that are not real come in conjugate pairs.
 struct Compliance {
   Float at_once;  ///< 1/stress
   std::vector<ComplianceTerm> terms;
 };
-/// To the working precision.
+/// The compliance to the working precision.
 Compliance compliance_of(const ExactFunction& theta);
 
 struct MaterialCompliances {

@@ -9,7 +9,7 @@
 namespace nipref::ref {
 namespace {
 
-/// The coefficients to the working precision.
+/// A polynomial with the coefficients rounded to the working precision.
 struct FloatPolynomial {
   std::vector<Float> coefficients;
 
@@ -44,7 +44,8 @@ Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
   return sum;
 }
 
-/// A value is taken for 0 where it is a rounding error, or changes the zero by less than `unit`.
+/// All zeros to about `unit` of their magnitudes. A value p(z) counts as 0 where it is within the rounding error, or
+/// where degree |p/p'|, a bound of the distance from z to a zero, is at most unit^2 |z|.
 std::vector<ComplexFloat> approximate_zeros(const Polynomial& exact, const Float& unit) {
   constexpr int lost_bits = 4;
   const FloatPolynomial p(exact);
@@ -62,7 +63,7 @@ std::vector<ComplexFloat> approximate_zeros(const Polynomial& exact, const Float
 
 }  // namespace
 
-/// By Euclid's algorithm.
+/// Euclid's algorithm.
 void cancel(Polynomial& numerator, Polynomial& denominator) {
   Polynomial common = numerator, rest = denominator;
   while (!rest.is_zero()) common = std::exchange(rest, common % rest);
@@ -127,7 +128,7 @@ ComplexInterval at(const Polynomial& p, const ComplexInterval& z) {
   return value;
 }
 
-/// prod (z_i - z_j)
+/// The product of z_i - z_j over all j != i.
 ComplexInterval apart(const Points& points, std::size_t i) {
   const mpfr_prec_t bits = points[i].re.precision();
   ComplexInterval product{Interval(1L, bits), Interval(bits)};
@@ -137,7 +138,7 @@ ComplexInterval apart(const Points& points, std::size_t i) {
   return product;
 }
 
-/// The discs that contain one root each; nothing if some discs overlap.
+/// Squares around discs that contain one root each; nothing if some discs overlap.
 std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bits) {
   const Points near = roots_near(denominator, bits);
   const Exact last(last_of(denominator));
@@ -182,8 +183,8 @@ bool has_repeated_root(const Polynomial& denominator) {
 
 namespace {
 
-/// Polynomials of z modulo one of degree n >= 1, whose last coefficient is 1 and whose others are `divisor`; they have n
-/// coefficients. Proofs: ref/README.md, Lemma 12.
+/// Arithmetic with polynomials of z modulo a polynomial of degree n >= 1. The coefficient of z^n of that polynomial is
+/// 1; `divisor` has its other coefficients. A remainder has n coefficients. Proofs: ref/README.md, Lemma 12.
 struct Remainders {
   using Polynomial = std::vector<Interval>;
 
@@ -204,7 +205,7 @@ struct Remainders {
     }
     return sum;
   }
-  /// e^(z/2)
+  /// The remainder of e^(z/2).
   [[nodiscard]] Polynomial exponential() const {
     Polynomial term(divisor.size(), Interval(bits));
     term[0] = Interval(1L, bits);
@@ -231,7 +232,7 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   const double turns = log2_root_bound(denominator) + Exact(t).log2_magnitude() + 1e-9;
   const auto halvings = static_cast<unsigned>(std::max(0.0, std::ceil(turns + 1)));
   const std::size_t n = denominator.size() - 1;
-  // About what intervals lose in so many squarings.
+  // The intervals lose about n + 1 bits in each squaring.
   bits += static_cast<mpfr_prec_t>((n + 1) * halvings);
   mpq_class step = 2 * t;  // z = p step
   mpq_div_2exp(step.get_mpq_t(), step.get_mpq_t(), halvings);
