@@ -22,7 +22,7 @@ class Accuracy {
   /// The tolerance asked for.
   [[nodiscard]] constexpr double rtol() const { return rtol_; }
 
-  /// Position in the ladder of internal::tier_works (tiers.hpp), 0 the cheapest.
+  /// Index of the work for this tolerance in internal::tier_works (tiers.hpp); 0 is the cheapest.
   [[nodiscard]] constexpr int tier() const { return tier_; }
 
  private:

@@ -2,8 +2,8 @@
 
 namespace nipref::fast {
 
-/// Empties all caches of this room. Later values are the same to the last bit, but the next call takes the time of a
-/// first one. Thread-safe.
+/// Empties all caches of `fast`. Later results are the same to the last bit, but the next call takes as long as a first
+/// call. Thread-safe.
 void clear_caches();
 
 }  // namespace nipref::fast

@@ -5,7 +5,8 @@
 
 namespace nipref::fast::internal {
 
-/// An unevaluated sum high + low, |low| below a unit in the last place of high, for large exponents and phases.
+/// An unevaluated sum high + low, where |low| is below a unit in the last place of high. Large exponents and phases
+/// need both.
 struct Two {
   double high = 0;
   double low = 0;

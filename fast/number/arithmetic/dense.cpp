@@ -1,4 +1,4 @@
-// Compiled once for each instruction set; NIPREF_ISA is its name. The namespace Eigen is named after it (CMakeLists.txt).
+// Compiled once for each instruction set, whose name is NIPREF_ISA. CMakeLists.txt renames the namespace Eigen after it.
 
 #include <Eigen/LU>
 

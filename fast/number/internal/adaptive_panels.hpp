@@ -35,7 +35,7 @@ void visit_nodes(Subinterval panel, Visit&& visit) {
 template <std::size_t count>
 using Components = Eigen::Array<double, static_cast<int>(count), 1>;
 
-/// One panel's part of int f and int |f| for a vector f.
+/// The integrals of a vector f and of |f| over one panel, by the Gauss-Legendre rule.
 template <std::size_t count>
 struct PanelSum {
   Subinterval panel;
@@ -53,17 +53,17 @@ struct PanelSum {
   }
 };
 
-/// The integral of a vector f, and panels on which the rule gives each of its components to rounding of that
-/// component's absolute integral.
+/// The integral of a vector f, and the panels that it needs: with them the rule's error in each component is about the
+/// rounding error of that component's absolute integral.
 template <std::size_t count>
 struct AdaptedPanels {
   std::vector<Subinterval> panels;
   std::array<Estimate, count> integral{};
 };
 
-/// f maps a number to a std::array<double, count>. A panel is halved until its halves agree with it, which grades the
-/// panels towards nearby poles, kinks and jumps. Where f has more noise than rounding, the halving stops at 2^14
-/// nodes, and the errors say how much is missing.
+/// Integrates f, which maps a number to a std::array<double, count>. A panel is halved until its halves agree with it;
+/// this grades the panels towards nearby poles, kinks and jumps. If f is noisier than rounding, the halving stops at
+/// 2^14 nodes, and the errors include the disagreement that is left.
 template <std::size_t count, typename Integrand>
 AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double upper) {
   constexpr double tolerance = 1e-15, rounding = 16 * std::numeric_limits<double>::epsilon();

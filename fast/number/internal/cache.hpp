@@ -16,14 +16,13 @@ class ClearableCache {
 
  protected:
   ~ClearableCache() = default;
-  /// `enter` registers a cache with clear_caches() once it is constructed, `leave` removes it before it is destroyed.
+  /// `enter` registers the cache with clear_caches() after its construction; `leave` removes it before its destruction.
   void enter();
   void leave();
 };
 
-/// The values of a function of `Key`, each computed at its first use. Before the cache would exceed `most` values,
-/// all are dropped. Thread-safe; threads that need a value at the same time may each compute it, but all get the same
-/// one.
+/// The values of a function of `Key`, each computed at its first use. If a new value would be more than number `most`, all
+/// older values are dropped. Thread-safe: threads that need a value at the same time may each compute it, but all get one.
 template <class Key, class Value>
 class Cache final : public ClearableCache {
  public:

@@ -8,7 +8,7 @@
 
 namespace nipref::fast::internal {
 
-// Each throws BadInput unless the number is what its name says.
+// Each function throws BadInput unless `value` is as the function's name says.
 
 inline void check_finite(std::string_view name, double value) {
   if (!std::isfinite(value)) throw data::BadInput(name, value, "must be a finite number");

@@ -1,7 +1,7 @@
 #pragma once
 
-// The dense algebra whose time grows with the cube of the size is compiled once for each instruction set
-// (arithmetic/dense.cpp); this is the table of its entry points. Matrices are stored by columns.
+// The dense algebra whose time grows with the cube of the matrix size is compiled once for each instruction set
+// (arithmetic/dense.cpp). DenseCode is the table of its entry points. Matrices are stored by columns.
 
 #include <cstddef>
 
@@ -10,9 +10,9 @@
 namespace nipref::fast::internal {
 
 struct DenseCode {
-  /// Makes a square matrix P A = L U in its place; row i of A is row order[i] of P A.
+  /// Replaces a square matrix A by the factors of P A = L U; row i of A is row order[i] of P A.
   void (*factor)(double* matrix, int* order, std::ptrdiff_t size);
-  /// Adds to `sum`, of `rows` by `columns`, the product of `left` and `right`, which has `inner` rows; the columns of `sum`
+  /// Adds the product of `left` (rows x inner) and `right` (inner x columns) to `sum` (rows x columns), whose columns
   /// begin `stride` numbers apart.
   void (*add_product)(const double* left, const double* right, double* sum, std::ptrdiff_t rows,
                       std::ptrdiff_t inner, std::ptrdiff_t columns, std::ptrdiff_t stride);

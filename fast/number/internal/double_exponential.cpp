@@ -9,7 +9,7 @@ namespace nipref::fast {
 std::vector<UnitNode> double_exponential_rule(double tolerance, double degree) {
   const double nats = -std::log(tolerance);
   const double end = std::asinh((nats + std::log(nats + 1)) / std::numbers::pi);
-  // The step for the tolerance alone has room for nats/2 degrees.
+  // The step that the tolerance requires also suffices for a polynomial factor of degree nats/2.
   const double more = std::max(degree - nats / 2, 0.0) * end / std::numbers::pi;
   const int half_count = static_cast<int>(std::ceil(1.1 * nats + more));
   const double step = end / half_count;

@@ -10,10 +10,10 @@ namespace {
 
 using Double = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
-/// From here on the divergent series sum k!/(+-x)^k reaches e^-x < 2^-53 before it diverges.
+/// From this argument on the terms of the divergent series sum k!/(+-x)^k fall to e^-x < 2^-53 before they grow.
 constexpr double asymptotic_from = 50;
 
-/// x e^x E1(x) for x = 1/step > 0, x e^-x Ei(x) for step < 0.
+/// The asymptotic series of x e^x E1(x) with step = 1/x, or of x e^-x Ei(x) with step = -1/x.
 template <class Number>
 Number asymptotic(Number step) {
   Number sum = 1;
@@ -34,7 +34,7 @@ constexpr std::array<double, ein_terms> ein_coefficients() {
   return coefficients;
 }
 
-/// sum (-x)^k/((k + 1) (k + 1)!), |x| <= 1: even and odd powers side by side.
+/// sum (-x)^k/((k + 1) (k + 1)!), |x| <= 1, with separate sums of even and odd powers.
 double ein_series(double x) {
   static constexpr auto c = ein_coefficients();
   const double square = x * x;
@@ -93,8 +93,9 @@ double scaled_E1(double x) {
   return std::exp(x) * boost::math::expint(1, x, Double());
 }
 
-/// By the power series or the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))), from its end. That converges like
-/// e^(-4 Re sqrt(80 z)), also in the left half plane where |z| + Re z > 3, in which scaled_Ei needs it.
+/// Uses the asymptotic series, the power series or the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))), evaluated
+/// from its end. The error of the fraction falls like e^(-4 Re sqrt(80 z)), also in the left half plane where |z| + Re z > 3,
+/// for which scaled_Ei needs it.
 std::complex<double> scaled_E1(std::complex<double> z) {
   if (std::abs(z) >= asymptotic_from && z.real() >= 0) return asymptotic(1.0 / z) / z;
   if (std::abs(z) < 2.5) return std::exp(z) * -ein_and_log(-z, std::log(z));
@@ -103,7 +104,7 @@ std::complex<double> scaled_E1(std::complex<double> z) {
   return inverse(z + 1.0 - rest);
 }
 
-/// Ei(z) = i pi sign(Im z) - E1(-z). Where -z is next to the cut of E1, the terms of the power series do not cancel.
+/// Ei(z) = i pi sign(Im z) - E1(-z). Where -z is next to the cut of E1, the power series is used; its terms do not cancel.
 std::complex<double> scaled_Ei(std::complex<double> z) {
   const double size = std::abs(z);
   const std::complex<double> beyond_cut =

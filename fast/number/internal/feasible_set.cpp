@@ -16,7 +16,7 @@ Parts where_affine(double constant, double slope) {
   return slope > 0 ? Parts{{root, infinity}} : Parts{{-infinity, root}};
 }
 
-/// The two roots without cancellation: the larger by the formula, the smaller from their product.
+/// To avoid cancellation, the quadratic formula gives the root of larger magnitude, and the product of both the other.
 Parts where_not_negative(const Quadratic& f) {
   const double discriminant = f.linear * f.linear - 4 * f.square * f.constant;
   if (f.square == 0) return where_affine(f.constant, f.linear);

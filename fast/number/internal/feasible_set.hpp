@@ -14,7 +14,7 @@ struct Quadratic {
 inline Quadratic operator*(double factor, const Quadratic& a) {
   return {factor * a.constant, factor * a.linear, factor * a.square};
 }
-/// Of functions without a square.
+/// The product of two functions without a square term.
 inline Quadratic operator*(const Quadratic& a, const Quadratic& b) {
   return {a.constant * b.constant, a.constant * b.linear + a.linear * b.constant, a.linear * b.linear};
 }
@@ -22,8 +22,8 @@ inline Quadratic operator-(const Quadratic& a, const Quadratic& b) {
   return {a.constant - b.constant, a.linear - b.linear, a.square - b.square};
 }
 
-/// The real numbers that meet a list of conditions: disjoint closed intervals, rising; all numbers before
-/// there is a condition.
+/// The set of real numbers that meet all conditions required so far, as disjoint closed intervals in ascending order.
+/// Before the first condition it is the whole real line.
 class FeasibleSet {
  public:
   struct Part {

@@ -3,13 +3,13 @@
 
 namespace nipref::fast {
 
-/// Nodes and weights on [0, 1].
+/// Nodes and weights of a quadrature rule on [0, 1].
 struct GaussRule {
   std::vector<double> at, weight;
 };
 
-/// That of Gauss and Legendre with `count` nodes, from extended precision: those next to 0 are right to their
-/// own last place.
+/// The Gauss-Legendre rule with `count` nodes, computed in extended precision, so that nodes next to 0 are right to
+/// their own last place.
 GaussRule gauss_legendre(const int& count);
 
 }  // namespace nipref::fast

@@ -5,7 +5,7 @@ namespace nipref::fast::internal {
 #ifdef NIPREF_X86_LEVELS
 namespace {
 
-// clang knows the levels by their names from 17 on; before, by what tells them apart.
+// clang before version 17 does not know the names of the levels, so that with clang the features of a level are tested.
 bool has_v3() {
 #ifdef __clang__
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&

@@ -14,8 +14,8 @@ ArrayXd chebyshev_points(double length, Index count) {
   });
 }
 
-/// By the barycentric formula, whose rounding does not grow with the number of points (Higham 2004). At a point itself, a tiny
-/// distance leaves no other.
+/// Uses the barycentric formula, whose rounding error does not grow with the number of points (Higham 2004). If a place
+/// is a point, the distance `tiny` makes the weight of this point exceed all others.
 MatrixXd interpolation(const ArrayXd& places, double length, Index count) {
   constexpr double tiny = 1e-200;
   const ArrayXd points = chebyshev_points(length, count);

@@ -6,15 +6,15 @@
 
 namespace nipref::fast {
 
-/// Jacobi's elliptic functions for the complementary modulus k' (0 < k' <= 1), k^2 + k'^2 = 1, from k' itself,
-/// which keeps its digits for k -> 1.
+/// Jacobi's elliptic functions of modulus k, computed from the complementary modulus k', k^2 + k'^2 = 1, 0 < k' <= 1,
+/// as k' loses no digits for k -> 1.
 class JacobiAmplitude {
  public:
   struct Values {
     double sn, cn, dn;
   };
 
-  /// K(k) by the arithmetic-geometric mean, and Landen's moduli from k' down.
+  /// Computes K(k) by the arithmetic-geometric mean, and the moduli of Landen's descending transformation from k'.
   explicit JacobiAmplitude(double complementary_modulus) : complement_(complementary_modulus) {
     double mean = 1, geometric = complement_;
     while (mean - geometric > 1e-12 * mean) {
@@ -33,8 +33,8 @@ class JacobiAmplitude {
   /// K(k), the quarter period.
   [[nodiscard]] double quarter_period() const { return quarter_; }
 
-  /// For 0 <= u <= K/2, each to a few units in its last place, also cn, which may be as small as sqrt(k'). By Landen's
-  /// descending transformation of sn on the imaginary axis, sc(u, k) = -i sn(iu, k').
+  /// The functions at u, 0 <= u <= K/2, each to a few units in its last place, even cn, which may be as small as
+  /// sqrt(k'). They come from Landen's descending transformation of sn on the imaginary axis, sc(u, k) = -i sn(iu, k').
   [[nodiscard]] Values operator()(double u) const {
     if (complement_ == 1) return {std::sin(u), std::cos(u), 1};
     double argument = u;

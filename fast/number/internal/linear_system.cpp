@@ -72,12 +72,12 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<d
   return product_of(left, right);
 }
 
-/// Peters and Wilkinson (1970): with P A = L U, L of more rows than columns, L is well conditioned, and y = U x is the
-/// least-squares solution of L y = P b. Its upper square part L1 is inverted; what the other rows L2 add is a correction by
-/// their few residuals, C = L2 L1^-1: y = L1^-1 (b1 + C^T (1 + C C^T)^-1 (b2 - C b1)).
+/// The method of Peters and Wilkinson (1970). In P A = L U, L has more rows than columns and is well conditioned;
+/// y = U x is the least-squares solution of L y = P b. The upper rows of L are the square matrix L1, the few others are
+/// L2. With C = L2 L1^-1, y = L1^-1 (b1 + C^T (1 + C C^T)^-1 (b2 - C b1)), where b1 and b2 are the parts of P b.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
   const Eigen::Index rows = matrix.rows(), columns = matrix.cols(), more = rows - columns;
-  // Columns of zeros make it square, as Eigen's elimination asks.
+  // Columns of zeros make the matrix square, as Eigen's elimination requires.
   Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(rows, rows);
   factors.leftCols(columns) = matrix;
   Eigen::VectorXi order(rows);

@@ -4,8 +4,8 @@
 
 namespace nipref::fast {
 
-// Eigen's algorithms for matrices of any size, which only linear_system.cpp and arithmetic/dense.cpp compile, as each takes
-// seconds to compile.
+// Eigen's algorithms for matrices of any size. Only linear_system.cpp and arithmetic/dense.cpp compile them, as each
+// takes seconds to compile.
 
 /// Solves systems of a square matrix by elimination with partial pivoting.
 class Elimination {
@@ -15,28 +15,28 @@ class Elimination {
 
   [[nodiscard]] Eigen::Index size() const { return triangles_.rows(); }
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
-  /// A column for each right-hand side.
+  /// Solves for several right-hand sides, which are the columns of `right`.
   [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
-  /// With the transposed matrix.
+  /// Solves the system of the transposed matrix.
   [[nodiscard]] Eigen::VectorXd solve_transposed(Eigen::VectorXd right) const;
 
  private:
-  Eigen::MatrixXd triangles_;  ///< of P A = L U
-  Eigen::VectorXi order_;      ///< where P puts the rows of A
+  Eigen::MatrixXd triangles_;  ///< L and U of P A = L U
+  Eigen::VectorXi order_;      ///< row i of A is row order_[i] of P A
 };
 
-/// Estimate of the condition number in the column-sum norm.
+/// Returns an estimate of the condition number in the column-sum norm.
 double condition_number(const Eigen::MatrixXd& matrix);
 
 /// sum += left right
 void add_product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right, Eigen::Ref<Eigen::MatrixXd> sum);
-/// By columns; Eigen's own takes the rows of `left`, whose numbers lie apart.
+/// sum += left right, by columns of `left`. Eigen's own product reads rows of `left`, which are not contiguous.
 void add_product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right,
                  Eigen::Ref<Eigen::MatrixXd> sum);
 Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right);
 Eigen::MatrixXd product(const Eigen::MatrixXd& left, const Eigen::SparseMatrix<double>& right);
 
-/// The vector that makes the residual least; `matrix` has more rows than columns.
+/// The vector that minimises the Euclidean norm of the residual; `matrix` has more rows than columns.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace nipref::fast

@@ -3,7 +3,7 @@
 
 namespace nipref::fast::internal {
 
-/// A number, and the size of the terms that it is the sum of, which may cancel.
+/// A sum, and the sum of its terms' magnitudes, which is larger where terms cancel.
 template <class Number>
 struct Sized {
   Number value = 0, size = 0;

@@ -15,7 +15,7 @@ inline Two operator*(double a, Two b) {
   return two_sum_ordered(product.high, std::fma(a, b.low, product.low));
 }
 
-/// By the reciprocal of b, which the processor can compute before a is known.
+/// Multiplies by the reciprocal of b, which the processor can compute before a is known.
 inline Two operator/(Two a, Two b) {
   const double reciprocal = 1 / b.high;
   const double quotient = a.high * reciprocal;
@@ -23,7 +23,7 @@ inline Two operator/(Two a, Two b) {
   return two_sum_ordered(quotient, rest.high * reciprocal);
 }
 
-/// For a > 0, by one Newton step from the root of the high word.
+/// The square root of a > 0, by one Newton step from the root of the high word.
 inline Two sqrt(Two a) {
   const double root = std::sqrt(a.high);
   const double slope = 0.5 / root;
@@ -37,8 +37,8 @@ inline Two square(Two a) { return a * a; }
 
 inline double rounded(Two a) { return a.high + a.low; }
 
-/// For a > 0 whose square neither overflows nor underflows: the logarithm of the nearest power of 2 plus, by the
-/// series of the inverse hyperbolic tangent, that of the quotient.
+/// The logarithm of a > 0 whose square neither overflows nor underflows: the logarithm of the nearest power of 2 plus
+/// the logarithm of a divided by this power, for which the series of the inverse hyperbolic tangent is used.
 inline Two log(Two a) {
   constexpr Two ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   constexpr int last = 43;  // z^2 < 0.0295
