@@ -13,20 +13,20 @@ RowValues continuous(const data::ViscoelasticNip& nip, double load) {
   return row_values(nip.sheet_thickness, fast::converged_for_load(nip, load, rolling_accuracy));
 }
 
-/// A weakness of the seed's method, and the two methods that are compared.
+/// A weakness of the seed's method, and the two methods whose results are compared.
 struct Weakness {
   const char *name, *against;
 };
 
-/// The results for one row besides its replay.
+/// The results for one row, apart from its replay.
 struct CorrectedRow {
   RowValues corrected;  ///< at the table's load
   std::optional<RowValues> with_seed_material;
   std::vector<RowValues>
-      without;  ///< at the replay's load: without the first weakness, without the first two, ...
+      without;  ///< at the replay's load: without the first weakness, without the first two, and so on
 };
 
-/// Sets the corrected values of all cells, and what each weakness costs in these columns.
+/// Sets the corrected values of all cells, and the errors that each weakness causes in these columns.
 void set_corrected(Replay& replay, std::initializer_list<const char*> columns,
                    std::initializer_list<Weakness> weaknesses,
                    const std::function<CorrectedRow(std::size_t row)>& correct_row) {
@@ -45,8 +45,8 @@ void set_corrected(Replay& replay, std::initializer_list<const char*> columns,
   }
 }
 
-/// The corrected value is the continuous contact under the table's load, accurate to 1e-6, of the solid that the thesis
-/// defines, with one relaxation time in shear and dilatation; and the same with the thesis's theta2.
+/// Takes the continuous contact under the table's load, accurate to 1e-6, as corrected value. Its solid is the one that
+/// the thesis defines, with one relaxation time in shear and dilatation. The second value has the thesis's theta2.
 void correct_viscoelastic(Replay& replay, const ViscoelasticTable& how) {
   const auto correct_row = [&](std::size_t row) -> CorrectedRow {
     const auto defined = viscoelastic_nip_of_the_tables(replay.table, row, true);

@@ -13,7 +13,7 @@ bool is_without_number(const Replay& replay, const ReplayedCell& cell) {
   return cell.verdict == Verdict::unexplained && !printed_cell(replay, cell).is_readable();
 }
 
-/// Whether a cell matches because a digit is lost, so that any one does.
+/// Whether a cell matches although one of its digits is lost, so that any digit in that place is accepted.
 bool matches_with_lost_digit(const Replay& replay, const ReplayedCell& cell) {
   return cell.verdict == Verdict::match && printed_cell(replay, cell).has_lost_digit();
 }
@@ -59,7 +59,7 @@ Json scaled_json(const Replay& replay, const ReplayedCell& cell, const std::opti
   return value ? Json::number(scaled_text(replay, cell, *value)) : Json();
 }
 
-/// The errors that are due to the weaknesses of the seed's method.
+/// The errors that each weakness of the seed's method causes.
 Json costs_json(const Replay& replay) {
   Json costs = Json::object();
   for (const Cost& cost : replay.costs) {
@@ -105,7 +105,7 @@ Json errata_json(const data::TableSummary& table) {
   return errata;
 }
 
-/// The columns that label rows, or those that do not.
+/// The columns that label rows, or with `keys` false the other columns.
 Json columns_json(const data::Table& table, bool keys) {
   std::vector<Json> columns;
   for (const data::TableColumn& column : table.columns) {

@@ -14,17 +14,17 @@
 
 namespace nipref::verify {
 
-/// The values of a row by the names of their columns, base units.
+/// The values of a row, in base units, by the names of their columns.
 using RowValues = std::map<std::string, double>;
 
 /// The verdict on a cell of a seed's table.
 enum class Verdict {
-  input,  ///< the cell is an input of the replay and is not counted
+  input,  ///< the cell is an input of the replay; it is not judged
   match,  ///< the rounding interval of the printed number intersects the replay's interval; in the tables of
-          ///< half-spaces they differ by at most one unit of the last digit, see internal/half_space.hpp
-  misprint,  ///< it matches after a correction that follows from the table's own redundancy, or with one other
-             ///< digit, which less than 1 in 100 cells would do by chance
-  likely_misprint,  ///< it matches with another digit, by chance in 1 to 20 of 100 cases; the note says which
+          ///< half-spaces: the printed number meets the rule of internal/half_space.hpp
+  misprint,  ///< the number matches after a correction that follows from the table's own redundancy, or with one
+             ///< digit changed, by which fewer than 1 in 100 cells would match by chance
+  likely_misprint,  ///< the number matches with one digit changed, by chance in 1 to 20 of 100 cases; see the note
   seed_error,       ///< the seed's method or formula is wrong in a known way
   unexplained       ///< it does not match, or there is no legible number
 };
@@ -37,14 +37,14 @@ std::string_view name(Verdict verdict);
 struct ReplayedCell {
   std::size_t row;  ///< from 0
   std::string column;
-  double value;          ///< for the printed inputs, base units
-  data::Interval range;  ///< for all inputs in their rounding intervals, base units
+  double value;          ///< the value for the printed inputs, base units
+  data::Interval range;  ///< the values for all inputs in their rounding intervals, base units
   Verdict verdict;
   std::string note;
-  /// The correct value, base units: that of the continuous contact, see correct(), for a half-space that of the
-  /// correct formula.
+  /// The correct value, base units. For a nip it is the value of the continuous contact, see correct(); for a
+  /// half-space it is the value of the correct formula.
   std::optional<double> corrected = {};
-  /// The same for the material with which the seed computed, if that differs from the one it defines.
+  /// The correct value for the material with which the seed computed, if the seed defines another material.
   std::optional<double> corrected_with_seed_material = {};
   /// For a half-space without friction: the value of the exact elliptic contact instead of the papers' contour rule.
   std::optional<double> exact = {};
@@ -54,7 +54,7 @@ struct ReplayedCell {
 struct ColumnDeviation {
   std::string column;
   double mean;     ///< the mean of the rows' absolute values
-  double largest;  ///< the largest by absolute value, with its sign
+  double largest;  ///< the deviation of largest absolute value, with its sign
 };
 
 /// The errors that are due to one weakness of the seed's method.
@@ -66,7 +66,7 @@ struct Cost {
 
 /// A replayed row of a nip's table.
 struct ReplayedNip {
-  RowValues values;           ///< for the printed inputs, with the row's load
+  RowValues values;           ///< the values for the printed inputs; the load is one of them
   int trailing_elements = 0;  ///< m2
 };
 
@@ -75,7 +75,7 @@ struct Replay {
   std::string method;  ///< the seed's method, in words
   std::vector<ReplayedCell> cells;
   std::vector<ReplayedNip> nips = {};  ///< one for each row; none for the table of a half-space
-  std::vector<Cost> costs = {};        ///< empty until corrected values are there
+  std::vector<Cost> costs = {};        ///< empty until correct() sets them; a half-space's replay has its own
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };
@@ -96,21 +96,21 @@ std::vector<std::string> replayable_tables();
 Replay replay_table(const std::string& id);
 
 /// Sets `corrected` in every cell of a replay to the result of the continuous contact under the row's stated load.
-/// For thesis III-X it has the replay's material constants and is accurate to 1e-9; with full friction it has its own
-/// creep ratio, which need not be the one that the thesis chose. For thesis XI-XXVI see
-/// corrected.cpp. Sets `costs` as well: for thesis III-X the deviations of the replay's L, d0 and
-/// p_max from the continuous contact under the replay's own load.
+/// For thesis III-X the contact has the replay's material constants and is accurate to 1e-9; with full friction its
+/// creep ratio is its own, which need not be the one that the thesis chose. For thesis XI-XXVI see corrected.cpp.
+/// Also sets `costs`: for thesis III-X the deviations of the replay's L, d0 and p_max from the continuous contact under
+/// the replay's own load. Leaves the replay of a half-space's table unchanged, because that has both already.
 void correct(Replay& replay);
 
-/// The deviations of these columns from the columns of the true rows.
+/// The deviations of these columns of `rows` from the same columns of `truth`.
 std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> columns,
                                         const std::vector<RowValues>& rows,
                                         const std::vector<RowValues>& truth);
 
-/// The answer of `tables`, which is also part of a report. The text shows the cells that do not match, or all.
+/// The answer of `tables`, also a part of a report. Its text shows all cells, or only those that do not match.
 Json tables_json(const std::vector<Replay>& replays, bool all_cells = false);
 
-/// The errors that are due to the weaknesses of the seed's method, as a list.
+/// A list of the errors that each weakness of the seed's method causes.
 Json cost_list_json(const Replay& replay);
 Json column_json(const ColumnDeviation& column);
 

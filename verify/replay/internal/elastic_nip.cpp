@@ -19,7 +19,7 @@ data::Interval creep_interval(const data::PrintedNumber& printed, CreepReading r
                            : data::Interval{printed.value - unit, printed.value};
 }
 
-/// The column, among a row's values, of the size of an element's shear, counted from the middle outwards.
+/// The name, among a row's values, of the magnitude of an element's shear. Elements are counted from the middle.
 std::string shear_of(int element) { return fmt::format("shear of element {}", element); }
 
 /// A row of a table of the elastic nip: its inputs are the length and, with full friction, the creep.
@@ -40,7 +40,7 @@ class ElasticRow final : public NipRow {
     const data::Interval from_ratio =
         ratio.is_readable() ? ratio.number->rounding.times(nip.sheet_thickness) : data::Interval{};
     begin({elements, elements}, length_is_printed ? length.number->rounding : from_ratio);
-    // As narrow as L/B has it where that is printed too.
+    // Misprints are judged for the part of the length's interval that agrees with L/B, if L/B is printed.
     other_lengths_ = {ratio.is_readable() && !ratio.is_doubtful() ? length_.within(from_ratio) : length_};
     if (creep_) inputs_["creep"] = "";
     if (!length_is_printed) inputs_["L/B"] = "";
@@ -68,7 +68,7 @@ class ElasticRow final : public NipRow {
     return replay_row(inputs, [&](const auto& at) { return solved(elements.leading, at); });
   }
 
-  /// The shear of the table's element, which is not the largest here.
+  /// The printed shear may be that of the table's usual element although another one has the largest.
   void explain(ReplayedCell& missed) const override {
     const int element = line_load_table(table_.id).shear_element;
     if (missed.column != "q_max" || element == 0) return;
@@ -80,7 +80,7 @@ class ElasticRow final : public NipRow {
         element, elements_.leading, replayed_.at_centre.at(shear));
   }
 
-  /// A misread digit, another length, creep ratio or number of elements, the shear of another element.
+  /// Tries another digit, length, creep ratio or number of elements, and the shear of another element.
   [[nodiscard]] std::string attempts(const ReplayedCell& missed) const override {
     return all_outcomes({other_shear(missed), one_digit(table_, row_, missed.column, missed.range),
                          fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed.column, 0)),
@@ -88,7 +88,7 @@ class ElasticRow final : public NipRow {
                          other_elements(missed)});
   }
 
-  /// The value of the input that would give the printed number, the other one being in the middle of its interval.
+  /// The value of this input that would give the printed number while the other input is the middle of its interval.
   [[nodiscard]] double needed(const std::string& column, std::size_t input) const {
     const data::Interval ends = input == 0 ? length_ : creep_.value();
     const auto value_at = [&](double at) {
@@ -131,8 +131,8 @@ bool is_met(const ReplayedCell& cell) {
   return cell.verdict == Verdict::match || cell.verdict == Verdict::misprint;
 }
 
-/// Marks cells as errors of the seed if another reading of the whole table explains them. This reading must match more
-/// than half of the cells that did not match, and lose no match.
+/// Marks cells as errors of the seed if another reading of the whole table explains them. The other reading must match
+/// more than half of the cells that did not match, and must lose no match.
 void explain(std::vector<ReplayedCell>& cells, const std::vector<ReplayedCell>& other_reading) {
   std::size_t missed = 0, gained = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {

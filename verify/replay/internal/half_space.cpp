@@ -16,7 +16,7 @@ constexpr std::array<HalfSpaceTable, 5> papers_tables{
      {"brock2013-3", sphere_on_axis_in_plane_cells,
       "(brock2013 48) with a minus sign before the first term of (43b), the last term of M still missing"}}};
 
-/// Whether a row's cells are 1 because the numbers of their table are divided by them.
+/// Whether the row's cells are 1 because all numbers of the table are divided by those of this row.
 bool is_unit(const data::Table& table, std::size_t row) {
   return table.has_column("phi") && table.cell(row, "phi").number->value == 0;
 }
@@ -41,7 +41,7 @@ std::vector<ColumnDeviation> deviations_from_corrected(const Replay& replay) {
 }
 
 constexpr double table_unit = 1e-4;
-constexpr double binary = 1e-12;  ///< larger than the rounding errors of decimal numbers in double
+constexpr double binary = 1e-12;  ///< exceeds the rounding errors of decimal numbers in double
 
 double distance(double value, const data::Interval& range) {
   return std::max({0.0, range.lower - value, value - range.upper});
@@ -52,7 +52,7 @@ std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
                      (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
 }
 
-/// The formula's number, if it does not match the cell.
+/// How far the printed number is from each attempt, if none of them matches.
 std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& cell) {
   std::string text = units_away(printed, cell.attempts.front()) + ", which the table's formula gives";
   for (std::size_t i = 1; i < cell.attempts.size(); ++i)
@@ -68,7 +68,7 @@ std::string unexplained_note(const data::Table& table, const HalfSpaceCell& cell
                        cell.error.empty() ? "" : "that formula is wrong: " + cell.error});
 }
 
-/// A match of what an erratum reads is a misprint.
+/// Turns a match into a misprint if the number that matches is an erratum's reading.
 ReplayedCell corrected_by_erratum(ReplayedCell cell, const data::Table& table) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   if (printed.read_as == printed.printed) return cell;

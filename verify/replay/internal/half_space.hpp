@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// A cell before its printed number is compared.
+/// A cell of a half-space's table before its printed number is compared.
 struct HalfSpaceCell;
 using CellOf = std::function<HalfSpaceCell(std::size_t row, const data::TableColumn& column)>;
 
@@ -21,9 +21,8 @@ struct HalfSpaceTable {
 };
 std::span<const HalfSpaceTable> half_space_tables();
 
-/// Replays such a table by the formulas from which it was computed. `corrected` is the result of the correct formulas
-/// with the papers' own contour rule; `costs` compares the replay with it. The verdicts are those of
-/// assess_half_space.
+/// Replays a table of the papers by the formulas from which it was computed; assess_half_space gives the verdicts.
+/// `corrected` is the result of the correct formulas with the papers' own contour rule; `costs` compares the two.
 Replay replay_half_space(data::Table table, const HalfSpaceTable& how);
 
 /// One possible origin of a cell's number.
@@ -37,45 +36,45 @@ struct HalfSpaceCell {
   std::size_t row;  ///< from 0
   std::string column;
   double corrected;
-  std::vector<Attempt> attempts;  ///< first the formula from which the table was computed, without rounding
-  std::string error;              ///< the error of this formula; empty if it is correct
+  std::vector<Attempt> attempts;  ///< the first: the table's formula without rounding of intermediate values
+  std::string error;              ///< the error of the table's formula; empty if the formula is correct
   /// A proof, independent of the formula, that the printed number is wrong; empty if there is none.
   std::string proof = {};
   /// The value of the exact elliptic contact for the same responses, without friction.
   std::optional<double> exact = {};
 };
 
-/// The first of these verdicts that applies:
+/// Returns the first of these verdicts that applies:
 /// - `match` if the printed number differs from the corrected one by at most one unit of the fourth decimal (the tables
-///   have four decimals without trailing zeros, so that 1.21 is 1.2100);
-/// - the verdict of the first attempt that differs from the printed number by at most one unit of its last digit:
-///   `match` if this is the formula of the table, whether it is correct or not (the note says which), `seed_error` if the
-///   table is refuted as a whole or if the cell needs another number as well;
-/// - `seed_error` if there is a proof and the table does not mark the cell as doubtful, for then more than the formula is
-///   wrong;
+///   have four decimals without trailing zeros: 1.21 stands for 1.2100);
+/// - the verdict of the first attempt that differs from the printed number by at most one unit of the number's last
+///   digit: `match` if the attempt is the table's formula, correct or not (the note says which), `seed_error` if the
+///   table is refuted as a whole or if the attempt also needs a number from another cell;
+/// - `seed_error` if there is a proof and the table does not mark the cell as doubtful: then the formula is not the only
+///   error;
 /// - `unexplained`.
 ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell);
 
-// The cells of each table, which outlives them.
+// The cells of each table. The table must outlive them.
 CellOf sliding_die_cells(const data::Table& table);              ///< brock2012-1
 CellOf rolling_sphere_cells(const data::Table& table);           ///< brock2012-2
 CellOf sphere_on_normal_axis_cells(const data::Table& table);    ///< brock2013-1
 CellOf branch_speed_cells(const data::Table& table);             ///< brock2013-2
-CellOf sphere_on_axis_in_plane_cells(const data::Table& table);  ///< brock2013-3, but for the row phi = 0
+CellOf sphere_on_axis_in_plane_cells(const data::Table& table);  ///< brock2013-3, without the row phi = 0
 
-/// The two bodies of a table of brock2013 as its header states them, GPa and kg/m^3.
+/// The two bodies of a table of brock2013, as the table's header states them, in GPa and kg/m^3.
 struct SphereOnHalfSpace {
   data::IsotropicSolid sphere;
   data::TransverselyIsotropicSolid half_space;
-  GivenNumbers scaled;  ///< c_D as printed
+  GivenNumbers scaled;  ///< the scaled moduli, with c_D as printed
 
   explicit SphereOnHalfSpace(const data::Table& table);
 
   /// v_0, the speed of shear waves in the sphere.
   [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
 
-  /// The joint response of both bodies on the line at an angle from the motion; c0 is the speed over that of the
-  /// sphere's shear waves. The contact moves over the sphere, as in the paper.
+  /// The joint response of both bodies to a line load, by the angle between the line and the motion. c0 is the speed
+  /// divided by that of the sphere's shear waves. The contact moves over the sphere, as in the paper.
   [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
                                                  double c0) const;
 };

@@ -1,4 +1,4 @@
-// Tables of brock2012 and brock2013: rigid bodies on an isotropic half-space, and a sphere on a transversely isotropic one.
+// Tables of brock2012 and brock2013: rigid bodies on an isotropic half-space, a sphere on a transversely isotropic one.
 
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
@@ -12,15 +12,15 @@ namespace {
 
 constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
 
-/// The paper's C11/mu_0, from which its c_plus and c_minus were computed; a misprint of 0.18005.
+/// The C11/mu_0 from which the paper computed its c_plus and c_minus: a misprint of 0.18005.
 constexpr double printed_d1 = 0.1803;
 
-/// Spans at phi over those along the motion, by the forms of (43) and right.
+/// Spans of the contact at the angle phi, divided by the span along the motion: as (43) has them, and corrected.
 class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
 
-  /// sign: 1 as printed, -1 as tabulated
+  /// By (43) with this sign of its first term: 1 as printed, -1 as in the table.
   [[nodiscard]] double by(double sign, double phi, double speed) const {
     return printed("in_plane_span_ratio", {sign, theta_, phi, speed}, bodies_.scaled);
   }
@@ -48,7 +48,7 @@ class InPlaneSpans {
   std::map<double, Contact> contacts_;  ///< one for each column
 };
 
-/// Why the symmetry of K proves that a cell is wrong; empty if it does not.
+/// A proof from the symmetry of K that the cell is wrong; empty if the symmetry proves nothing.
 std::string in_plane_proof(const data::Table& table, std::size_t row, const std::string& column) {
   const double phi = key_of_row(table, row);
   const data::TableCell& cell = table.cell(row, column);
@@ -67,7 +67,7 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
   return "";
 }
 
-/// The table's formula at phi with the K_X by which the column's cell in another row was divided.
+/// The table's formula at phi, divided by the K_X that follows from the column's cell in another row.
 Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& table, double phi,
                               std::size_t other_row, const data::TableColumn& column) {
   const auto tabulated = [&](double at) { return spans.by(-1, at, *column.coordinate); };
@@ -77,7 +77,7 @@ Attempt with_the_columns_unit(const InPlaneSpans& spans, const data::Table& tabl
           fmt::format("with the K_X by which the column's cell of phi = {:g} was divided", other)};
 }
 
-/// The span across the motion over that along it, by the papers' rule and exactly.
+/// The span across the motion divided by the span along it, by the papers' rule and exactly.
 HalfSpaceCell of_sliding(std::size_t row, const data::TableColumn& column,
                          const fast::SurfaceResponse& surface, double friction,
                          const std::vector<Attempt>& attempts, const std::string& error,

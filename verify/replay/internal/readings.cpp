@@ -1,4 +1,4 @@
-// What a cell or a length may have been, and how often that meets the replay by chance.
+// Possible readings of a cell or a length, and the chance that one of them meets the replay.
 
 #include <cctype>
 
@@ -19,7 +19,7 @@ std::string note_of(const std::string& reading, double chance, const std::string
   return fmt::format("{}, met by chance in {:.2g} of 100 such cells; {}", reading, 100 * chance, note);
 }
 
-/// How many digits stand behind the highest one that was changed.
+/// The number of digits behind the first digit in which the erratum's reading differs from the printed text.
 std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
   std::string printed = cell.printed, read_as = cell.read_as;
   for (std::string* text : {&printed, &read_as})
@@ -28,8 +28,8 @@ std::ptrdiff_t digits_behind_change(const data::TableCell& cell) {
   return std::ssize(read_as) - 1 - (other - read_as.begin());
 }
 
-/// The part of the cells that have nothing to do with a replay which meet its `range` by chance, if one digit of theirs is
-/// changed in a place of this unit: (width of the rounding + width of the range)/unit.
+/// The chance that a cell unrelated to the replay meets `range` if one of its digits, in a place of this unit, may be
+/// changed: (width of the rounding + width of the range)/unit.
 double chance_of_digit(const data::Interval& rounding, const data::Interval& range, double place_unit) {
   return (rounding.width() + range.width()) / place_unit;
 }

@@ -6,53 +6,54 @@
 
 namespace nipref::verify {
 
-/// What a cell would be with any digit in one of its places.
+/// A cell's text with one digit replaced.
 struct Reading {
   std::string text;
-  std::ptrdiff_t digits_behind;  ///< behind that place
+  std::ptrdiff_t digits_behind;  ///< the number of digits behind the replaced one
   data::Interval rounding;
 };
 
-/// All such readings of a cell, those of the last place first.
+/// All readings of a cell with any digit in one place, beginning with the last place.
 std::vector<Reading> one_digit_readings(const data::Table& table, std::size_t row, const std::string& column);
 
-/// The first of them that lies in `range`, in words; empty if there is none.
+/// The first of these readings whose rounding interval meets `range`, in words; empty if there is none.
 std::string one_digit(const data::Table& table, std::size_t row, const std::string& column,
                       const data::Interval& range);
 
-/// The outcomes of several attempts, in words; those without any are left out.
+/// Joins the outcomes of several attempts, in words; leaves out empty ones.
 std::string all_outcomes(std::initializer_list<std::string> outcomes);
 
-/// The load that a row's replay gives for the load that the table states, in words.
+/// Compares the load of a row's replay with the load that the table states, in words.
 std::string load_note(double replayed, double stated);
 
-/// The input that would give the value `goal`, by linear extrapolation from the values at the ends of its interval.
+/// The input that would give the value `goal`, by linear extrapolation from the values at the ends of the interval.
 double input_for(double goal, const data::Interval& input, double at_lower, double at_upper);
 
-/// Judges a cell by the chance that its reading meets `range`: below 1 % it is a misprint, up to 20 % a likely one.
-/// The reading is that of an erratum of the kind replay, whose cell its table proves wrong: a
-/// last digit is then one of ten; a seed_error stays one. Or it is any other digit in one place, if the cell is unexplained; its last digit
-/// can always be met.
+/// Judges a cell by the chance that a corrected reading meets `range`: below 1 % the cell is a misprint, up to 20 % a
+/// likely misprint. There are two cases. If an erratum of the kind replay gives the reading, the table proves the
+/// printed number wrong: a change of the last digit then leaves one choice in ten, and a seed_error stays one.
+/// If the cell is unexplained, the reading has any other digit in one place; the last place is of no use, because
+/// some last digit always meets the range.
 void judge_reading(const data::Table& table, ReplayedCell& cell, const data::Interval& range);
 
-/// The lengths that some columns of a row ask for, each of them the range for one of the row's printed numbers.
+/// The lengths for which one column of a row agrees with its printed number.
 struct LengthWitness {
   std::string column;
   data::Interval length;
 };
 
-/// The chance that columns which have nothing to do with each other agree on a length: the product of (w1 + wi)/unit, with
-/// w1 the width of the narrowest, wi of each other, and the unit of the digit that is in doubt. 1 if they do not agree.
+/// The chance that unrelated columns agree on a length: the product of (w1 + wi)/unit over all but the narrowest, where
+/// w1 is the narrowest width, wi the width of another column and unit that of the doubtful digit. 1 if they disagree.
 double chance_of_agreement(std::vector<LengthWitness> witnesses, double unit);
 
-/// What d0, d1 or d2 (the narrowest), p_max, creep and muR of a row ask of its length `read_as`. `at` gives the row for a
-/// length.
+/// The lengths near `read_as` for which a row's printed numbers are met: one by the narrowest of d0, d1, d2 and their
+/// ratios, one each by p_max, creep and muR. `at` gives the row for a length.
 std::vector<LengthWitness> witnesses_of_length(const data::Table& table, std::size_t row,
                                                const data::Interval& read_as,
                                                const std::function<RowValues(double)>& at);
 
-/// The note on a length whose erratum rests on the replay: what the row's columns ask of it, and the chance that they
-/// agree. Empty for any other.
+/// The note on a length whose erratum rests on the replay: the lengths that the row's columns give, and the chance of
+/// their agreement. Empty for any other length.
 std::string agreement_on_length(const data::Table& table, std::size_t row,
                                 const std::function<RowValues(double)>& at);
 

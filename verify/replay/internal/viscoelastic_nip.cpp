@@ -7,7 +7,7 @@ namespace {
 
 constexpr int residue_terms = 500;
 
-/// What one product loses at most on the IBM 360, whose single precision cuts after six hexadecimal digits.
+/// The largest relative loss of one product on the IBM 360, whose single precision cuts after six hexadecimal digits.
 constexpr double cut = 0x1p-20;
 
 constexpr std::array<ViscoelasticTable, 16> rolling_tables{{{"thesis-XI", 2, 25},
@@ -27,7 +27,7 @@ constexpr std::array<ViscoelasticTable, 16> rolling_tables{{{"thesis-XI", 2, 25}
                                                             {"thesis-XXV", 10, 60},
                                                             {"thesis-XXVI", 10, 60}}};
 
-/// A row of a table of the viscoelastic nip: its input is L1.
+/// A row of a table of the viscoelastic nip. Its input is L1.
 class ViscoelasticRow final : public NipRow {
  public:
   ViscoelasticRow(const data::Table& table, std::size_t row, const ViscoelasticTable& how)
@@ -52,7 +52,7 @@ class ViscoelasticRow final : public NipRow {
     return replay_viscoelastic_row(nip_, method, length);
   }
 
-  /// What the thesis's machine lost.
+  /// Tests the losses of the thesis's machine.
   void explain(ReplayedCell& missed) const override {
     const auto meets = [&](const ReplayedRow& row, std::string_view column) {
       return assess(printed(missed.column), row.range(std::string(column))) != Verdict::unexplained;
@@ -86,7 +86,7 @@ class ViscoelasticRow final : public NipRow {
                          fmt::format("it would take L1 = {:.6g}e-3", 1e3 * length), other_elements(missed)});
   }
 
-  /// Whether one leading element more or less matches.
+  /// The numbers of elements, with at most one leading element more or less, that give the printed number; in words.
   [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
     std::vector<Elements> tried;
     for (const int leading : {elements_.leading - 1, elements_.leading, elements_.leading + 1})
@@ -101,8 +101,8 @@ class ViscoelasticRow final : public NipRow {
   data::ViscoelasticNip nip_;
   data::ViscoelasticLineLoads method_;
   ViscoelasticRowInput input_;
-  data::Interval beyond_{};  ///< lengths that were cut to the printed one
-  data::Interval other_{};   ///< what the narrowest printed length has beyond it
+  data::Interval beyond_{};  ///< the lengths that a cut turns into the printed one
+  data::Interval other_{};   ///< the longer lengths that the narrowest printed length still admits
 };
 
 }  // namespace

@@ -4,11 +4,11 @@
 namespace nipref::verify {
 namespace {
 
-/// A printed length, from which L1 follows for a given m2/m1.
+/// A printed length. L1 follows from it for a given m2/m1.
 struct PrintedLength {
   std::string column;
   data::Interval rounding;  ///< in
-  bool is_doubtful;         ///< whether its row contradicts it, or it is read as its replay has it
+  bool is_doubtful;         ///< whether the row contradicts the length, or its reading rests on the replay
 
   [[nodiscard]] data::Interval leading(double ratio) const {
     return rounding.times(column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio));
@@ -36,9 +36,9 @@ std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
       lengths, [&](const PrintedLength& length) { return first.meets(length.leading(ratio)); }));
 }
 
-/// The part of the displacement v at the time t that is lost if e^(-rate t) underflows, from the memory of the sign
-/// terms of the loads that pass at T_j: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j)
-/// e^(-rate (t - T_j))].
+/// The part of the displacement v at the time t that is lost if e^(-rate t) underflows. It comes from the memory of the
+/// sign terms of the loads, which pass at T_j: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t)
+/// + 2 H(t - T_j) e^(-rate (t - T_j))].
 double underflown(const data::MaterialFunction& function, std::span<const fast::FaceLoad> loads, double t,
                   double first_T, double step) {
   constexpr double smallest = 180.2;
@@ -78,7 +78,7 @@ RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const data::Visco
   return values;
 }
 
-/// The L1 for which the trailing end has the displacement d2, by the secant method from `guess`.
+/// The L1 for which the trailing end has the displacement d2. Uses the secant method from `guess`.
 double length_with(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method, double d2,
                    double guess) {
   const auto excess = [&](double length) {
@@ -111,7 +111,7 @@ ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
   return {"d2", leading, found.trailing_elements()};
 }
 
-/// L1 by d0 - d1 = L1^2/(2R); nothing if one of them is not legible or its row contradicts it.
+/// L1 by d0 - d1 = L1^2/(2R); nothing if d0 or d1 is not legible or the row contradicts it.
 std::optional<data::Interval> length_by_displacements(const data::Table& table, std::size_t row,
                                                       double roller_radius) {
   const data::TableCell &d0 = table.cell(row, "d0"), &d1 = table.cell(row, "d1");
@@ -122,7 +122,7 @@ std::optional<data::Interval> length_by_displacements(const data::Table& table, 
                         length(d0.number->rounding.upper - d1.number->rounding.lower)};
 }
 
-/// Sets what the row's other cells tell of the input's length.
+/// Narrows the input's length by the row's other cells.
 void narrow(ViscoelasticRowInput& input, const std::vector<PrintedLength>& lengths, double ratio,
             const std::optional<data::Interval>& by_displacements) {
   input.narrowest_column = input.column;
@@ -154,7 +154,7 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
     const double ratio = static_cast<double>(trailing) / method.leading_elements;
     const std::size_t agree = agreeing(lengths, ratio);
     const ViscoelasticRowInput input{lengths.front().column, lengths.front().leading(ratio), trailing};
-    // Among inputs with which as many lengths agree: the first without tension, if there is one, otherwise the first.
+    // If as many lengths agree with several inputs, the first input without tension is best, or else the first input.
     if (agree > most || (agree == most && !presses(*best) && presses(input))) best = input;
     most = std::max(most, agree);
   }
