@@ -25,15 +25,15 @@ std::string element(const std::string& name, const std::string& content) {
 
 constexpr double thin = 0.17;  ///< em
 
-/// An upright name with a thin blank before it.
+/// An upright name between thin blanks.
 std::string spaced(const std::string& name, double after) {
   return fmt::format("<mo lspace=\"{}em\" rspace=\"{}em\">{}</mo>", thin, after, name);
 }
 
 std::string row(const std::string& content) { return element("mrow", content); }
 
-/// A name, with the digits of its index, or with its sign where no summand follows: x+ and x- are the ends of a contact; a
-/// number; the bar of a fraction; signs.
+/// The tokens of a formula: names, indices, numbers, fraction bars and signs. Digits behind a name are its index. So is
+/// a sign behind a name if no summand follows: x+ and x- are the ends of a contact.
 std::vector<std::string> tokens_of(std::string_view formula) {
   std::vector<std::string> tokens;
   const auto take = [&](std::size_t size) {
@@ -67,12 +67,12 @@ std::vector<std::string> tokens_of(std::string_view formula) {
   return tokens;
 }
 
-/// Reads a formula from its tokens, a sum as a row of products, a product as a row of factors.
+/// Reads a formula from its tokens. A sum is a row of products, a product a row of factors.
 class Reader {
  public:
   explicit Reader(const std::string& formula) : tokens_(tokens_of(formula)) {}
 
-  /// All of it, in pieces between which lines may be broken.
+  /// The whole formula, in pieces between which lines may be broken.
   std::string all() {
     std::string pieces, piece;
     while (at_ < tokens_.size()) {
@@ -95,7 +95,7 @@ class Reader {
   [[nodiscard]] std::string next() const { return at_ < tokens_.size() ? tokens_[at_] : ""; }
   std::string take() { return at_ < tokens_.size() ? tokens_[at_++] : ""; }
 
-  /// Up to the bracket that closes it, or the end.
+  /// The sum up to its closing bracket, or to the end.
   std::string sum() {
     std::string content;
     while (at_ < tokens_.size() && !is_closing(next()))
@@ -104,7 +104,7 @@ class Reader {
   }
 
   std::string product() {
-    std::string before, factors;  // what stands before a fraction's numerator: the sign of an integral
+    std::string before, factors;  // `before` ends with the last integral or sum sign; no numerator has it
     while (at_ < tokens_.size() && !is_between(next()) && !is_closing(next())) {
       if (next() == " / ") {
         take();
@@ -120,7 +120,7 @@ class Reader {
     return before + factors;
   }
 
-  /// A name, a number or a bracket with its indices. `bare`: without its brackets, if it has them.
+  /// A name, a number or a bracket, with its indices. With `bare` an outer bracket is left out.
   std::string factor(bool bare) {
     std::string base = atom(bare), below, above;
     for (bool more = true; more;) {
@@ -141,7 +141,7 @@ class Reader {
     return above.empty() ? base : element("msup", base + row(above));
   }
 
-  /// A sign below a name stands alone.
+  /// An index. A lower index that begins with a sign is this sign alone.
   std::string index(bool below) {
     const bool is_signed = next() == "-" || next() == "+";
     const std::string sign = is_signed ? element("mo", shown(take())) : "";

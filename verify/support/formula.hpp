@@ -3,17 +3,17 @@
 
 namespace nipref::verify {
 
-// Texts have their formulas between backticks, in one notation from which the text of a terminal and the page's MathML are
-// made: "by a load: `int_0^inf sin(alpha x) / x dx`". In it a_b and a^b are indices, a factor in brackets or without; ` / `
-// with blanks is the bar of a fraction of two products, of a denominator of one factor, and / without blanks a slant;
-// int_a^b is an integral, sqrt(a) a root. Names of Greek letters and inf are those signs; digits behind a name, or a sign at
-// its end, are its index; d with any letter is a differential; names of several letters are upright. * is a convolution.
+// A text has its formulas between backticks, in a notation for both the terminal's text and the page's MathML: "by a
+// load: `int_0^inf sin(alpha x) / x dx`". a_b and a^b are indices, with or without brackets about b. ` / ` with blanks
+// is a fraction bar: the product before it is the numerator, the factor behind it the denominator; / without blanks is
+// a slant. int_a^b is an integral, sqrt(a) a root, * a convolution. Names of Greek letters and inf are those signs.
+// Digits behind a name, or a sign at its end, are its index. d with a letter is a differential, a longer name upright.
 
 /// The text without backticks.
 std::string without_marks(std::string text);
 
-/// The text, escaped for HTML, with its formulas in MathML. A backtick without its other is itself. A formula may be broken
-/// in lines before what is added or compared.
+/// The text, escaped for HTML, with its formulas in MathML. A backtick without a second one stands for itself. Lines of
+/// a formula may be broken before a term of a sum or a side of a comparison.
 std::string with_mathml(const std::string& text);
 
 }  // namespace nipref::verify

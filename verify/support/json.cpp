@@ -13,7 +13,7 @@ struct Json::Value {
 
 namespace {
 
-/// Erases the members with such a key at any depth.
+/// Erases the members at any depth whose key satisfies `is_erased`.
 template <class IsErased>
 void erase_everywhere(Tree& value, IsErased is_erased) {
   if (!value.is_structured()) return;

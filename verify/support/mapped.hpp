@@ -8,8 +8,8 @@
 
 namespace nipref::verify {
 
-/// The results of `function`, which may be a pointer to a member, for all items of a range, in their order. With `Result`
-/// they are converted to that type.
+/// Applies `function`, which may be a pointer to a member, to all items of a range and returns the results in order,
+/// converted to `Result` if this type is given.
 template <class Result = void, class Items, class Function>
 auto mapped(Items&& items, const Function& function) {
   using Found = std::invoke_result_t<const Function&, std::ranges::range_reference_t<Items>>;
@@ -18,7 +18,7 @@ auto mapped(Items&& items, const Function& function) {
   return results;
 }
 
-/// The items without repetitions, in their order.
+/// The items in their order, without repetitions.
 template <class Item>
 std::vector<Item> each_once(const std::vector<Item>& items) {
   std::vector<Item> kept;

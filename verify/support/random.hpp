@@ -7,8 +7,8 @@
 
 namespace nipref::verify {
 
-/// Reproducible random numbers: the same seed text gives the same points everywhere. The standard's distributions are not
-/// used, since they differ between libraries.
+/// Reproducible random numbers: the same seed text gives the same numbers everywhere. The standard's distributions are
+/// not used, because they differ between libraries.
 class Random {
  public:
   /// The seed is a text, so that every quantity and every purpose has its own stream.

@@ -27,7 +27,7 @@ std::string off_text(double relative) {
                      relative < 0 ? "low" : "high");
 }
 
-/// The text with its hexadecimal numbers in decimals, each written by `written` of the number and its own text.
+/// Replaces each hexadecimal number of the text by written(number, its text).
 template <class Write>
 std::string with_decimals(const std::string& text, Write written) {
   std::string decimal;
@@ -59,7 +59,7 @@ std::string word_of_shell(const std::string& text) {
   return text.find_first_of(" ()[]*?$\"") == std::string::npos ? text : "'" + text + "'";
 }
 
-/// "SPECIFICATION TEXT" with TEXT so formatted: as a number where the specification ends with a letter or %.
+/// Formats the text of "SPECIFICATION TEXT", as a number if the specification ends with a letter or %.
 std::string formatted(const std::string& text) {
   const std::size_t space = text.find(' ');
   std::string specification = text.substr(0, space);
@@ -77,10 +77,10 @@ std::string without_end(std::string text) {
   return text;
 }
 
-// Mustache takes away the line of a section's tag that stands alone. The library leaves an empty line for a section that is
-// left out, so that such lines are joined here, and the library sees no line breaks but this character.
+// Mustache removes the line of a section's tag that stands alone, but the library leaves an empty line if the section is
+// left out. Such lines are therefore joined here. The library sees this character in place of other line breaks.
 constexpr char line_break = '\x1e';
-/// Stands for a bar in a value, which does not separate the cells of a table.
+/// Replaces a bar in a value, so that it does not separate the cells of a table.
 constexpr char bar_of_value = '\x1f';
 
 bool is_lone_tag(std::string_view line) {
@@ -102,7 +102,7 @@ std::string with_joined_lines(const std::string& text) {
   return joined;
 }
 
-/// A partial of one line is put into the middle of lines, and has no line break.
+/// The text of a partial. If it is one line, it has no line break, because it may stand in the middle of a line.
 std::string inlined(const std::string& partial) {
   std::string text = with_joined_lines(partial);
   if (text.find(line_break) + 1 == text.size()) text.pop_back();
@@ -115,7 +115,7 @@ std::string restored(std::string text) {
   return text;
 }
 
-/// Of a table's lines.
+/// The text as a table.
 std::string laid_out(const std::string& text) {
   std::vector<std::string> lines = parts_of(text, std::string_view(&line_break, 1));
   std::erase(lines, "");
@@ -180,7 +180,7 @@ mustache::data data_of(const TemplateData& value) {
   return list;
 }
 
-/// Keeps a name that the data does not have.
+/// A context that remembers the name that the data does not have.
 class Context : public mustache::context<std::string> {
  public:
   using mustache::context<std::string>::context;

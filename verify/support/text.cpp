@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view green = "\x1b[32m", red = "\x1b[31m", as_before = "\x1b[0m";
 
-/// The indent of a folded line's continuation: the column after the last gap of two spaces in its first half.
+/// The indent of a folded line's continuation: the column after the last gap of two spaces in the first half, if any.
 std::size_t hanging_indent(std::string_view line, std::size_t width) {
   const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
   std::size_t indent = start + 4;
@@ -29,7 +29,7 @@ void append_folded(std::string& text, std::string_view line, std::size_t width) 
   const std::size_t indent = hanging_indent(plain(line), width);
   std::size_t used = 0;
   for (std::size_t at = 0; at < line.size();) {
-    // The next piece is a word with the spaces before it.
+    // The next piece is a word and the spaces before it.
     const std::size_t word = std::min(line.find_first_not_of(' ', at), line.size());
     const std::size_t end = std::min(line.find(' ', word), line.size());
     const std::size_t of_word = width_of(line.substr(word, end - word));
@@ -98,7 +98,7 @@ std::string plain(std::string_view text) {
 
 std::size_t width_of(std::string_view text) {
   const std::string seen = plain(text);
-  // Of a UTF-8 character only the first byte takes a column.
+  // Only the first byte of a UTF-8 character takes a column.
   return static_cast<std::size_t>(std::ranges::count_if(
       seen, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
 }

@@ -6,25 +6,25 @@
 
 namespace nipref::verify {
 
-/// The columns of the terminal that a descriptor is now; 80 if it is none.
+/// The present number of columns of the descriptor's terminal; 80 if the descriptor is no terminal.
 std::size_t columns_of(int descriptor);
-/// Those of standard output, at least 40.
+/// The number of columns of standard output, at least 40.
 std::size_t text_width();
 
-/// A text in green, or in red, by escape sequences of terminals.
+/// The text in green, or in red, by escape sequences of terminals.
 std::string good(std::string_view text);
 std::string bad(std::string_view text);
 
 /// The text without blanks at its ends.
 std::string trimmed(std::string_view text);
 
-/// The text with a blank for each control character, whatever was in it.
+/// The text with a blank in place of each control character.
 std::string in_one_line(std::string text);
 
-/// The words of a text, between white space.
+/// The words of a text, which white space separates.
 std::vector<std::string> words_of(const std::string& text);
 
-/// The parts of a text between separators; what is behind the last one counts unless it is empty.
+/// The parts of a text between separators. An empty part behind the last separator is left out.
 std::vector<std::string> parts_of(std::string_view text, std::string_view separator);
 
 /// The text without colours.
@@ -33,13 +33,13 @@ std::string plain(std::string_view text);
 /// The number of columns that the text takes; escape sequences take none.
 std::size_t width_of(std::string_view text);
 
-/// Breaks each line that is too wide at spaces. The continuation starts below the last column of the line if that column is
-/// in the first half, and otherwise four columns to the right of the line's start. A word that is too wide is not broken.
+/// Breaks each line that is too wide at spaces. Two spaces separate columns of a line. The continuation is indented to
+/// the last column that begins in the first half of the width, or else by four more than the line. No word is broken.
 std::string folded(std::string_view text, std::size_t width = text_width());
 
-/// A table in plain text, of lines with " | " between cells: each column is as wide as its widest cell, with two spaces
-/// between columns. The first line has the heads; a head that begins with '>', which is not shown, makes its column flush
-/// right. A line that is indented by four is no row, and is folded. Nothing if there are only heads.
+/// A table in plain text from lines with " | " between cells: each column is as wide as its widest cell, with two
+/// spaces between columns. The first line has the heads; a '>' at the beginning of a head aligns its column at the
+/// right and is not shown. A line indented by four is no row; it is folded. The text is empty if there are only heads.
 std::string table_text(const std::vector<std::string>& lines);
 
 }  // namespace nipref::verify

@@ -5,8 +5,8 @@
 
 namespace nipref::verify {
 
-/// A cache of computed values: several quantities, or several columns of a figure, come from one solution. It is emptied when
-/// it has `most` keys. It is thread-safe; a value that two threads need at the same time may be computed twice.
+/// A thread-safe cache of solutions from which several quantities, or several columns of a figure, are read. The cache is
+/// emptied when it has `most` keys. A value that two threads need at the same time may be computed twice.
 template <class Key, class Value>
 class Cache {
  public:

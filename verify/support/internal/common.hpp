@@ -1,7 +1,7 @@
 #pragma once
 
-// What nearly every source of verify is written with, which the build parses once: the standard library, {fmt}, and how
-// input is refused.
+// The headers that nearly every source of verify needs, which the build compiles once: the standard library, {fmt}, and
+// the functions that refuse input.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,14 +35,14 @@
 
 namespace nipref::verify {
 
-/// Throws BadInput; what is allowed is written as by fmt::format().
+/// Throws BadInput. `allowed` and `args` are those of fmt::format() and say what is allowed.
 template <class Value, class... Args>
 [[noreturn]] void refuse(std::string_view argument, const Value& value, fmt::format_string<Args...> allowed,
                          Args&&... args) {
   throw data::BadInput(argument, value, fmt::format(allowed, std::forward<Args>(args)...));
 }
 
-/// What `work` returns; nothing if it refuses its input.
+/// Returns the result of `work`, or nothing if `work` refuses its input.
 template <class Work>
 std::optional<std::invoke_result_t<const Work&>> unless_refused(const Work& work) try {
   return work();

@@ -3,13 +3,13 @@
 
 namespace nipref::verify {
 
-/// Thrown by work that ends unfinished because the user interrupted it.
+/// Thrown by work that the user interrupted before it was finished.
 struct Interrupted : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From this call on, the first SIGINT (Ctrl-C) only sets a flag, so that the work ends early and prints what is finished;
-/// the second one kills the process. If SIGINT is ignored, as for a shell's background jobs, it stays ignored.
+/// From this call on, the first SIGINT (Ctrl-C) only sets a flag, so that the work can end early and print finished
+/// results; the second kills the process. If SIGINT is ignored, as for a shell's background jobs, it stays ignored.
 void stop_gently_on_interrupt();
 
 /// True after a SIGINT. Loops call this between their items.

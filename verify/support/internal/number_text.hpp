@@ -5,21 +5,21 @@
 
 namespace nipref::verify {
 
-/// The number that the whole text is; nothing if it is none.
+/// The whole text as a number; nothing if the text is no number.
 inline std::optional<double> number_in(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
   return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
 }
 
-/// An error >= 0 in two digits, rounded upwards.
+/// An error >= 0 with two digits, rounded upwards.
 inline std::string upward_text(double error) {
   const std::string nearest = fmt::format("{:.1e}", error);
   if (std::strtod(nearest.c_str(), nullptr) >= error) return nearest;
   return fmt::format("{:.1e}", 1.05 * error);  // half a unit of the second digit is at most a twentieth
 }
 
-/// A field of a CSV record: in quotes where it has a comma or a quote.
+/// A field of a CSV record, in quotes if it contains a comma or a quote.
 inline std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -13,7 +13,7 @@ namespace nipref::verify {
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   const OnProgress& on_progress) {
-  // The threads take runs of indices, so that they seldom contend for the counter; few and costly items make short runs.
+  // A thread takes a run of indices at a time, so that threads seldom contend for the counter; few items: short runs.
   const std::size_t run_length = std::clamp<std::size_t>(count / 64, 1, 16);
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;

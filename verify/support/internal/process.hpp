@@ -5,10 +5,10 @@
 
 namespace nipref::verify {
 
-/// A file descriptor that is closed in the destructor.
+/// A file descriptor. The destructor closes it.
 class Descriptor {
  public:
-  /// std::system_error if the number is -1, what a system call returns that failed.
+  /// Throws std::system_error if the number is -1, the result of a failed system call.
   explicit Descriptor(int number);
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -22,14 +22,15 @@ class Descriptor {
 /// A new file in memory, with these flags of open().
 int file_in_memory(int flags = 0);
 
-/// Writes the whole text to a descriptor. False if that fails, for the system's reason.
+/// Writes the whole text to a descriptor. Returns false, with the reason in errno, if that fails.
 bool write_all(int descriptor, std::string_view text);
 
-/// Starts a program, which is searched as by a shell, with these descriptors as its 0, 1, ... `apart`: in a process group of
-/// its own, so that Ctrl-C in a terminal interrupts this program only. std::system_error if it cannot be started.
+/// Starts a program, which is searched for as in a shell, with these descriptors as its descriptors 0, 1, ... With
+/// `apart` it has a process group of its own, so that Ctrl-C in a terminal interrupts this program only. Throws
+/// std::system_error if the program cannot be started.
 pid_t started(std::vector<std::string> words, const std::vector<int>& descriptors, bool apart = false);
 
-/// Waits for the end of a process and returns its status as waitpid() has it.
+/// Waits for the end of a process and returns the status that waitpid() gives.
 int status_at_end(pid_t process);
 
 struct ProgramOutput {
@@ -41,7 +42,7 @@ struct ProgramOutput {
 /// error is discarded.
 ProgramOutput output_of(const std::vector<std::string>& words, std::string_view input = {});
 
-/// The status of a program that is not there.
+/// The status of a program that does not exist.
 inline constexpr int status_not_found = 127;
 
 }  // namespace nipref::verify

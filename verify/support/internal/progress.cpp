@@ -83,7 +83,7 @@ void Progress::show(double seconds_since_bar) {
   const std::string before = fmt::format("{} {}/{} ", stage_, done_, items_);
   const std::string after = fmt::format(" {}, {}", item, time);
   const std::size_t taken = before.size() + after.size() + 3;
-  // The last column stays empty: terminals go on to the next line there.
+  // The last column stays empty, because terminals go on to the next line there.
   if (taken + narrowest_bar > columns)
     return output_.write(start_and_wipe + (before + after.substr(1)).substr(0, columns - 1));
   const std::size_t length = std::min(columns - taken, widest_bar);

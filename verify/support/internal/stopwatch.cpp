@@ -5,7 +5,7 @@
 namespace nipref::verify {
 namespace {
 
-/// A round: `passes` times the first `count` evaluations.
+/// A round evaluates the first `count` arguments `passes` times.
 struct Round {
   std::size_t count;
   std::size_t passes;
@@ -19,7 +19,7 @@ double seconds_of_passes(const Contender& contender, std::size_t count, std::siz
   });
 }
 
-/// The round that fits into the time. The first run of all may fill caches, so that its time is not used.
+/// Plans a round that takes the given time. The very first run may fill caches, so its time is not used.
 Round plan(const Contender& contender, double seconds) {
   std::size_t count = std::min(contender.least, contender.most);
   double taken = seconds_of_passes(contender, count, 1);
@@ -31,7 +31,7 @@ Round plan(const Contender& contender, double seconds) {
   return {count, std::max<std::size_t>(1, static_cast<std::size_t>(seconds / taken))};
 }
 
-/// Quick contenders make several passes, after one that is not timed and fills the processor's caches.
+/// The passes of a fast contender follow one that is not timed and fills the processor's caches.
 double seconds_per_evaluation(const Contender& contender, const Round& round) {
   if (round.passes > 1) contender.run(round.count);
   return seconds_of_passes(contender, round.count, round.passes) /

@@ -45,7 +45,7 @@ const auto& found(const auto& values, const std::string& key, const TomlTable& t
   return value->second;
 }
 
-/// The value of a key, or another where there is none.
+/// The value of a key, or `otherwise` if the key is missing.
 template <class Value>
 Value found_or(const std::map<std::string, Value>& values, const std::string& key, const Value& otherwise) {
   const auto value = values.find(key);
