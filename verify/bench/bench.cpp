@@ -83,7 +83,7 @@ std::vector<std::span<const BenchRow>> ways_to_same_values(const std::vector<Ben
 
 namespace {
 
-/// The deviations of the quartiles from the median.
+/// The relative differences between the quartiles and the median.
 std::string quartiles_text(const BenchRow& row) {
   const auto percent = [&](double quartile) { return 100 * (quartile / row.nanoseconds - 1); };
   return fmt::format("{:+.0f}..{:+.0f}%", percent(row.quartile_1), percent(row.quartile_3));

@@ -12,7 +12,7 @@ constexpr int extra_digits = 10;
 struct DigitsMethod {
   std::string name;
   std::function<std::string(std::size_t i)> evaluate;  ///< decimal text of the value at alphas[i]
-  std::function<void(std::size_t i)> run;              ///< what is timed: ref without the conversion to text
+  std::function<void(std::size_t i)> run;              ///< the timed call: ref without the conversion to text
 };
 
 ref::Estimate ref_at(const Quantity& quantity, std::size_t i, int digits) {
@@ -35,7 +35,7 @@ WayError largest_error(const Quantity& quantity, const DigitsMethod& method, int
   return {ulps, relative};
 }
 
-/// The rows of one number of digits; the last is ref's first call, which builds the quadrature nodes.
+/// The rows for one number of digits. The last row is the first call of ref, which computes the quadrature nodes.
 std::vector<BenchRow> bench_at(const Quantity& quantity, int digits) {
   std::vector<DigitsMethod> methods{{fmt::format("ref {} digits", digits),
                                      [&](std::size_t i) { return ref_at(quantity, i, digits).value_text(); },
@@ -47,7 +47,7 @@ std::vector<BenchRow> bench_at(const Quantity& quantity, int digits) {
   ref::clear_caches();
   const double first_call = seconds_of([&] { methods.front().run(1); });
   std::vector<TimedWay> ways;
-  // An evaluation is a pass over all arguments, so that each has the same weight.
+  // An evaluation is a pass over all arguments, so that all arguments have the same weight.
   for (const DigitsMethod& method : methods)
     ways.push_back({method.name, repeated([&](std::size_t) {
                       for (std::size_t i = 0; i < alphas.size(); ++i) method.run(i);

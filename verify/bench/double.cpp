@@ -8,13 +8,13 @@
 namespace nipref::verify {
 namespace {
 
-/// How many points are drawn, and are timed at least; of how many the truth is found, in how many seconds; and the rounds.
+/// The numbers of points drawn, timed at least, and compared with the truth; the time for the truth; the rounds.
 struct Extent {
   std::size_t points, least, compared;
   double seconds_of_truth;
   int rounds;
 };
-/// Of a thousand points 99.9 % are not all.
+/// 1000 points are compared, because the percentile 99.9 of fewer points is their maximum.
 constexpr Extent usual_extent{4096, 32, 1000, std::numeric_limits<double>::infinity(), usual_rounds},
     costly_extent{12, 12, 12, 5, 3};
 
@@ -27,7 +27,7 @@ struct TimedRange {
   bool logarithmic;
 };
 
-/// Only the first range if there is no other library to compare with. A costly quantity has one without a name.
+/// The ranges of a quantity: only the first if there are no other libraries; one without a name if it is costly.
 std::vector<TimedRange> ranges(const Quantity& quantity) {
   if (quantity.is_costly) return std::vector<TimedRange>(1);
   std::vector<TimedRange> all{{"[1e-6,20] log-uniform", 1e-6, 20, true},
@@ -42,16 +42,16 @@ std::vector<TimedRange> ranges(const Quantity& quantity) {
 
 double representative(ArgumentKind kind, const TimedRange& range, Random& random) {
   if (kind == ArgumentKind::nonzero_position || kind == ArgumentKind::position)
-    // The upper end is included, the lower end is not.
+    // The interval includes the upper end, but not the lower end.
     return range.logarithmic ? random.log_uniform(range.lower, range.upper)
                              : range.upper - random.uniform() * (range.upper - range.lower);
   if (kind == ArgumentKind::young) return 1;
   if (kind == ArgumentKind::poisson) return 0.3;
   if (kind == ArgumentKind::index) return std::floor(random.log_uniform(1, 1000));
-  return 0;  // quantities with other arguments draw their points themselves
+  return 0;  // quantities with other arguments draw their own points
 }
 
-/// Of a costly quantity none that fast refuses.
+/// Draws points. Those of a costly quantity are drawn again until fast accepts them.
 std::vector<Point> draw_points(const Quantity& quantity, const TimedRange& range, std::size_t count) {
   Random random("bench " + quantity.name + range.name);
   std::vector<Point> points(count, Point(quantity.arguments.size()));
@@ -76,15 +76,14 @@ std::string range_text(const Quantity& quantity, const TimedRange& range) {
   return fmt::format("{} in {}", quantity.arguments.front().name, range.name);
 }
 
-/// The reference's value at one of a set's points.
+/// The reference's value at one of the points.
 struct Truth {
   std::size_t number;
   ref::Estimate value;
   double envelope;
 };
 
-/// The reference's values at the first `count` points, or at as many as it computes in these seconds, without those that it
-/// refuses.
+/// The reference's values at the first `count` points that it computes in these seconds, without those that it refuses.
 std::vector<Truth> first_truths(const Quantity& quantity, const std::vector<Point>& points, std::size_t count,
                                 double seconds) {
   std::vector<Truth> truths;

@@ -11,14 +11,14 @@
 namespace nipref::verify {
 namespace {
 
-/// In the order of Mark.
+/// Names of marks, in the order of Mark.
 constexpr const char* mark_names[] = {"line", "dots", "marked-line", "points", "bars", "ranges", "star"};
 
 std::string panel_name(const Panel& panel) {
   return (panel.contours ? panel.contours->label + ", " : "") + panel.y.label + " against " + panel.x.label;
 }
 
-/// Null for an empty list.
+/// The list of the values; null if there are none.
 Json numbers_json(const std::vector<double>& values) { return values.empty() ? Json() : json_list(values); }
 
 Json series_json(const Series& series) {
@@ -52,7 +52,7 @@ std::string contours_csv(const std::string& panel, const Contours& contours) {
 
 constexpr const char* columns_of_series[] = {"x", "y", "low", "high"};
 
-/// A text as it stands between the double quotes of gnuplot.
+/// Escapes a text for the double quotes of gnuplot.
 std::string escaped_for_gnuplot(const std::string& text) {
   std::string quoted;
   for (const char letter : text) {
@@ -62,13 +62,13 @@ std::string escaped_for_gnuplot(const std::string& text) {
   return quoted;
 }
 
-/// The labels or roles without repetition, in the order of their first series.
+/// The labels or the roles without repetitions, in the order of the series.
 std::vector<std::string> each_once(const TemplateData& all_series, const char* what) {
   return verify::each_once(
       mapped(all_series, [&](const auto& series) { return series[what].template get<std::string>(); }));
 }
 
-/// A part of the plot command: `data` drawn with a mark, in the style of the label of that number.
+/// A part of the plot command: `data` drawn with a mark, in the style of this label.
 TemplateData plot_of(const std::string& data, const std::string& mark, std::size_t label,
                      std::size_t points = 1) {
   return {
@@ -81,8 +81,8 @@ TemplateData key_entry(const std::string& legend, const std::string& mark, std::
   return entry;
 }
 
-/// Adds the key: an entry for each label, then in black an entry for each role; a label or a role that all series have in
-/// common gets no entry. If each series has a label of its own, its entry shows the series as it is drawn.
+/// Adds the key: an entry for each label, then a black entry for each role. A label or a role that all series share
+/// gets no entry. If each series has its own label, its entry shows the series as drawn and roles have no entry.
 void add_key(TemplateData& plots, const TemplateData& all_series) {
   const auto labels = each_once(all_series, "label"), roles = each_once(all_series, "role");
   const bool as_drawn = labels.size() == all_series.size() && roles.size() > 1;
@@ -97,7 +97,7 @@ void add_key(TemplateData& plots, const TemplateData& all_series) {
   }
 }
 
-/// A line for each point of the series.
+/// The data lines of a series, one for each point.
 std::string rows_of(const TemplateData& series) {
   std::string text;
   for (std::size_t i = 0; i < series["x"].size(); ++i) {
@@ -108,8 +108,8 @@ std::string rows_of(const TemplateData& series) {
   return text;
 }
 
-/// Adds the points in gnuplot's grid format: a block of all x for each y, separated by empty lines; and a scale of colours, one
-/// from each contour to the next, that is as long below 0 as above.
+/// Adds the points in gnuplot's grid format: for each y a block with all x, and an empty line between blocks. Also adds
+/// a scale of colours, one colour between neighbouring contours, which is symmetric about 0.
 void add_grid(TemplateData& contours) {
   const TemplateData &x = contours["x"], &y = contours["y"];
   std::string text;
@@ -117,7 +117,7 @@ void add_grid(TemplateData& contours) {
     text += fmt::format("{}{} {} {}\n", i > 0 && i % x.size() == 0 ? "\n" : "", x[i % x.size()].get<double>(),
                         y[i / x.size()].get<double>(), contours["values"][i].get<double>());
   const double step = contours["step"];
-  double steps = 1;  // from 0 to the end of the colours
+  double steps = 1;  // the number of steps from 0 to the end of the scale
   for (const TemplateData& value : contours["values"])
     steps = std::max(steps, std::ceil(std::fabs(value.get<double>()) / step - 1e-9));
   contours.update({{"points", text},
@@ -198,20 +198,20 @@ std::string gnuplot_script(const Json& drawing) {
   if (!figure.contains("panels")) figure = {{"panels", TemplateData::array({figure})}};
   TemplateData& panels = figure["panels"];
   for (TemplateData& panel : panels) prepare(panel);
-  // A key beside a panel leaves no room for a second column; contours have none.
+  // A key beside a panel leaves no room for a second column of panels. Contours have no key.
   const std::size_t columns = panels[0]["contours"].is_null() ? 1 : 2, rows = panels.size() / columns;
   figure.update(
       {{"notes", parts_of(figure.value("parameters", ""), "; ")},
        {"long_key", panels[0]["series"].size() > 4},
        {"columns", columns},
        {"rows", rows},
-       {"width", columns == 1 ? 950 : columns * 620},  // as wide as a page shows without making it smaller
+       {"width", columns == 1 ? 950 : columns * 620},  // a page shows this width without scaling it down
        {"height", 110 + rows * (columns == 1 ? 460 : 400)}});
   return filled(template_text("figure.gnuplot"), figure, escaped_for_gnuplot);
 }
 
 std::optional<std::string> drawn_by_gnuplot(const std::string& script) {
-  // Whatever the user has set up; by that name a script ends with its first error.
+  // -d ignores the user's settings. With this file name a script ends at its first error.
   const ProgramOutput drawn = output_of({"gnuplot", "-d", "/dev/stdin"}, script);
   if (drawn.status == status_not_found) return std::nullopt;
   if (drawn.status != 0) throw std::runtime_error("gnuplot does not draw: " + script.substr(0, 1000));

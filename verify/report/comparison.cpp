@@ -8,18 +8,18 @@ namespace {
 
 using nlohmann::json;
 
-/// In the order of the enumeration.
+/// The names of changes, in the order of the enumeration.
 constexpr std::string_view change_names[] = {"worse",   "slower", "better", "quicker",
                                              "changed", "new",    "gone"};
 
-/// A list of a report; empty if an older program did not write it.
+/// A list in a report; empty if an older program did not write this list.
 const json& list_at(const json& report, const std::string& path) {
   static const json none = json::array();
   const json::json_pointer pointer(path);
   return report.contains(pointer) && report.at(pointer).is_array() ? report.at(pointer) : none;
 }
 
-/// The member of a row if it is a number: infinite values are null in JSON.
+/// The member of a row if it is a number. Infinite values are null in JSON.
 std::optional<double> number_at(const json& row, const std::string& key) {
   if (!row.contains(key) || !row[key].is_number()) return std::nullopt;
   return row[key].get<double>();
@@ -47,7 +47,7 @@ std::map<std::string, const json*> by_name(const json& rows, const std::vector<s
   return named;
 }
 
-/// Of a member that is compared, and whether it is one of texts, of which "true" is better.
+/// The change of one member of a row, if any. A member is a number, or a text, for which "true" is better.
 std::optional<ChangedItem> change_of(const TomlTable& column, const std::string& row, const json& before,
                                      const json& now) {
   const std::string &key = column.text("key"), what = row + column.text("title");
@@ -65,8 +65,8 @@ std::optional<ChangedItem> change_of(const TomlTable& column, const std::string&
                      fmt::format("{:.{}g}", *is, digits)};
 }
 
-/// Adds the changes in the rows of a part, new rows and rows that are gone. Returns the number of rows whose numbers were
-/// found at other points.
+/// Adds the changes in the rows of a part, the new rows and the rows that are gone. Returns the number of comparisons
+/// left out because their errors are of different points.
 std::size_t compare(const TomlTable& part, const json& older, const json& newer,
                     std::vector<ChangedItem>& items) {
   const std::string &path = part.text("path"), name = part.text("name") + " ";

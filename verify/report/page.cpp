@@ -19,7 +19,7 @@ TemplateData* row_like(TemplateData& rows, const TemplateData& row, const Keys& 
   return found == rows.end() ? nullptr : &*found;
 }
 
-/// Adds to each row the members of that row of `more` which has the same keys.
+/// Adds to each row the members of the row of `more` that has the same keys.
 void join(TemplateData& rows, TemplateData& more, const Keys& keys) {
   for (TemplateData& row : rows)
     if (const TemplateData* const other = row_like(more, row, keys)) row.update(*other);
@@ -40,7 +40,7 @@ TemplateData grouped(const TemplateData& rows, const Keys& keys) {
   return groups;
 }
 
-/// Encodes the text for a URL (RFC 3986). Runs of white space, of which gnuplot writes many, become single spaces.
+/// Encodes the text for a URL (RFC 3986). Runs of white space, which gnuplot writes often, become single spaces.
 std::string percent_encoded(const std::string& svg) {
   constexpr std::string_view plain = "!'()*+,-./:;=?@_|$[]";
   std::string url;
@@ -57,7 +57,7 @@ std::string percent_encoded(const std::string& svg) {
   return url;
 }
 
-/// Replaces the plots in the rows by pictures, drawn in several threads.
+/// Draws the plots of the rows in several threads and puts the pictures in their place.
 void draw_all(TemplateData& rows, const Drawer& draw) {
   std::vector<TemplateData*> plotted;
   for (TemplateData& row : rows)
@@ -70,7 +70,7 @@ void draw_all(TemplateData& rows, const Drawer& draw) {
   });
 }
 
-/// The answer, rearranged for the page's template.
+/// Rearranges the answer for the page's template.
 TemplateData arranged(const std::string& answer, const Drawer& draw) {
   TemplateData page = TemplateData::parse(answer);
   page["coming"] = !page["to_come"].empty();
@@ -78,7 +78,7 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
   join(rows, page["quantities"], {"quantity"});
   join(page["golden"], page["golden_values"], {"quantity"});
   join(page["tables"]["tables"], page["summary"]["tables"], {"id"});
-  // No reference to a member of the page is held over the insertion of another, which moves the members.
+  // An insertion moves the members of the page, so no reference to a member is kept beyond an insertion.
   page["ways"] = grouped(page["bench"]["rows"], {"quantity", "range"});
   if (page.contains("times")) join(page["ways"], page["times"]["plots"], {"quantity", "range"});
   for (TemplateData& figure : page["figures"])
@@ -108,10 +108,10 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
 
 constexpr std::size_t fewest_dots = 12;
 constexpr double largest_linear_promise = 64;
-constexpr int fewest_ways = 4;  ///< a plot has at least so many ways to the same values
+constexpr int fewest_ways = 4;  ///< least number of ways to the same values in a plot
 constexpr double least_drawn_error = 1e-17, most_drawn_error = 10;
 
-/// A series of errors; on a logarithmic axis without the errors that are 0.
+/// A series of errors. On a logarithmic axis errors of 0 are left out.
 Series error_series(const std::string& label, Mark mark, const std::vector<ErrorDot>& dots, bool largest_only,
                     bool logarithmic) {
   Series series{label, label, mark, {}, {}};
@@ -132,7 +132,7 @@ std::string label_of(const Argument& argument, bool decades) {
   return argument.kind == degrees ? name + ", degrees" : name;
 }
 
-/// The error of all points against one argument.
+/// Plots the error of all points against one argument.
 Panel error_panel(const AuditResult& result) {
   const Argument& argument = result.quantity->arguments[result.spread.along];
   const bool decades = spans_decades(argument.kind);
@@ -180,7 +180,7 @@ bool has_error(const BenchRow& row) {
   return row.max_relative_error && std::isfinite(*row.max_relative_error);
 }
 
-/// Times of the ways to the same values against their errors.
+/// Plots the times of all ways to the same values against their errors.
 Panel speed_panel(std::span<const BenchRow> ways) {
   Panel panel{{"largest error, relative", true}, {"time of a value, ns", true}, {}};
   Series best{"none better in this run", "none better in this run", Mark::star, {}, {}};

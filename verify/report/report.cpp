@@ -5,12 +5,12 @@
 namespace nipref::verify {
 namespace {
 
-/// Columns of the seeds' tables, the largest error of which is reported.
+/// A column of the seeds' tables whose largest error is reported.
 struct SeedColumn {
   std::string_view what;
-  std::string_view tables;  ///< the beginning of their ids
+  std::string_view tables;  ///< the beginning of the tables' ids
   std::string_view weakness;
-  std::string_view column;  ///< the beginning of its name
+  std::string_view column;  ///< the beginning of the column's name
 };
 
 constexpr SeedColumn seed_columns[] = {
@@ -18,7 +18,7 @@ constexpr SeedColumn seed_columns[] = {
     {"rolling resistance mu_R of the thesis", "thesis-", "discretisation", "muR"},
     {"span ratio of Brock's Table 1 (2013)", "brock2013-1", "formula", "c="}};
 
-/// The number of rows, and of those for which `is_so` holds.
+/// The number of rows for which `is_so` holds, of other rows, and of all rows.
 template <class Rows, class IsSo>
 Json share_json(const Rows& rows, IsSo is_so) {
   const auto kept = std::ranges::count_if(rows, is_so);
@@ -56,7 +56,7 @@ Json hard_cases_json(const std::vector<ContactAudit>& audits) {
   return share_json(kept, std::identity());
 }
 
-/// The numbers for which there is no truth to compare with.
+/// The numbers without a truth to compare with.
 Json skipped_json(const Report& report) {
   const long points = sum(report.quantities, &AuditResult::left_out);
   const long refused = sum(report.scenes, &SceneTally::refused);
@@ -96,8 +96,8 @@ Json headline_ratios_json(const BenchReport& speed) {
   return json_list(speed.ratios | std::views::filter(is_headline), ratio_json);
 }
 
-/// Of the contact length and the rolling resistance of the thesis by its line loads, and of the span ratio in Brock's first
-/// table of 2013 by its formula, the largest deviation in those of the tables that are here.
+/// The largest deviations in the given tables: of the contact length and the rolling resistance by the thesis's line
+/// loads, and of the span ratio by the formula of Brock's first table of 2013.
 Json seed_errors_json(const std::vector<Replay>& tables) {
   std::vector<Json> errors;
   for (const SeedColumn& where : seed_columns) {
@@ -168,7 +168,7 @@ Json golden_values_json(const std::vector<GoldenSample>& samples) {
   std::vector<Json> files;
   for (const auto& [file, checked] : samples) {
     if (file.rows.empty()) continue;
-    std::set<std::string> methods;  // without the distance, which differs from row to row
+    std::set<std::string> methods;  // names of methods without the distance, which differs from row to row
     for (const GoldenRow& row : file.rows)
       methods.insert(row.confirmed_by.substr(0, row.confirmed_by.rfind(" to ")));
     files.push_back({{"quantity", checked.quantity},
@@ -181,7 +181,7 @@ Json golden_values_json(const std::vector<GoldenSample>& samples) {
   return files;
 }
 
-/// How many promises were kept, and the result that uses the largest share of its promised error; null without results.
+/// The number of kept promises, and the result that uses the largest share of its promised error; null without results.
 Json kept_json(const std::vector<AuditResult>& results) {
   if (results.empty()) return {};
   const AuditResult& closest = *closest_to_its_promise(results);

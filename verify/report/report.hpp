@@ -12,7 +12,7 @@
 
 namespace nipref::verify {
 
-/// How a number or a verdict differs from the older one.
+/// The kind of a difference between a number or a verdict of this report and the older one.
 enum class Change { worse, slower, better, quicker, changed, appeared, gone };
 
 /// "worse", "slower", "better", "quicker", "changed", "new", "gone"
@@ -21,12 +21,12 @@ std::string_view name(Change change);
 struct ChangedItem {
   Change change;
   std::string what;         ///< "audit I1, largest error"
-  std::string before, now;  ///< empty where the report does not have it
+  std::string before, now;  ///< empty if the report does not have the item
 };
 
-/// This report against an older one.
+/// The comparison of this report with an older one.
 struct ReportComparison {
-  std::string older;               ///< the commit that the older one was built from, and its date
+  std::string older;               ///< the commit from which the older report was built, and its date
   std::string note;                ///< what could not be compared, and why; may be empty
   std::vector<ChangedItem> items;  ///< worst first, in the order of Change
 
@@ -36,12 +36,12 @@ struct ReportComparison {
 /// True if the text is the JSON of a report.
 bool is_report(const std::string& json);
 
-/// Compares two such texts. A change is: a largest error that differs by a tenth, if both are of as many points; a promised
-/// ratio of times, each from one run, that differs by a quarter (times themselves are not compared); a count of verdicts; a
-/// promise that is kept or broken now; a row that is new or gone.
+/// Compares two such texts. These are changes: a largest error that differs by a tenth, if both errors are of the same
+/// number of points; a promised ratio of times that differs by a quarter, if each is from one run (times themselves are
+/// not compared); a count of verdicts; a promise that is now kept or broken; a row that is new or gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
-/// The part of the answer that the page and, of at most so many items, the text show.
+/// The comparison as the page and the text show it. The text shows at most this number of items.
 Json comparison_json(const ReportComparison& comparison, std::size_t most_in_text = 10);
 
 /// The golden values of one quantity, and the result of checking a sample of them.
@@ -57,16 +57,16 @@ struct Report : Audited {
   Witness witness;
   BenchReport speed;
   std::vector<Replay> tables;
-  bool tables_fall_short = false;  ///< more cells are unexplained than is known
+  bool tables_fall_short = false;  ///< more cells are unexplained than are known to be
   std::vector<CheckedClaim> claims;
   std::vector<LimitRow> limits;
   std::vector<Settlement> errata;
   std::vector<GoldenSample> golden;
   std::vector<Figure> figures = {};                 ///< only if a page is written
   std::optional<ReportComparison> comparison = {};  ///< with an older report, if one is given
-  std::vector<std::string> to_come = {};            ///< parts that this run has not come to yet
+  std::vector<std::string> to_come = {};            ///< parts of the report that are not computed yet
 
-  /// True if all promises are kept. Ratios of times, which depend on the machine, count only if `strict`.
+  /// True if all promises are kept. Ratios of times, which depend on the machine, count only if `strict` is set.
   [[nodiscard]] bool kept(bool strict) const;
 };
 
@@ -76,24 +76,25 @@ const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& result
 /// The answer of an audit, by itself and within a report.
 Json audits_json(const Audited& audited, fast::Accuracy accuracy);
 
-/// The answer of a report: what its parts would answer, counts, the errors of the seeds' methods, the definition and plot of each
-/// quantity, golden values, and plots of times against errors.
+/// The answer of a report: the answers of its parts, counts, the errors of the seeds' methods, the definition and plot
+/// of each quantity, golden values, and plots of times against errors.
 Json report_json(const Report& report);
-Json error_plot_json(const AuditResult& result);  ///< null where there are too few points
+Json error_plot_json(const AuditResult& result);  ///< null if there are too few points
 Json speed_plots_json(const std::vector<BenchRow>& rows);
 
-/// Runs a gnuplot script and returns the SVG that it draws; empty if gnuplot is not installed. Several threads call it.
+/// Runs a gnuplot script and returns the SVG that it draws; empty if gnuplot is not installed. Must be thread-safe.
 using Drawer = std::function<std::optional<std::string>(const std::string& script)>;
 
-/// The answer of a report as one HTML file, by the template report.html: it needs neither a network nor scripts. `draw` draws
-/// the plots; in place of a plot that it cannot draw, the page says so. It links mathematics.html beside it where there is one.
+/// The answer of a report as one HTML file, which needs no network and no scripts, by the template report.html. `draw`
+/// draws the plots; the page says so where a plot could not be drawn. `has_mathematics`: mathematics.html, which the
+/// page then links, stands beside it.
 std::string report_page(const std::string& answer, const Drawer& draw, bool has_mathematics = false);
 
-/// The answer as one screen of 80 columns, by the template report.txt: the build, a line or two for each part, and the path
-/// of the page.
+/// The answer of a report as one screen of 80 columns, by the template report.txt: the build, a line or two for each
+/// part, and the path of the page.
 std::string report_text(const std::string& answer, const std::string& where_more_is);
 
-/// Those lines of such a text that begin with one of the heads, "errata", with the lines that go on with them.
+/// The lines of such a text that begin with one of the heads, for example "errata", and their continuation lines.
 std::string report_lines(const std::string& text, const std::vector<std::string>& heads);
 
 }  // namespace nipref::verify

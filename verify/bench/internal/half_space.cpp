@@ -15,13 +15,13 @@ constexpr auto half_space = "half-space";
 constexpr std::size_t direction_count = 1000, most_evaluations = 100'000'000;
 constexpr double theta_deg = 45, sliding_speed = 0.3;
 
-/// The seed's graphite epoxy, as the catalogue has it.
+/// The arguments for one line of the seed's graphite epoxy, as the catalogue has it.
 Point line_point(double axis, double psi_deg) {
   return point_of(find_quantity("ti.compliance"),
                   {{"theta_deg", theta_deg}, {"psi_deg", psi_deg}, {"speed", sliding_speed}, {"axis", axis}});
 }
 
-/// The response of its surface, symmetry axis normal (0) or in the plane (1).
+/// The response of the epoxy's surface; the symmetry axis is normal (0) or in the plane (1).
 fast::SurfaceResponse epoxy_surface(double axis) {
   const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
       transverse_surface_of({find_quantity("ti.compliance").arguments, line_point(axis, 0)}));
@@ -34,7 +34,7 @@ std::vector<Direction> directions() {
   });
 }
 
-/// The compliance K of one line.
+/// Times the compliance K of one line.
 std::vector<BenchRow> lines(const std::string& what, const fast::SurfaceResponse& response,
                             const Quantity& quantity, const PointOfAngle& point) {
   const auto by_fast = [&, all = directions()](std::size_t i) {

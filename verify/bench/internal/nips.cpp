@@ -27,7 +27,7 @@ using data::Friction;
 
 constexpr auto elastic_nip = "elastic-nip", viscoelastic_nip = "viscoelastic-nip";
 
-/// A way to find a number of a contact. `error_of`: empty where nothing independent is compared.
+/// A way to compute a number of a contact. `error_of` is empty if there is no independent value to compare with.
 TimedWay contact_way(const std::string& name, const std::function<double()>& number,
                      const std::function<WayError(double number)>& error_of = {}) {
   TimedWay way{name, repeated([=](std::size_t) { return number(); })};
@@ -42,7 +42,7 @@ auto error_against(const ref::Estimate& truth) {
   };
 }
 
-/// Contacts at the middle of the thesis's loads.
+/// Contacts at the middle one of the thesis's loads.
 std::vector<BenchRow> elastic_contacts(double thickness) {
   constexpr double load = 100;
   constexpr int length_digits = 20;
@@ -74,7 +74,7 @@ std::vector<BenchRow> elastic_contacts(double thickness) {
   return timed_rows(elastic_nip, fmt::format("B={} W=100", thickness), ways, {.over = 4});
 }
 
-/// The creep ratio with Coulomb's friction, each roller passing on half of what it can.
+/// The creep ratio with Coulomb's friction. Each roller transmits half of the largest possible traction.
 std::vector<BenchRow> creep_with_slip() {
   constexpr double load = 100, friction = 0.1;
   const data::PartialSlipNip nip{data::seed::nip(0.25), friction, data::GivenTraction{friction * load / 2}};
@@ -91,7 +91,7 @@ std::vector<BenchRow> creep_with_slip() {
   return timed_rows(elastic_nip, "creep, B=0.25 W=100 T=5 friction=0.1", ways, {.over = 5});
 }
 
-/// The time for all rows of Tables III to X does not include that for loading the tables.
+/// Times all rows of Tables III to X without the loading of the tables.
 std::vector<BenchRow> elastic_replay() {
   std::vector<data::Table> tables;
   for (const LineLoadTable& how : line_load_tables())
@@ -118,7 +118,7 @@ struct Times {
   double t, T;
 };
 
-/// Loads that have moved by up to ten half-thicknesses; the point lies ahead of them or behind them.
+/// Paths of loads that have moved by up to ten half-thicknesses. The point lies ahead of the load or behind it.
 std::vector<Times> load_paths(std::size_t count) {
   Random random("bench Un");
   std::vector<Times> all;
@@ -129,7 +129,7 @@ std::vector<Times> load_paths(std::size_t count) {
   return all;
 }
 
-/// The error over the scale of the catalogue's Un, at the first few of the points.
+/// The largest error relative to the scale of the catalogue's Un, at the first few points.
 double largest_error(const auto& by_method, const std::vector<Times>& points) {
   constexpr std::size_t compared = 30;
   const ref::MovingLoad load(ref::exact_material(unit_solid()), ref::Exact(1.0), ref::Exact(1.0));
@@ -163,8 +163,8 @@ std::vector<BenchRow> displacements_under_moving_load() {
   return timed_rows(viscoelastic_nip, "t in [0.01,10], T around", ways);
 }
 
-/// The contact lengths for B = 0.005 in, W = 100 lbf/in, F0 tau = 0.1 in. The reference path does not solve this contact:
-/// the truth is that of the finest accuracy of fast, which the names of the methods say.
+/// The contact length for B = 0.005 in, W = 100 lbf/in, F0 tau = 0.1 in. The reference path does not solve this
+/// contact. The result of fast at its finest accuracy takes the place of the truth, as the names of the methods say.
 std::vector<BenchRow> rolling_contacts() {
   const data::Table table = data::load_table_by_id("thesis-XXIV");
   const ViscoelasticTable& how = *find_viscoelastic_table(table.id);
@@ -190,7 +190,7 @@ std::vector<BenchRow> rolling_contacts() {
   return timed_rows(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", ways, {.over = 2});
 }
 
-/// All rows of Tables XI to XXVI, from their lengths, in one thread.
+/// The seconds for all rows of Tables XI to XXVI, from their lengths, in one thread.
 double seconds_of_replay(int residue_terms) {
   fast::clear_caches();
   return seconds_of([&] {

@@ -6,19 +6,19 @@
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/nip_tables.hpp>
 
-// What no formula of a figure describes: curves with as many points as a contact has loads, ranges or zones, and contours.
+// Curves with a point for each load, range or zone of a contact, and contours: no formula of a figure describes them.
 
 namespace nipref::verify {
 namespace {
 
-/// The row of a table whose first cell is that number.
+/// The row whose first cell is this number.
 std::size_t row_with(const data::Table& table, double key) {
   std::size_t row = 0;
   while (std::fabs(key_of_row(table, row) / key - 1) > 1e-6) ++row;
   return row;
 }
 
-/// The thesis's line loads of a table's row.
+/// The thesis's line loads for a row of a table.
 fast::LineLoadNip line_loads_of(const Replay& replay, FigureFormulas& formulas) {
   const data::Table& table = replay.table;
   if (const ViscoelasticTable* const how = find_viscoelastic_table(table.id)) {
@@ -35,7 +35,7 @@ fast::LineLoadNip line_loads_of(const Replay& replay, FigureFormulas& formulas) 
                                      values.at("L"), grip);
 }
 
-/// Adds a bar about its middle.
+/// Adds a bar with its middle.
 void add_bar(Series& bars, double x, double low, double high) {
   bars.x.push_back(x);
   bars.y.push_back((low + high) / 2);
@@ -43,7 +43,7 @@ void add_bar(Series& bars, double x, double low, double high) {
   bars.high.push_back(high);
 }
 
-/// Between neighbouring contours: 1, 2 or 5 times a power of ten, at most ten of them from 0 to the largest value.
+/// The difference between contours: 1, 2 or 5 times a power of ten; at most ten steps from 0 to the largest value.
 double contour_step(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::fabs(value));
@@ -55,7 +55,7 @@ double contour_step(const std::vector<double>& values) {
 
 }  // namespace
 
-/// Tractions in the middles of the elements, displacements at their ends.
+/// Tractions at the middles of the elements, displacements at the ends of the elements.
 std::vector<Series> by_line_loads(FigureFormulas& formulas, const Series& start) {
   const fast::LineLoadNip loads = line_loads_of(formulas.tables().front(), formulas);
   const ResultId shown = data::find_scene_result(formulas.scope.shown->text("id"))->id;
@@ -90,7 +90,7 @@ std::vector<Series> creep_ranges(FigureFormulas& formulas, const Series& start) 
   return {series};
 }
 
-/// Places are counted along the contact, from its trailing end at 0 to its leading end at 1.
+/// Positions are fractions of the contact: 0 at the trailing end, 1 at the leading end.
 std::vector<Series> slip_zones(FigureFormulas& formulas, const Series& start) {
   Series towards_entry = start, towards_exit = start;
   towards_entry.label += " towards the entry";

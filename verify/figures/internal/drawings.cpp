@@ -14,13 +14,13 @@ std::vector<double> evenly(double first, double last, int count) {
   return mapped(std::views::iota(0, count), [&](int i) { return std::lerp(first, last, i / (count - 1.0)); });
 }
 
-/// With the definitions of a table of the file, the innermost.
+/// The scope with the definitions of a table of the file as the innermost ones.
 FigureScope within(FigureScope scope, const TomlTable& table) {
   scope.given.push_back(table.text_or("given", ""));
   return scope;
 }
 
-/// A scope for each round of these loops.
+/// The scopes of all rounds of these nested loops.
 std::vector<FigureScope> rounds_of(const FigureScope& outer, const std::string& loops) {
   std::vector<FigureScope> all{outer};
   for (const std::string& loop : words_of(loops)) {
@@ -46,7 +46,7 @@ std::vector<FigureScope> rounds_of(const FigureScope& outer, const std::string& 
   return all;
 }
 
-/// The replayed cells of a curve, if it has a role, and the printed ones but for illegible and doubtful ones.
+/// The replayed cells of a curve, if the curve has a role, and the printed cells that are legible and not doubtful.
 Curves cells_of(const TomlTable& curve, const std::string& label, FigureFormulas& formulas) {
   const std::string column = formulas.text(curve.text("cells")), role = curve.text_or("role", ""),
                     at = curve.text("at"), printed_at = curve.text_or("printed_at", at);
@@ -91,7 +91,7 @@ Curves curves_of(const TomlTable& curve, const std::string& label, const FigureS
   return {series};
 }
 
-/// All curves of a round of a group, which share their contacts.
+/// All curves of one round of a group. They share their contacts.
 Curves curves_of_group(const TomlTable& group, const FigureScope& scope) {
   FigureContacts contacts;
   Curves all;

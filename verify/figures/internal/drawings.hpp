@@ -6,53 +6,54 @@
 
 namespace nipref::verify {
 
-/// What a row of data/statements/figures.csv says about a drawing.
+/// A row of data/statements/figures.csv, which describes a drawing.
 struct FigureRow {
   std::vector<std::string> panels, of;
   std::string label;
   std::map<std::string, std::vector<std::string>> lists;
   std::vector<Replay> tables;
 
-  /// The numbers of a list: "evenly A B N" and "ratios A B N" are N numbers from A to B, "without A" leaves one out, all
-  /// other words are numbers.
+  /// The numbers of a list. "evenly A B N" and "ratios A B N" are N numbers from A to B with equal differences or equal
+  /// ratios, "without A" removes A, and every other word is a number.
   [[nodiscard]] std::vector<double> numbers(const std::string& list) const;
 };
 
-/// What the formulas and texts of a panel or a curve refer to: the round of each loop around it.
+/// The variables of a panel's or a curve's formulas and texts: the state of all loops around it.
 struct FigureScope {
   const FigureRow* row;
-  const TomlTable* shown = nullptr;  ///< what is shown, of the row's `of`
-  const Replay* table = nullptr;     ///< of the loop over tables
+  const TomlTable* shown = nullptr;  ///< the entry of the row's `of` that is shown
+  const Replay* table = nullptr;     ///< the table of the loop over tables
   std::vector<std::pair<std::string, double>> numbers = {};
-  std::vector<std::string> given = {};  ///< definitions, the outer ones first
+  std::vector<std::string> given = {};  ///< definitions, outer ones first
 };
 
-/// Contacts that curves share.
+/// Contacts that several curves use.
 struct FigureContacts {
   std::map<std::string, SolvedInDouble> scenes;
   SolvedNumbers others;
 };
 
-/// Evaluates the formulas of a scope. Besides what StatementFormulas describes they have
-///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain Un] and
-///     [plain Vn] those of its solid under a moving load, keys t, T, t0 in half-thicknesses b, and memory;
+/// Evaluates the formulas of a scope. They have these terms besides those of StatementFormulas:
+///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain
+///     Un] and [plain Vn]: the sums of its solid under a moving load, keys t, T, t0 in half-thicknesses, memory;
 ///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy;
-///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or of that of what is "shown", by that method, with values
-///     of its keys;
-///   - [replayed COLUMN]: in the row of the cell that is drawn.
+///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or with ID "shown" of the scene that is shown,
+///     by this method, with these values of its keys;
+///   - [replayed COLUMN]: the replayed value of this column in the row of the entered cell.
 class FigureFormulas {
  public:
   FigureFormulas(const FigureScope& scope, FigureContacts& contacts);
 
   double value(const std::string& formula) { return formulas_.value(formula).value(); }
   void define(const std::string& name, double number) { formulas_.define(name, Propagated::exact(number)); }
-  /// With what drawings.toml has between braces.
+  /// The text with the fields that drawings.toml has in braces filled in.
   std::string text(const std::string& stated);
-  /// The contact of the nip that is described by its numbers.
+  /// The contact of the nip that the numbers B, load, memory, grips and accuracy describe.
   const SolvedContact<fast::Estimate>& nip();
-  /// That of the loop over tables, otherwise all of the row.
+  /// The table of the loop over tables; without such a loop all tables of the row.
   [[nodiscard]] std::span<const Replay> tables() const;
-  /// From here on formulas know the cell's table, `key` of its row, and `coordinate` of its column.
+  /// From this call on formulas know the parameters of the cell's table, `key` of its row and `coordinate` of its
+  /// column.
   void enter(const Replay& replay, const ReplayedCell& cell);
 
   const FigureScope& scope;
@@ -63,19 +64,19 @@ class FigureFormulas {
 
   FigureContacts& contacts_;
   Formulas formulas_;
-  const RowValues* replayed_ = nullptr;  ///< in the row of the cell that was entered
+  const RowValues* replayed_ = nullptr;  ///< the replayed values of the entered cell's row
 };
 
-/// A curve that no formula describes.
+/// Draws a curve that no formula describes.
 using DrawnSeries = std::vector<Series>(FigureFormulas& formulas, const Series& start);
-/// The profile of the result that is shown by the thesis's line loads, at the loads or between them.
+/// The profile of the shown result by the thesis's line loads, at the loads or between them.
 DrawnSeries by_line_loads;
-/// The ranges of creep ratios that the thesis's conditions leave, for the list m_beta.
+/// The ranges of creep ratios that satisfy the thesis's conditions, for each number of the list m_beta.
 DrawnSeries creep_ranges;
-/// The zones in which a nip with the load `load` slips, for the list mu.
+/// The slip zones of a nip with the load `load`, for each number of the list mu.
 DrawnSeries slip_zones;
 
-/// Lines of equal stress over the largest pressure.
+/// Lines of equal stress. The stress is divided by the largest pressure.
 Contours stress_contours(FigureFormulas& formulas);
 
 /// data/statements/drawings.toml

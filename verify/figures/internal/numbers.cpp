@@ -9,7 +9,7 @@
 namespace nipref::verify {
 namespace {
 
-/// As in the thesis's viscoelastic tables; for the elastic ones it gives no number.
+/// The number of residues of the thesis's viscoelastic tables. For the elastic tables the thesis states none.
 constexpr int residues = 500;
 constexpr double stated_bulk = data::seed::sheet.young,
                  stated_shear = data::thesis_shear_over_bulk * stated_bulk;
@@ -32,7 +32,7 @@ double plain_sum(const Brackets& brackets) {
   return name == "I1" ? I1[0] : name == "I3" ? I3[0] : I6[0];
 }
 
-/// The contact of a scene with these values of its keys.
+/// The contact of a scene with the given values of the scene's keys.
 const SolvedContact<fast::Estimate>& scene_of(const Brackets& brackets, const FigureScope& scope,
                                               FigureContacts& contacts) {
   const std::string& name = brackets.name(1);
