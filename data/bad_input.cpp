@@ -4,7 +4,7 @@
 namespace nipref::data {
 namespace {
 
-/// Whatever was in the input.
+/// Returns the text with a blank in place of each control character.
 std::string in_one_line(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char letter) { return letter < ' '; }, ' ');

@@ -5,9 +5,9 @@
 
 namespace nipref::data {
 
-/// The one error for arguments outside their documented domain. `what()` is a single line
-/// "ARGUMENT = VALUE: ALLOWED", e.g. "alpha = nan: must be a finite number". The parts may hold " = " and ": ":
-/// whoever wants one of them asks for it.
+/// The one error for arguments outside their documented domain. `what()` is a single line "ARGUMENT = VALUE: ALLOWED",
+/// e.g. "alpha = nan: must be a finite number". The three parts may themselves contain " = " and ": ", so that the line
+/// cannot be split reliably: the members return the parts.
 class BadInput : public std::invalid_argument {
  public:
   BadInput(std::string_view argument, std::string_view value, std::string_view allowed);

@@ -6,7 +6,7 @@ namespace {
 
 char lower(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }
 
-/// Levenshtein's distance, where two neighbours exchanged are one error too; row by row.
+/// Returns Levenshtein's distance, computed row by row, where an exchange of two neighbouring letters is one error too.
 std::size_t typing_errors(std::string_view from, std::string_view to) {
   std::vector<std::size_t> above(to.size() + 1), before_that, row = above;
   std::iota(above.begin(), above.end(), std::size_t{0});

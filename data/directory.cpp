@@ -29,7 +29,7 @@ fs::path shared_library() {
   return static_cast<const link_map*>(map)->l_name;
 }
 
-/// Where the data may lie, the best place first.
+/// The folders in which the data may lie, the preferred one first.
 std::vector<fs::path> places() {
   std::vector<fs::path> places;
   if (const fs::path file = program(); !file.empty())

@@ -3,13 +3,13 @@
 
 namespace nipref::data {
 
-// Where the data lies: folders of the data folder, which is the first with a folder "tables" in it of
-// 1. the environment variable NIPREF_DATA: if it is set, no other is looked at;
-// 2. share/nipref beside the running program (its bin/../share/nipref), or beside the shared library that this code
-//    is in: an installed package may be moved;
+// The data folder and its subfolders. The data folder is the first of these that has a subfolder "tables":
+// 1. the value of the environment variable NIPREF_DATA; if it is set, no other place is tried;
+// 2. share/nipref beside the running program (its bin/../share/nipref), or beside the shared library that holds this
+//    code, so that an installed package may be moved;
 // 3. the place of installation that was chosen when this was built;
-// 4. the source tree that it was built from.
-// BadInput naming NIPREF_DATA if there is none.
+// 4. the source tree from which it was built.
+// Throws BadInput naming NIPREF_DATA if there is none.
 
 /// The seeds' tables.
 [[nodiscard]] std::filesystem::path tables_directory();

@@ -6,14 +6,14 @@
 
 namespace nipref::data {
 
-/// BadInput "ARGUMENT = PATH: ALLOWED" for what cannot be read: nothing of that name, a folder, or a file that may not
-/// be read, each in words of its own. Opens nothing: what a pipe holds can be read once only.
+/// Throws BadInput "ARGUMENT = PATH: ALLOWED" if the file does not exist, is a folder, or may not be read; each case
+/// has its own message. The file is not opened, because a pipe can be read only once.
 void check_input_file(const std::filesystem::path& path, std::string_view argument);
 
-/// The file, open to be read, or what check_input_file says.
+/// Opens the file for reading. Throws BadInput as check_input_file does.
 [[nodiscard]] std::ifstream open_input_file(const std::filesystem::path& path, std::string_view argument);
 
-/// Every byte of it.
+/// Returns every byte of the file. Throws BadInput as check_input_file does.
 [[nodiscard]] std::string text_of_input_file(const std::filesystem::path& path, std::string_view argument);
 
 }  // namespace nipref::data

@@ -5,7 +5,8 @@
 namespace nipref::data {
 namespace {
 
-/// Where the text in quotes that begins the text ends: behind its closing quotes, or where all ends.
+/// Returns the length of the quoted text, including its quotes, with which `text` begins. Without a closing quote it
+/// ends with the line, a text in triple quotes with `text`.
 std::size_t quoted_length(std::string_view text) {
   const char quote = text.front();
   const std::string_view triple = text.substr(0, 3);
@@ -19,7 +20,7 @@ std::size_t quoted_length(std::string_view text) {
   return text.size();
 }
 
-/// Of a comment, a text in quotes or a letter, whichever begins the text.
+/// Returns the length of the comment, quoted text or single letter with which `text` begins.
 std::size_t token_length(std::string_view text) {
   const char letter = text.front();
   if (letter == '#') return std::min(text.find('\n'), text.size());
@@ -28,8 +29,8 @@ std::size_t token_length(std::string_view text) {
 
 bool is_beyond_ascii(char letter) { return static_cast<unsigned char>(letter) >= 0x80; }
 
-/// Whether a token is a text that toml++ takes as one: in what begins as a number it reads on through quotes, to the next
-/// space or comma, and behind a backslash it takes any letter for a space.
+/// Whether toml++ surely reads a token as one quoted text. It reads what begins like a number on through quotes, up to
+/// the next space or comma, and takes any letter after a backslash for a space.
 bool is_plain(std::string_view text, std::size_t at, std::string_view token) {
   const bool is_apart = at == 0 || std::string_view(" \t\r\n,").find(text[at - 1]) != std::string_view::npos;
   return is_apart && token.size() > 1 && token.find('\\') == std::string_view::npos;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What nearly every source of data is written with, which the build parses once: the standard library, {fmt}, and how
-// input is refused.
+// The headers that nearly every source of data needs, precompiled by the build: the standard library, {fmt} and
+// BadInput.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
-// fmt's own code, compiled once into this library: who links it needs no libfmt, and fmt as a header in every source
-// that formats would cost seconds each. Not inlined, so that they find all of it here.
+// The code of fmt, compiled once into this library. Programs that link it need no libfmt, and sources that format save
+// the seconds of compiling fmt. The build inlines nothing here, so that they find every function.
 #define FMT_HEADER_ONLY
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 namespace nipref::data {
 namespace {
 
-/// By Cholesky's factor of the matrix with unit diagonal, so that units do not matter.
+/// Tests whether Cholesky's factor of the matrix, scaled to a unit diagonal, exists: units do not matter then.
 bool is_positive_definite(const Stiffness::Voigt& matrix) {
   Stiffness::Voigt factor{};
   for (std::size_t i = 0; i < 6; ++i) {

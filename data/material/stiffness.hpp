@@ -16,12 +16,12 @@ inline constexpr auto upper_triangle = [] {
   return all;
 }();
 
-/// Sets a matrix of Voigt's, on both sides of its diagonal, to the constants of that order, which an iterator gives.
+/// Sets a symmetric matrix in Voigt notation to the constants that an iterator gives in the order of upper_triangle.
 void set_symmetric(auto& voigt, auto constants) {
   for (const auto& [i, k] : upper_triangle) voigt[i][k] = voigt[k][i] = *constants++;
 }
 
-/// Sets the constants of a solid with an axis of symmetry, along x3 or x2, in a matrix of zeros.
+/// Sets the constants of a solid whose axis of symmetry is x3 or x2 in a matrix of zeros.
 template <class Number>
 void set_transversely_isotropic(auto& voigt, SymmetryAxis axis, const Number& c11, const Number& c33,
                                 const Number& c13, const Number& c44, const Number& c66) {
@@ -32,7 +32,7 @@ void set_transversely_isotropic(auto& voigt, SymmetryAxis axis, const Number& c1
       const bool with_axis = i == along || k == along;
       voigt[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : c12);
     }
-    // Shear in the plane across direction i.
+    // Shear in the plane perpendicular to direction i.
     voigt[i + 3][i + 3] = i == along ? c66 : c44;
   }
 }
@@ -45,7 +45,7 @@ struct Stiffness {
   Voigt voigt;
   double density;
 
-  /// The product of a factor with its transpose, symmetric to the last bit; times the unit.
+  /// Returns `unit` times the product of a factor and its transpose, symmetric to the last bit.
   static Voigt squared(const Voigt& factor, double unit = 1);
 
   /// BadInput "stiffness" unless finite, symmetric and positive definite (to rounding: its Cholesky

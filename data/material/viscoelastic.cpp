@@ -53,7 +53,7 @@ std::string gains_energy(double frequency) {
                      frequency);
 }
 
-/// A transform and what rounding may have made of it, relative: its terms may nearly cancel.
+/// A transform and an estimate of its relative rounding error, which is large if the terms nearly cancel.
 struct Transformed {
   Complex value;
   double rounding;
@@ -65,8 +65,8 @@ struct Transformed {
   }
 };
 
-/// Energy is lost, not gained, in a cycle of this frequency: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K =
-/// 3/theta2 - 1/theta1. Both to rounding: where a modulus does not relax its loss is 0.
+/// Throws unless a cycle of this frequency loses energy: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K = 3/theta2 - 1/theta1.
+/// Both hold up to rounding errors: the loss of a modulus that does not relax is 0.
 void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, double frequency) {
   const Complex p(0, frequency);
   const Transformed shear(theta1, p), plane(theta2, p);
@@ -80,14 +80,15 @@ void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, 
   }
 }
 
-/// Where a loss that is negative anywhere shows: dense against the width of a real rate's peak, far beyond
-/// both ends, and about the resonance of each complex rate in steps of its own width.
+/// Frequencies at one of which the loss is negative if it is negative anywhere: dense compared with the width of the
+/// peak of a real rate, far beyond the lowest and the highest rate, and about the resonance of each complex rate in
+/// steps of its width.
 std::vector<double> telling_frequencies(const MaterialFunction& theta1, const MaterialFunction& theta2) {
   std::vector<double> frequencies;
   double least = HUGE_VAL, greatest = 0;
   for (const MaterialFunction* function : {&theta1, &theta2}) {
     for (const RelaxationTerm& term : function->terms) {
-      // What flows for ever is as large after this time as what gave way at once.
+      // After the inverse of this rate, the flow is as large as the instantaneous deformation.
       const double rate = term.rate != 0.0              ? std::abs(term.rate)
                           : function->instantaneous > 0 ? term.amplitude.real() / function->instantaneous
                                                         : 1;
@@ -101,14 +102,14 @@ std::vector<double> telling_frequencies(const MaterialFunction& theta1, const Ma
       }
     }
   }
-  // A step must change the frequency, and all of them be doubles.
+  // Each step must change the frequency, and all frequencies must be doubles.
   const double first = std::max(least / 1e3, std::numeric_limits<double>::min());
   const double last = std::min(greatest * 1e3, std::numeric_limits<double>::max() / 2);
   for (double frequency = first; frequency <= last; frequency *= 1.02) frequencies.push_back(frequency);
   return frequencies;
 }
 
-/// Without the zeros at its end.
+/// Returns the polynomial without the zeros at its end.
 std::vector<double> trimmed(std::vector<double> polynomial, const char* name) {
   for (const double c : polynomial) {
     if (!std::isfinite(c)) throw NoMaterial(name, c, "must have finite coefficients");
@@ -124,11 +125,11 @@ Compliances compliances(double bulk, double shear) {
   return {1 / (2 * shear), 3 / (6 * bulk + 2 * shear)};
 }
 
-/// theta = at_once (delta(t) + e^(-rate t)/relaxation_time), the rate of theta2 being so many times
-/// 1/relaxation_time.
+/// The solid with theta = at_once (delta(t) + e^(-rate t)/relaxation_time). The rate is 1/relaxation_time for theta1
+/// and `theta2_rate_factor` times as large for theta2.
 ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time, int theta2_rate_factor,
                               const MaterialConstants& constants) {
-  // It may be so short or so long that it no longer matters: it need not be a magnitude.
+  // The relaxation time may be so short or so long that it no longer matters: it need not be a magnitude.
   if (!(std::isfinite(relaxation_time) && relaxation_time > 0))
     throw NoMaterial("relaxation_time", relaxation_time, "must be finite and > 0");
   const auto function = [&](double compliance, int rate_factor) -> MaterialFunction {
@@ -220,7 +221,7 @@ bool ViscoelasticMaterial::gives_way_at_once() const {
 
 ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
   material.check();
-  // An incompressible one has theta2 = 0, which no viscoelastic material has.
+  // An incompressible elastic solid is refused here: its theta2 is 0, which no viscoelastic material has.
   return {{material.theta1(), {}}, {material.theta2(), {}}, material};
 }
 

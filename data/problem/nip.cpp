@@ -5,12 +5,12 @@ namespace nipref::data {
 
 namespace {
 
-/// What can be rolled. Where N gives way to nothing at once, u' = amplitude I1 * p - rate u of a memory: in the
-/// contact, with u the parabola, that settles p but for the two freedoms of the roller's place, and these cannot
-/// meet three wants, a pressure without inverse root at either end and a surface that is not torn at the leading
-/// one. Ahead of an inverse root at the leading end the gap can open, like a power 3/2; behind one at the trailing
-/// end roller and sheet would overlap. theta2 alone may give way to nothing at once; where theta1 does, theta2
-/// does as well, or the material would gain energy.
+/// Throws if N = theta1 + theta2 has no instantaneous part, as such a sheet cannot be rolled. For one term of memory,
+/// u' = amplitude I1 * p - rate u. In the contact u is the parabola of the roller, and this equation determines p up to
+/// two constants, the place of the roller. Two constants cannot meet three conditions: no inverse root of the pressure
+/// at either end, and a surface that is not torn at the leading end. With an inverse root at the leading end the gap
+/// ahead of it can open, like a power 3/2; with one at the trailing end roller and sheet would overlap behind it. Only
+/// theta2 may lack an instantaneous part alone: if theta1 alone lacked it, the material would gain energy.
 void check_gives_way_at_once(const ViscoelasticMaterial& material) {
   if (!material.gives_way_at_once())
     throw BadInput("theta1 instantaneous", 0,

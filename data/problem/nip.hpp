@@ -10,13 +10,13 @@ namespace nipref::data {
 /// Case A). (thesis chapter II, conditions (iii) and (iv))
 enum class Friction { none, full };
 
-/// What line loads do with an elastic sheet on the roller: no friction at all (the thesis's Case B), or none of slip
-/// (Case A) with a creep ratio, finite, that is given or chosen as the thesis does: of the least size for which no
-/// normal load is negative, the shear loads of a side have one sign and their part of the normal load does not fall
-/// outwards. (thesis 5.5)
+/// The grip of line loads on an elastic sheet: no friction (the thesis's Case B), or no slip (Case A) with a creep
+/// ratio that is given, or chosen as in the thesis. The thesis chooses the creep ratio of least size for which no
+/// normal load is negative, the shear loads on one side of the nip have one sign, and the ratio of shear load to normal
+/// load does not fall outwards. (thesis 5.5)
 struct Grip {
   enum class Creep { none, given, thesis } kind = Creep::none;
-  double creep = 0;  ///< the given one
+  double creep = 0;  ///< the given creep ratio, finite
 };
 
 /// An elastic sheet between two identical rigid cylinders, plane strain, any consistent units. (thesis
@@ -31,13 +31,13 @@ struct ElasticNip {
   void check() const;
 };
 
-/// The shear's resultant T that the rollers pass on to each face of the sheet, along Y: > 0 pushes the sheet towards the
-/// entry. At most the friction coefficient times the load in size. traction.force_per_length
+/// The resultant T of the shear that the rollers exert on each face of the sheet, along Y. A positive T pushes the
+/// sheet towards the entry. |T| is at most the friction coefficient times the load. traction.force_per_length
 struct GivenTraction {
   double force_per_length;  ///< force per unit width
 };
 
-/// The strain of the sheet's surface where it sticks, against the mean of those far ahead and far behind.
+/// The strain of the surface of the sheet where it sticks, less the mean of its strains far ahead and far behind.
 /// traction.creep_ratio
 struct GivenCreep {
   double creep_ratio;  ///< finite, dimensionless
@@ -45,9 +45,9 @@ struct GivenCreep {
 
 using Drive = std::variant<GivenTraction, GivenCreep>;
 
-/// An elastic sheet that rolls steadily between two identical rigid cylinders with Coulomb's friction: where the surface
-/// sticks its strain is the creep ratio, where it slips the shear is the friction coefficient times the pressure, against
-/// the slip. Between the thesis's Case B, no friction, and its Case A, no slip; no publication of the seeds has it.
+/// An elastic sheet that rolls steadily between two identical rigid cylinders with Coulomb's friction. Where the
+/// surface sticks, its strain is the creep ratio. Where it slips, the shear is the friction coefficient times the
+/// pressure, against the slip. It lies between the thesis's Case B, no friction, and Case A, no slip; no seed has it.
 struct PartialSlipNip : ElasticNip {
   double friction_coefficient;  ///< mu, > 0 and finite; friction.coefficient
   Drive drive;
@@ -66,18 +66,18 @@ struct ViscoelasticNip {
   void check() const;
 };
 
-/// The thesis's line loads at the centres of equal elements of a viscoelastic nip, which has no symmetry: all of them started
-/// at once at a distance before the nip. (thesis 2.2, 7.1-7.17) Each solver says which it takes.
+/// The thesis's line loads at the centres of equal elements of a viscoelastic nip, which is not symmetric. All loads
+/// start together at a distance before the nip. Each solver says which numbers it accepts. (thesis 2.2, 7.1-7.17)
 struct ViscoelasticLineLoads {
   int leading_elements;  ///< m1, on the entry side; method.leading_elements
-  /// m2, on the exit side; method.trailing_elements. Absent: from m1 down the first that leaves no tension under the load
-  /// (section 2.5), which needs a given load.
+  /// m2, on the exit side; method.trailing_elements. If it is absent, it is the first number, counted from m1
+  /// downwards, that leaves no tension under the load (section 2.5); the load must then be given.
   std::optional<int> trailing_elements;
-  /// C_L, how far before the nip the loads started, > 0, half-thicknesses; method.approach_lengths
+  /// C_L, the distance before the nip at which the loads start, > 0, half-thicknesses; method.approach_lengths
   double approach_lengths;
-  /// 0: exact kernels; else as many terms of their series, 1 to 500; method.residue_terms
+  /// 0: exact kernels; 1 to 500: kernels as sums of so many terms of their series; method.residue_terms
   int residue_terms = 0;
-  /// Of theta1 + theta2 at once, 0 to 1: the sum after a load has passed ends with its first term below it.
+  /// The sum after a load has passed ends with its first term below this part, 0 to 1, of the instantaneous N.
   double smallest_term = 0;
 };
 

@@ -5,12 +5,12 @@
 
 namespace nipref::data {
 
-/// Where the profiles of a scene are wanted: Y counts from the line through the rollers' centres, to the
-/// entry side; on a half-space they are angles from the motion, in degrees, or count from the
-/// point of first touch along a line.
+/// The places of a scene's profiles. In a nip they are Y, counted from the line through the rollers' centres towards
+/// the entry side. On a half-space they are angles from the motion, in degrees, or positions on a line, counted from
+/// the point of first touch.
 struct EvenlySpaced {
-  /// 2 to 10000: from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
-  /// leading end, or from -90 to 90 degrees, or from end to end of a line, both included.
+  /// 2 to 10000 points, the ends included: from the middle of an elastic nip, or the trailing end of a viscoelastic
+  /// one, to the leading end; from -90 to 90 degrees; or from end to end of a line.
   int points;
 };
 struct Positions {
@@ -24,10 +24,10 @@ inline int count_of(const Profile& profile) {
   return static_cast<int>(std::get<Positions>(profile).y.size());
 }
 
-/// Where stresses inside the sheet of a nip are wanted: at each depth at all positions.
+/// The places inside the sheet of a nip at which fields are wanted: all positions at each depth.
 struct FieldPlaces {
   std::vector<double> positions;  ///< Y as in Profile, unit of length, finite; field.positions
-  std::vector<double> depths;     ///< over half the thickness, -1 to 1, 0 is the middle plane; field.depths
+  std::vector<double> depths;     ///< depth/half-thickness, -1 to 1, 0 is the middle plane; field.depths
 
   [[nodiscard]] std::size_t size() const { return positions.size() * depths.size(); }
 };

@@ -9,10 +9,10 @@ namespace nipref::data::seed {
 
 inline constexpr double roller_radius = 6;
 
-/// Tables III to VI, VII to X, and XI to XXVI four of each.
+/// The thicknesses of the tables III to VI and VII to X; of XI to XXVI four tables have each thickness.
 inline constexpr std::array<double, 4> sheet_thicknesses{1, 0.25, 0.0625, 0.005};
 
-/// With the sheet as the thesis states it.
+/// The nip of this thickness, with the sheet as the thesis states it.
 constexpr ElasticNip nip(double sheet_thickness) { return {roller_radius, sheet_thickness, sheet}; }
 
 }  // namespace nipref::data::seed

@@ -32,7 +32,7 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
   return GivenLoad{file.table("load").number("per_length")};
 }
 
-/// The converged method has no other keys.
+/// Whether the method is the converged one, which has no other keys.
 bool is_converged(const TomlTable& method) {
   if (method.choice("kind") != "converged") return false;
   method.allow();
@@ -135,7 +135,7 @@ std::string closest_example(const std::string& name, const std::filesystem::path
   return did_you_mean(name, {names.begin(), names.end()}, 3);
 }
 
-/// A scene with a sweep is one contact only with a value for each of its keys.
+/// Refuses the keys of a sweep that have no override: only with one value for each key the scene is a single contact.
 void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const SceneOverrides& overrides) {
   for (const auto& [key, values] : read_sweep(top, origin).keys) {
     if (std::ranges::find(overrides, key, &SceneOverrides::value_type::first) == overrides.end())
@@ -144,7 +144,7 @@ void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const
   }
 }
 
-/// `origin` is the table's.
+/// Makes the scene of a whole file; `origin` is that of the table.
 Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
   refuse_what_is_swept(top, origin, overrides);
   const std::vector<std::string> wanted = top.texts("wanted");
@@ -195,7 +195,7 @@ std::filesystem::path example_scene(const std::string& name) {
 
 SceneText read_scene_or_example(const std::string& name) {
   const std::filesystem::path file = name;
-  std::error_code none;  // as where a name is longer than a file's may be
+  std::error_code none;  // for example if a name is longer than that of a file may be
   const bool is_file = std::filesystem::exists(file, none) || file.has_parent_path() || file.has_extension();
   return read_scene(is_file ? file : example_scene(name));
 }

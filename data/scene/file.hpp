@@ -12,15 +12,15 @@ namespace nipref::data {
 /// Keys with their values, as they are given on a command line: {"load.per_length", "200"}.
 using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 
-/// A scene that was read and is not parsed: a pipe can be read once, however many contacts its scene stands for.
+/// The text of a scene, not yet parsed: a pipe can be read only once, however many contacts its scene stands for.
 struct SceneText {
-  std::string name;  ///< of the file, for refusals
+  std::string name;  ///< name of the file, for messages
   std::string toml;
 };
 
-/// BadInput for what cannot be read, as input_file.hpp has it, and for more than a mebibyte.
+/// Reads the text of a scene. Throws BadInput if the file cannot be read (input_file.hpp) or is longer than a mebibyte.
 [[nodiscard]] SceneText read_scene(const std::filesystem::path& file);
-/// The same for a file or, where there is none of that name, an example.
+/// The same for the file of this name or, if there is none, for the example of this name.
 [[nodiscard]] SceneText read_scene_or_example(const std::string& name);
 
 /// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
@@ -47,13 +47,13 @@ struct SceneText {
 ///                inside the sheet are wanted, if any are
 ///     [sweep]    keys with several values, see SceneSweep: then `overrides` must have one for each
 ///
-/// Throws BadInput as read_scene does, "FILE:LINE: KEY = VALUE: ALLOWED" for a file that is no TOML, for an
-/// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
+/// Throws BadInput as read_scene does, and BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that is not TOML, an
+/// unknown or missing key (with the line of its table, if any), a wrong type, and whatever Scene::check refuses.
 ///
-/// `overrides` stand for what the file has at these keys, or add to it: "TABLE.KEY" or "KEY", with a number,
-/// a text (quotes may be left out) or a list as TOML writes it. The title then ends in ", with KEY = VALUE".
-/// They are checked like the file; BadInput "KEY = VALUE: ALLOWED" names them as given. Refused too: a key
-/// given twice, no key, a table.
+/// `overrides` replace the values that the file has at these keys, or add keys: "TABLE.KEY" or "KEY" with a number, a
+/// text (quotes may be left out) or a list in TOML's notation. Each adds ", with KEY = VALUE" to the title. They are
+/// checked like the file; BadInput "KEY = VALUE: ALLOWED" shows them as they were given. Refused are an empty key, a key
+/// given twice and a table.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// The same for a scene that was read already.
@@ -62,8 +62,8 @@ struct SceneText {
 /// The same for the text of a file; refusals name the file `name`.
 [[nodiscard]] Scene parse_scene(const std::string& toml, const std::string& name);
 
-/// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().
-/// BadInput if there is none of that name, with the one whose name is nearest.
+/// The file of an example scene of the library, e.g. "thick-full-friction", in scenes_directory(). Throws BadInput,
+/// which suggests the nearest names, if there is none of this name.
 [[nodiscard]] std::filesystem::path example_scene(const std::string& name);
 
 /// The table [sweep] of a scene's file: the values that keys take. There is a contact for each combination of them.
@@ -76,8 +76,8 @@ struct SceneSweep {
   std::optional<int> points;
 };
 
-/// It has no keys if the file has no such table. BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for what is no
-/// TOML, and for values that are neither a text nor a list of numbers or texts.
+/// Reads the table [sweep] of a scene; without it the result has no keys. Throws BadInput "FILE:LINE: KEY = VALUE:
+/// ALLOWED" for a text that is not TOML and for values that are neither a text nor a list of numbers or texts.
 [[nodiscard]] SceneSweep scene_sweep(const SceneText& scene);
 
 }  // namespace nipref::data

@@ -26,19 +26,19 @@ struct SceneKey {
   KeyType type = KeyType::text;
   Dimension dimension = {};
   bool time_grows_along_list =
-      false;  ///< each number of the list has one power of time more than that before
+      false;  ///< the unit of each number has one more power of time than the one before
   double least = -std::numeric_limits<double>::infinity(),
          most = -least;                           ///< ends of the domain of its numbers
   std::string allowed = {};                       ///< what a number must be; empty for a magnitude
-  std::vector<std::string_view> choices[2] = {};  ///< of a nip, and of a half-space
-  std::optional<SceneKind> kind = {};             ///< of the scenes that have it; none: all
-  std::vector<std::string_view> models = {};      ///< or methods that have it; none: all
+  std::vector<std::string_view> choices[2] = {};  ///< for a nip, and for a half-space
+  std::optional<SceneKind> kind = {};             ///< the kind of scenes that have the key; empty: all
+  std::vector<std::string_view> models = {};      ///< the models or methods that have it; empty: all
 
   [[nodiscard]] std::string_view table() const;  ///< empty above all tables
   [[nodiscard]] std::string_view last() const;   ///< the name without its table
   [[nodiscard]] const std::vector<std::string_view>& choices_of(SceneKind scene) const;
-  /// The requirement that a value of another type is refused with, and a number outside the domain; the latter is empty
-  /// for a number in the domain.
+  /// allowed_type() is the requirement for the type of the value. refusal_of() is the requirement that a number outside
+  /// the domain violates, and empty for a number in the domain.
   [[nodiscard]] std::string_view allowed_type() const;
   [[nodiscard]] std::string_view refusal_of(double value) const;
 };
@@ -46,11 +46,11 @@ struct SceneKey {
 /// All keys, in the order in which refusals list them. The reader of scenes accepts these and no others.
 [[nodiscard]] const std::vector<SceneKey>& scene_keys();
 
-/// Null if no key has this name. An element of a list, "wanted[1]", is found by its list.
+/// The key of this name, or null. An element of a list, "wanted[1]", has the key of the list.
 [[nodiscard]] const SceneKey* find_scene_key(std::string_view name);
 
-/// The names that a table may hold in such a scene, of this model or method; above all tables (`table` empty) these
-/// include the tables.
+/// The names that a table may hold in scenes of this kind with this model or method. If `table` is empty: the keys
+/// above all tables and the names of the tables.
 [[nodiscard]] std::vector<std::string_view> names_in_table(std::string_view table, SceneKind kind,
                                                            std::string_view model = {});
 

@@ -17,11 +17,11 @@ class SceneOrigin {
   SceneOrigin() = default;
   explicit SceneOrigin(std::string file) : file_(std::move(file)) {}
 
-  /// Lines count from 1. A line 0, that of a key which is not in the file, is not noted.
+  /// Notes the line of a key, counted from 1. Line 0 means that the key is not in the file, and is ignored.
   void note(std::string key, std::size_t line) {
     if (line > 0) lines_.insert_or_assign(std::move(key), line);
   }
-  /// This key was given beside the file, as this text, and stands for whatever the file has there.
+  /// Notes that this key was given beside the file, as this text, in place of the value that the file has there.
   void note_given(std::string key, std::string value) {
     given_.insert_or_assign(std::move(key), std::move(value));
   }
@@ -34,10 +34,10 @@ class SceneOrigin {
   [[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view allowed) const;
   [[noreturn]] void refuse(std::string_view key, double value, std::string_view allowed) const;
 
-  /// Throws `error` again, about `key` and its place in place of the argument that it names.
+  /// Throws `error` again with locate(key) in place of the argument that it names.
   [[noreturn]] void refuse_as(std::string_view key, const BadInput& error) const;
 
-  /// Refuses the value unless this holds.
+  /// Refuses the value unless `holds`; require_whole() unless it is from `least` to `most`.
   void require(bool holds, std::string_view key, double value, std::string_view allowed) const;
   void require_whole(std::string_view key, int value, int least, int most) const;
   /// Refuses a number that is not in the domain that scene_keys() has for the key, and each such number of a list.

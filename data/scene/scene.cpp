@@ -4,15 +4,15 @@
 namespace nipref::data {
 namespace {
 
-// So that no scene takes longer than 20 s: a dense system is solved once for a length, some ten times for a load
-// and for each number of trailing elements that a search tries; a profile's point costs all elements.
+// These limits keep the time of every scene below 20 s. A dense system is solved once for a length, about ten times for
+// a load and for each number of trailing elements of a search. A point of a profile is a sum over all elements.
 constexpr int most_unknowns_for_length = 4001, most_unknowns_for_load = 2001;
 constexpr int most_viscoelastic_elements = 500, most_elements_searched = 200;
-// With Coulomb's friction up to sixty systems of four unknowns for each.
+// With Coulomb's friction up to sixty systems are solved, of four unknowns for each element of a side.
 constexpr int most_elements_with_slip = 250;
 constexpr int most_elements_times_points = 10'000'000, most_viscoelastic_elements_times_points = 100'000;
 
-/// The nip's own checks name its C++ members.
+/// Checks the nip. Its own check names C++ members, which are translated into keys.
 void check_nip(const auto& nip, const SceneOrigin& origin) {
   static const std::map<std::string, std::string> keys{
       {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"},
@@ -37,7 +37,7 @@ void check_given(const Given& given, double roller_radius, const SceneOrigin& or
           roller_radius));
 }
 
-/// Of a profile by line loads.
+/// Checks the number of points of a profile by line loads.
 void check_points(const std::optional<Profile>& profile, int elements, int most_products,
                   const SceneOrigin& origin) {
   if (!profile) return;
@@ -77,7 +77,7 @@ void check_method(const ViscoelasticLineLoads& loads, const auto& problem, Frict
                   "must be given with [contact] length: the search for it is at a given load");
 }
 
-/// Elements that press are found under a load.
+/// Checks line loads with Coulomb's friction, which find the elements that press under a load, never a length.
 void check_line_loads_with_slip(const LineLoads& loads, const Given& given, const SceneOrigin& origin) {
   origin.require_whole("method.leading_elements", loads.leading_elements, 1, most_elements_with_slip);
   origin.require(loads.residue_terms == 0, "method.residue_terms", loads.residue_terms,

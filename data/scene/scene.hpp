@@ -27,16 +27,17 @@ struct GivenLength {
 
 using Given = std::variant<GivenLoad, GivenLength>;
 
-/// The continuous contact; as much work as the accuracy needs.
+/// The continuous contact, computed with as much work as the accuracy needs.
 struct ConvergedMethod {};
 
 /// The thesis's line loads at the centres of equal elements. (thesis 5.1-5.16)
 struct LineLoads {
-  int leading_elements;   ///< on the entry side, 1 to 2000, with full friction 1000, and twice as many at
-                          ///< a given length; with Coulomb's 250, at a given load; method.leading_elements
+  int leading_elements;   ///< on the entry side, 1 to 2000; with full friction 1 to 1000; twice as many for a
+                          ///< given length; with Coulomb's friction 1 to 250; method.leading_elements
   int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
-  int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
-                          ///< thesis sums them, 1 to 500, but with Coulomb's friction; method.residue_terms
+  /// 0: kernels at the scene's accuracy; 1 to 500: so many terms of their series, summed as in the thesis. It must be 0
+  /// with Coulomb's friction. method.residue_terms
+  int residue_terms = 0;
 };
 
 /// An elastic sheet between two cylinders.
@@ -44,7 +45,7 @@ struct ElasticNipProblem {
   ElasticNip nip;
   Given given;
   Friction friction = Friction::none;
-  /// Line loads with full friction only: the creep to be taken in place of the thesis's choice (section 5.5);
+  /// For line loads with full friction only: the creep in place of the one that the thesis chooses (section 5.5);
   /// finite, dimensionless.
   std::optional<double> creep_ratio = {};
   std::variant<ConvergedMethod, LineLoads> method = {};
@@ -62,7 +63,7 @@ struct ViscoelasticNipProblem {
   std::variant<ConvergedMethod, ViscoelasticLineLoads> method = {};
   /// Needed if a profile is wanted.
   std::optional<Profile> profile = {};
-  /// As above.
+  /// Needed if stresses inside the sheet are wanted.
   std::optional<FieldPlaces> field = {};
 };
 
@@ -78,7 +79,7 @@ struct PartialSlipProblem {
 struct Scene {
   std::string title;
   std::vector<ResultId> wanted;  ///< at least one, none twice
-  /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
+  /// Relative, 1e-13 to 0.1: that of the results if the method converges, otherwise that of the kernels.
   double accuracy = 1e-10;
   std::variant<ElasticNipProblem, ViscoelasticNipProblem, PartialSlipProblem, HalfSpaceProblem> system;
   SceneOrigin origin;

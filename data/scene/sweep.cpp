@@ -3,7 +3,7 @@
 namespace nipref::data {
 namespace {
 
-/// `above`: what stands before its keys, "load." or nothing.
+/// Reads the keys of [sweep] or of a table in it. `above`: what stands before the keys, "load." or nothing.
 void read_keys(const TomlTable& table, const std::string& above, SceneSweep& sweep) {
   for (const std::string& key : table.keys()) {
     if (above.empty() && key == "points") {

@@ -63,7 +63,7 @@ void add_comment(CsvFile& file, std::string_view line, std::size_t number) {
   file.comments.push_back({std::string(line.substr(2)), {number, 3}});
 }
 
-/// What spreadsheets of half the world write.
+/// A hint for the files of spreadsheets that write decimal commas and separate fields by semicolons.
 constexpr auto other_separators = "fields are separated by commas, numbers have decimal points";
 
 void add_record(CsvFile& file, std::string_view line, std::size_t number) {
@@ -91,7 +91,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// The next line without what ends it, if there is one.
+/// Reads the lines of a stream, without the characters that end them.
 class Lines {
  public:
   Lines(std::istream& stream, const std::filesystem::path& path)
@@ -104,7 +104,7 @@ class Lines {
       refuse(path_, {number, longest_csv_line + 1},
              fmt::format("must have lines of at most {} bytes", longest_csv_line));
     if (stream_.fail()) return false;
-    if (!stream_.eof()) --length;  // the end of line is counted
+    if (!stream_.eof()) --length;  // gcount() includes the end of the line
     line.assign(buffer_.data(), length);
     return true;
   }

@@ -7,7 +7,7 @@
 
 namespace nipref::data {
 
-/// What a file may have at most: it is kept whole, in some hundred bytes a field.
+/// The most bytes of a line and lines of a file. The whole file is kept, in about a hundred bytes a field.
 inline constexpr std::size_t longest_csv_line = 65536, most_csv_lines = 10'000'000;
 
 /// Where something stands in a text file; both count from 1, columns in bytes.
@@ -31,8 +31,8 @@ struct CsvFile {
   std::vector<std::vector<CsvField>> records;
 };
 
-/// Reads a whole file, once, as a pipe wants it; a byte order mark before it is left out. Throws BadInput as
-/// input_file.hpp has it for what cannot be read, and naming file, line and column for an open quote, text after a
+/// Reads a whole file in one pass, so that it may be a pipe, and leaves out a byte order mark. Throws BadInput if the
+/// file cannot be read (input_file.hpp). Throws BadInput naming file, line and column for an open quote, text after a
 /// closing quote, a blank line, a comment below the first record, a first record whose fields are separated by
 /// semicolons, or a record with more or fewer fields than the first.
 [[nodiscard]] CsvFile read_csv(const std::filesystem::path& path);

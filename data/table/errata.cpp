@@ -4,7 +4,7 @@
 namespace nipref::data {
 namespace {
 
-/// The row that a line about a cell names.
+/// The row that a line of the file names.
 std::size_t row_number(const CsvFile& file, const std::vector<CsvField>& line) {
   const CsvField& field = line[1];
   std::size_t row = 0;
@@ -15,7 +15,7 @@ std::size_t row_number(const CsvFile& file, const std::vector<CsvField>& line) {
   return row;
 }
 
-/// read(file, line, row) of the lines of a file, which are about cells of tables: its first columns are table, row and
+/// Returns read(file, line, row) for all lines of a file about cells of tables, whose first columns are table, row and
 /// column.
 auto read_cell_lines(const std::filesystem::path& path, std::initializer_list<std::string_view> columns,
                      const auto& read) {

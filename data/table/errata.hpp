@@ -15,9 +15,9 @@ enum class ErratumKind {
   identity,  ///< other cells of the same row admit only one number, or only one that differs in one digit
   trend,     ///< weaker: a column that is smooth in every other row is broken by one digit, or other rows or
              ///< the twin column of the same table decide between numbers that the row admits
-  replay,    ///< its replay decides between the mends that the table leaves, or with a chance that is stated
-  glyph,     ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
-  unreadable,  ///< nothing in the table settles it: no value, or the printed one though it is in doubt
+  replay,  ///< the replay decides between the corrections that the table leaves, with a stated chance of coincidence
+  glyph,       ///< punctuation, blanks or a letter in the place of a point, a sign or a digit
+  unreadable,  ///< nothing in the table settles it: no value, or the printed one, which is doubtful
 };
 
 inline constexpr std::array<std::string_view, 5> erratum_kind_names{"identity", "trend", "replay", "glyph",
@@ -40,8 +40,8 @@ struct Erratum {
 /// though the kind is not unreadable, or two lines for one cell.
 [[nodiscard]] std::vector<Erratum> load_errata(const std::filesystem::path& file);
 
-/// One line of known_misses.csv: a cell that no replay meets though nothing in its table speaks against it,
-/// looked into and left.
+/// One line of known_misses.csv: a cell that no replay reproduces although nothing in its table
+/// contradicts it. The cell was examined and stays as printed.
 struct KnownMiss {
   std::string table;   ///< id, e.g. "thesis-VII"
   std::size_t row;     ///< from 1, in the order of the table

@@ -5,7 +5,7 @@
 namespace nipref::data {
 namespace {
 
-/// Files beside the tables that are none.
+/// CSV files in the folder of the tables that are no tables.
 constexpr std::array<std::string_view, 2> about_cells{"errata", "known_misses"};
 
 /// Value of a Roman numeral made of I, V and X; 0 if other letters are in it.
@@ -20,7 +20,7 @@ int roman_number(std::string_view numeral) {
   return total;
 }
 
-/// Sorts the thesis's tables by number and before all others.
+/// The key of the order of tables: those of the thesis by number, before all others.
 std::pair<int, std::string> order(const std::string& id) {
   constexpr std::string_view prefix = "thesis-";
   const int number = id.starts_with(prefix) ? roman_number(std::string_view(id).substr(prefix.size())) : 0;
@@ -52,7 +52,7 @@ std::vector<std::string> table_ids() {
 }
 
 Table load_table_by_id(const std::string& id) {
-  // Looked up in the list, so that an id can never name a path outside the folder.
+  // The id is looked up in the list, so that it can never name a path outside the folder.
   const auto ids = table_ids();
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
     throw BadInput("table", id, "must be an id that 'tables --list' shows");

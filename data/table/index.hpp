@@ -16,12 +16,11 @@ namespace nipref::data {
 /// The table called `id`. BadInput if there is none.
 [[nodiscard]] Table load_table_by_id(const std::string& id);
 
-/// The id of the table that is meant by `name`: an id, or what stands behind its hyphen, in letters of either
-/// case; a number of the thesis's tables may be Arabic: "VII", "vii", "7". BadInput if that is none, or if it
-/// is several, like "3", with those.
+/// The id of the table that `name` means: an id, or its part after the last hyphen, in upper or lower case. A number of
+/// a thesis table may be Arabic: "VII", "vii", "7". Throws BadInput if `name` means none or several, such as "3".
 [[nodiscard]] std::string find_table_id(const std::string& name);
 
-/// What a table holds, counted. Key columns count among neither columns nor cells.
+/// The counts of what a table holds. Key columns count neither as columns nor as cells.
 struct TableSummary {
   std::string id;
   std::string title;
@@ -30,7 +29,7 @@ struct TableSummary {
   std::size_t cells = 0;          ///< rows * columns
   std::size_t empty = 0;          ///< cells where the seed shows nothing legible
   std::size_t without_value = 0;  ///< cells that cannot be read, empty or not
-  std::size_t doubtful = 0;       ///< cells that stay as printed though in doubt
+  std::size_t doubtful = 0;       ///< cells that stay as printed although they are doubtful
   std::array<std::size_t, erratum_kind_names.size()> errata = {};  ///< errata of cells, by ErratumKind
   std::size_t key_errata = 0;                                      ///< errata of row labels
 };

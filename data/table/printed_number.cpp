@@ -11,7 +11,7 @@ std::optional<double> scaled(std::int64_t number, long exponent) {
   return read_exact_number(fmt::format("{}e{}", number, exponent));
 }
 
-/// A number with lost digits: from the one with 0 for all of them to the one with 9.
+/// Reads a number with lost digits. Its interval reaches from the number with 0 for all of them to the one with 9.
 std::optional<PrintedNumber> read_with_lost_digits(std::string lowest, int scale_exponent) {
   std::string highest = lowest;
   std::ranges::replace(lowest, lost_digit, '0');
@@ -46,7 +46,7 @@ std::optional<PrintedNumber> read_printed_number(std::string_view text, int scal
                      std::all_of(digits.begin(), digits.end(), is_digit);
   if (!plain) return std::nullopt;
 
-  // With a guard digit half a unit of the last printed one is 5.
+  // With one more digit, half a unit of the last printed digit is 5.
   digits += '0';
   std::int64_t number = 0;
   if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ec != std::errc{})

@@ -4,7 +4,7 @@
 namespace nipref::data {
 namespace {
 
-/// Takes a header line apart from the left, keeping track of the position for messages.
+/// Parses a header line from the left and keeps track of the position for messages.
 class HeaderLine {
  public:
   HeaderLine(const CsvFile& file, const CsvField& comment)
@@ -173,7 +173,7 @@ void apply(const Erratum& erratum, const std::filesystem::path& errata_file, Tab
   cell.erratum = erratum;
 }
 
-/// Fills in the numbers, now that every cell knows what it is read as.
+/// Sets the numbers of all cells, whose `read_as` is known.
 void read_numbers(const CsvFile& file, const std::filesystem::path& errata_file, Table& table) {
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     for (std::size_t c = 0; c < table.columns.size(); ++c) {

@@ -32,29 +32,29 @@ struct TableColumn {
   std::optional<double> coordinate;
 };
 
-/// One cell. `printed` is the seed's text, blanks and column borders inside it as one blank; empty if the
-/// seed has nothing legible there. `read_as` is the number after the erratum, if there is one; empty if
+/// One cell. `printed` is the text of the seed, with one blank for blanks and column borders; it is empty if the seed
+/// shows nothing legible there. `read_as` is the number as corrected by the erratum, if any; it is empty if the cell is
 /// unreadable.
 struct TableCell {
   std::string printed;
   std::string read_as;
-  /// In base units, the column's scaling undone; nothing if the cell cannot be read. The rounding interval of
-  /// a key is the value itself.
+  /// The number in base units, without the scaling of the column; empty if the cell cannot be read. The rounding
+  /// interval of a key is the value itself.
   std::optional<PrintedNumber> number;
   std::optional<Erratum> erratum;
 
   [[nodiscard]] bool is_readable() const { return number.has_value(); }
-  /// Readable, but contradicted by its row or column in a way that leaves more than one mend, or only by
-  /// other tables: it stays as printed.
+  /// Whether the cell is readable but contradicted by its row or column, which leave more than one correction, or by
+  /// other tables alone. The cell then stays as printed.
   [[nodiscard]] bool is_doubtful() const {
     return is_readable() && erratum && erratum->kind == ErratumKind::unreadable;
   }
-  /// Whether its reading is the one that its own replay meets.
+  /// Whether the reading is the one that the replay of the cell reproduces.
   [[nodiscard]] bool rests_on_replay() const { return erratum && erratum->kind == ErratumKind::replay; }
-  /// Readable but for a digit or more: its rounding interval is that of all digits that may have stood there.
+  /// Whether a digit or more is lost. The rounding interval then covers all digits that may have stood there.
   [[nodiscard]] bool has_lost_digit() const { return read_as.find(lost_digit) != std::string::npos; }
-  /// False where the seed shows nothing. Such a cell may still be readable: what its row proves is known,
-  /// but a comparison with it repeats a comparison with the cells that prove it.
+  /// False if the seed shows nothing. Such a cell may still be readable, because its row proves the number, but a
+  /// comparison with it repeats a comparison with the other cells of the row.
   [[nodiscard]] bool is_printed() const { return !printed.empty(); }
 };
 
@@ -64,8 +64,8 @@ class Table {
   std::string id;  ///< the file's stem, e.g. "thesis-VII"
   std::string title;
   std::string source;  ///< file name of the seed's text
-  std::string after;   ///< the seed's words before the table
-  std::string before;  ///< the seed's words after it (captions stand below their tables)
+  std::string after;   ///< the seed's words after which the table stands
+  std::string before;  ///< the seed's words before which it stands (captions are below tables)
   std::vector<TableParameter> parameters;
   std::vector<TableColumn> columns;
   std::vector<std::vector<TableCell>> rows;
@@ -75,7 +75,7 @@ class Table {
   [[nodiscard]] bool has_column(std::string_view name) const;
   /// Row counts from 0. BadInput if there is no such row or column.
   [[nodiscard]] const TableCell& cell(std::size_t row, std::string_view column) const;
-  /// BadInput if the table does not state it.
+  /// Throws BadInput if the table does not state the parameter.
   [[nodiscard]] const TableParameter& parameter(std::string_view name) const;
 };
 

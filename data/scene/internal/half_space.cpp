@@ -17,7 +17,7 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
   return {table.number("shear"), table.number("poisson"), table.number("density")};
 }
 
-/// The upper triangle of Voigt's matrix, row by row.
+/// Reads the stiffness, given by the upper triangle of its matrix in Voigt notation, row by row.
 Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
   table.allow("anisotropic");
   const std::vector<double> upper = table.numbers("stiffness");
@@ -100,7 +100,7 @@ void check_solid(const auto& solid, const SceneOrigin& origin, std::string_view 
   }
 }
 
-/// Gives the smallest radius of curvature.
+/// Checks the body and returns its smallest radius of curvature.
 double check_body(const Body& body, const SceneOrigin& origin) {
   if (const auto* const die = std::get_if<RigidDie>(&body)) {
     origin.check_domain("die.radius_along", die->radius_along);

@@ -5,16 +5,16 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
 
-// The parts of a scene's file. BadInput that names the key; `origin` is that of the file's tables.
+// Readers of the parts of a scene's file. They throw BadInput that names the key; `origin` is that of the tables.
 
 namespace nipref::data {
 
-/// material.model; BadInput unless it is one that there is.
+/// Returns material.model. Throws BadInput unless there is such a model.
 [[nodiscard]] std::string material_model(const TomlTable& material);
 /// The material of a rolling nip: any model, "elastic" included.
 [[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material,
                                                               const SceneOrigin& origin);
-/// Of a whole file about a half-space.
+/// Reads a whole file about a half-space.
 [[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
 
 [[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);

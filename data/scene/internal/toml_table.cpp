@@ -31,7 +31,7 @@ struct TomlTable::Item {
   template <class Value>
   [[nodiscard]] Value as() const {
     const std::optional<Value> value = node->value<Value>();
-    // toml++ would read true as the number 1 as well.
+    // toml++ also reads true as the number 1.
     if (!value || (node->is_boolean() && !std::is_same_v<Value, bool>)) refuse();
     return *value;
   }
@@ -51,7 +51,7 @@ namespace {
 
 constexpr std::size_t longest_line_shown = 200;
 
-/// Counted from 1; the parser may complain about the line after the last one.
+/// Returns the line of this number, counted from 1. The parser may complain about the line after the last one.
 std::string line_of(const std::string& text, std::size_t number) {
   std::istringstream stream(text);
   std::string line;
@@ -69,8 +69,8 @@ std::string line_of(const std::string& text, std::size_t number) {
 
 using Override = std::pair<std::string, std::string>;
 
-/// The TOML value of `text`, as the only element of a list. A text that is no TOML value is one whose quotes the shell
-/// has removed.
+/// The TOML value of `text`, as the only element of a list. If `text` is not a TOML value, it is a text whose quotes
+/// the shell has removed.
 toml::array value_of(const std::string& text) {
   toml::array held;
   if (toml_obstacle(text)) {
@@ -80,15 +80,15 @@ toml::array value_of(const std::string& text) {
   try {
     const toml::table parsed = toml::parse("value = " + text);
     if (parsed.size() == 1)
-      held.push_back(*parsed.get("value"));  // a copy has no lines, which would be wrong ones
+      held.push_back(*parsed.get("value"));  // a copy has no line numbers, which would be wrong here
   } catch (const toml::parse_error&) {
-    // a text
+    // `text` is a text without quotes
   }
   if (held.empty()) held.push_back(text);
   return held;
 }
 
-/// The table of the key's last part, which is made if the file has none, and that part.
+/// Returns the table in which the key stands, made if the file has none, and the last part of the key.
 std::pair<toml::table*, std::string> place_of(toml::table& file, const Override& given) {
   const auto& [key, value] = given;
   if (static_cast<std::size_t>(std::ranges::count(key, '.')) >= most_key_parts)
@@ -113,7 +113,7 @@ void override_one(toml::table& file, const Override& given) {
     throw BadInput(given.first, given.second,
                    "must be TABLE.KEY=VALUE or KEY=VALUE: a number, a text or a list at a time");
   }
-  table->erase(key);  // with its line
+  table->erase(key);  // erases the old line number as well
   table->insert(key, *held.get(0));
 }
 
@@ -229,7 +229,7 @@ double TomlTable::number(std::string_view key) const {
 int TomlTable::whole(std::string_view key) const {
   const Item found = item(key, allowed_type(key, KeyType::whole));
   if (!found.node->is_integer()) found.refuse();
-  const std::optional<int> value = found.node->value<int>();  // none if too large for it
+  const std::optional<int> value = found.node->value<int>();  // empty if too large for int
   if (!value) found.refuse();
   return *value;
 }

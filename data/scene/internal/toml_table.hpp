@@ -11,16 +11,16 @@
 
 namespace nipref::data {
 
-/// One table of a TOML file. The line of each value that is read is noted in the origin, which must live as long as
-/// this does; every refusal (BadInput) names the line.
+/// One table of a TOML file. `origin` gets the line of each value that is read and must outlive the table; every
+/// refusal (BadInput) names the line.
 class TomlTable {
  public:
-  /// The table of a whole file, with `overrides` (key, value) in place of the file's values. Refuses a text that is no
-  /// TOML (keys given twice included), and the overrides that load_scene refuses.
+  /// The table of a whole file, with `overrides` (key, value) in place of the file's values. Refuses a text that is
+  /// not TOML (keys given twice included), and the overrides that load_scene refuses.
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
-  /// Refuses all keys but those that scene_keys() has for scenes of the file's kind, of this model or method.
+  /// Refuses the keys that scene_keys() does not have for scenes of the file's kind with this model or method.
   void allow(std::string_view model = {}) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
@@ -28,7 +28,7 @@ class TomlTable {
   /// In the order of the alphabet.
   [[nodiscard]] std::vector<std::string> keys() const;
   // The value of the key. It is refused if it is missing, or not of the type in scene_keys().
-  /// A table with the keys that allow() has, and one with any keys.
+  /// table() refuses keys of the table as allow() does; any_table() does not.
   [[nodiscard]] TomlTable table(std::string_view key, std::string_view model = {}) const;
   [[nodiscard]] TomlTable any_table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;

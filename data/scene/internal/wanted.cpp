@@ -22,7 +22,7 @@ bool is_one_of(ResultId id, std::initializer_list<ResultId> ids) {
 
 bool is_continuous(const auto& problem) { return std::holds_alternative<ConvergedMethod>(problem.method); }
 
-// Why a scene cannot have a result of its kind; empty if it can.
+// obstacle() says why a scene of the right kind cannot have a result; the text is empty if it can.
 
 std::string_view obstacle(const SceneResult& result, const HalfSpaceProblem& problem) {
   const bool is_displacement = is_one_of(
@@ -48,7 +48,7 @@ std::string_view obstacle(const SceneResult& result, const HalfSpaceProblem& pro
   return {};
 }
 
-/// For what is known of continuous contacts.
+/// The obstacle to a result that only continuous contacts have.
 std::string_view obstacle_of_line_loads(const SceneResult& result, const auto& problem) {
   const bool is_of_continuous = result.needs == Needs::converged || result.needs == Needs::slip_heat;
   if (is_of_continuous && !is_continuous(problem))
@@ -67,7 +67,7 @@ std::string_view obstacle(const SceneResult& result, const PartialSlipProblem& p
   return obstacle_of_line_loads(result, problem);
 }
 
-/// Of displacements inside the sheet.
+/// The obstacle to displacements inside the sheet.
 std::string_view obstacle_inside(const ElasticNipProblem& problem) {
   const auto* const loads = std::get_if<LineLoads>(&problem.method);
   if (loads != nullptr && loads->residue_terms != 0)
