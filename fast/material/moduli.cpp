@@ -14,22 +14,22 @@ using internal::check_not_negative;
 
 /// amplitude e^-age
 Fading faded(double amplitude, double age) {
-  // By halves: the exponential may be smaller than any double where the product is not.
+  // The factor is applied in two halves, as e^-age may underflow where the product does not.
   const double half = std::exp(-age / 2), value = amplitude * half * half;
-  // What has faded to nothing is not made infinite again.
+  // A value of 0 has size 0, even if `age` is infinite.
   return {value, value == 0 ? 0 : value * (1 + age)};
 }
 
 Fading operator+(const Fading& a, const Fading& b) { return {a.value + b.value, a.size + b.size}; }
 
-/// (1 - e^(-rate t))/rate, of rate 0 too
+/// (1 - e^(-rate t))/rate, or its limit t for rate 0
 double gone(double rate, double t) { return rate * t == 0 ? t : -std::expm1(-rate * t) / rate; }
 
 double second_spring(const Modulus& m) {
   return m.model == SpringModel::standard_linear ? m.second_spring : 0;
 }
 
-/// The modulus at_rest + jump time z/(1 + time z) + dashpot z, z the variable of Laplace's transformation.
+/// The modulus at_rest + jump time z/(1 + time z) + dashpot z, where z is the variable of the Laplace transform.
 struct Stiff {
   double at_rest, jump, time, dashpot;
 };
@@ -40,7 +40,7 @@ Stiff stiffness_of(const Modulus& m) {
   return {part * second, m.spring * part, m.viscosity / both, 0};
 }
 
-/// Its reciprocal at_once + 1/(viscosity (rate + z)).
+/// The reciprocal of a modulus, at_once + 1/(viscosity (rate + z)).
 struct Compliant {
   double at_once, viscosity, rate;
 };
@@ -91,8 +91,8 @@ std::complex<double> modulus_at(const Modulus& m, double p, double omega) {
   check_not_negative("p", p);
   check_not_negative("omega", omega);
   const auto [at_rest, jump, time, dashpot] = stiffness_of(m);
-  // In units of 2^-53: at_rest and jump are good to 3, ratio to 3, its reciprocal to 9, the sums with 1 to 4 and 10, a
-  // quotient to 6 more. Real parts are >= 0, so that no term exceeds the sum.
+  // Errors in units of 2^-53: 3 in at_rest, in jump and in `ratio`, 9 in its reciprocal, 4 and 10 in their sums with 1,
+  // 6 more in a quotient. Real parts are >= 0, so that no term exceeds the sum.
   const std::complex<double> z(p, omega), ratio = time * z;
   const std::complex<double> followed =
       std::abs(ratio) < 1 ? ratio / (1.0 + ratio) : 1.0 / (1.0 + 1.0 / ratio);
@@ -106,7 +106,7 @@ Fading theta1(const Modulus& shear, double t) {
 }
 
 // 6K + 2G = c - sum k_i/(p + s_i), so that 3/(6K + 2G) = (3/c) [1 + v . (p + M)^-1 v] with v_i^2 = k_i/c and
-// M = diag(s) - v v, symmetric: a term for each of its principal directions, positive all.
+// M = diag(s) - v v. M is symmetric, and each of its principal directions contributes one term, which is positive.
 Fading theta2(const Modulus& shear, const Modulus& bulk, double t) {
   check_not_negative("t", t);
   if (shear.model == SpringModel::elastic) return {0, 0};
@@ -124,11 +124,11 @@ Fading theta2(const Modulus& shear, const Modulus& bulk, double t) {
   const double half_apart = (m_bulk - m_shear) / 2, coupling = v_bulk * v_shear;
   const double radius = std::hypot(half_apart, coupling);
   const double fast_rate = (m_bulk + m_shear) / 2 + radius;
-  // The determinant, without the terms that cancel.
+  // The determinant of M without the terms that cancel, divided by fast_rate.
   const double slow_rate =
       (second_bulk / bulk.viscosity * (m_shear / fast_rate)) +
       bulk.spring * share_shear / bulk.viscosity * (second_shear / shear.viscosity / fast_rate);
-  // The fast direction is (cosine, -sine), the slow one (sine, cosine), from the smaller of the two.
+  // The principal directions are (cosine, -sine) for fast_rate and (sine, cosine) for slow_rate.
   const double smaller = coupling / (std::fabs(half_apart) + radius), larger = 1 / std::hypot(1, smaller);
   const double sine = half_apart < 0 ? larger : larger * smaller,
                cosine = half_apart < 0 ? larger * smaller : larger;

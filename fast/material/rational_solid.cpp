@@ -28,8 +28,8 @@ using internal::sum;
 
 using Points = std::vector<OctupleComplex>;
 
-/// Divided difference of e^x over points that are within 1 of each other: e^mean times the series in what they are
-/// beside it, whose coefficients are their complete symmetric polynomials.
+/// The divided difference of e^x over n points that are within 1 of each other. It is e^mean sum_m h_m/(m + n - 1)!,
+/// where h_m is the complete symmetric polynomial of degree m of the points minus their mean.
 OctupleComplex near_difference(const Points& x) {
   OctupleComplex mean;
   for (const OctupleComplex& point : x) mean += point;
@@ -50,15 +50,15 @@ OctupleComplex near_difference(const Points& x) {
   return exp(mean) * sum;
 }
 
-/// Divided differences of e^x over some of the points, by the two that are farthest from each other, unless all are near
-/// each other; each is computed once, as the ways to many points lead through the same few.
+/// Divided differences of e^x over subsets of the points. If a subset's points are not all within 1 of each other, the
+/// recurrence leaves out one of the two farthest at a time. Results are stored, as larger subsets share smaller ones.
 class ExponentialDifferences {
  public:
   using Numbers = std::vector<std::size_t>;
 
   explicit ExponentialDifferences(Points x) : x_(std::move(x)) {}
 
-  /// Over the points of these numbers.
+  /// The divided difference over the points with these numbers.
   const OctupleComplex& over(const Numbers& some) {
     const auto found = found_.find(some);
     return found != found_.end() ? found->second : found_.emplace(some, computed(some)).first->second;
@@ -95,7 +95,7 @@ class ExponentialDifferences {
   std::map<Numbers, OctupleComplex> found_;
 };
 
-/// BadInput where five roots of a factor are within 1e-9 of each other: they are found to a fifth of the digits.
+/// Throws BadInput if five roots of a factor are within 1e-9 of each other, as then only a fifth of their digits is right.
 void check_apart(const Points& roots) {
   for (const OctupleComplex& root : roots) {
     const auto near = std::ranges::count_if(
@@ -105,9 +105,9 @@ void check_apart(const Points& roots) {
   }
 }
 
-/// The function of time, t >= 0, that has this transform, without its impulses at 0: divided differences of e^(p t) over
-/// the roots of the denominator, which may coincide. The error is below 2^-150 of the size. BadInput where five roots of
-/// one factor nearly coincide.
+/// The function of time, t >= 0, that has this transform, without its impulses at 0. It consists of divided differences
+/// of e^(p t) over the roots of the denominator, which may coincide. The error is below 2^-150 of the size. Throws
+/// BadInput if five roots of one factor nearly coincide.
 Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   Points roots;
   for (const Polynomial& factor : transform.denominator) {
@@ -117,8 +117,8 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   }
   const Polynomial denominator = product(transform.denominator);
   const Polynomial proper = product(transform.numerator) % denominator;
-  // Divided differences of a product, from the first root to the last: of the polynomial from the first to the k-th by
-  // synthetic division, of the exponential from the k-th on.
+  // Leibniz's rule for divided differences of a product: the sum over k of that of the polynomial over the first k
+  // roots, by synthetic division, times that of the exponential over the roots from the k-th on.
   Points rest, faded = roots;
   for (const Octuple& c : proper.data()) rest.emplace_back(c / denominator.data().back());
   for (OctupleComplex& root : faded) root *= t;
@@ -142,7 +142,7 @@ Sized<Octuple> inverse_transform(const Rational& transform, double t) {
   return {value, size};
 }
 
-/// Of the size of the parts that a value is made of, which are known better.
+/// The ratio of Fading::size to the sum of the terms' magnitudes. The relative errors of the terms are smaller.
 constexpr double least_scale = 0x1p-150;
 
 struct Solid {
@@ -160,12 +160,12 @@ void check_not_below_0(const std::string& name, double value) {
   if (value < 0) throw data::BadInput(name, value, "must be >= 0");
 }
 
-/// theta1 or theta2.
+/// The transform of theta1 or theta2.
 Rational series_of(const data::PronyList& list, const std::string& name) {
   check_not_below_0(name + "_instantaneous", list.instantaneous);
   Polynomial numerator{list.instantaneous}, denominator{1};
   std::vector<Polynomial> factors;
-  // Terms of one rate are one, as a root that many factors share is found to few digits.
+  // Terms of equal rate are added, as a root that many factors share would be found to few digits.
   std::map<double, Octuple> by_rate;
   for (std::size_t i = 0; i < list.rates.size(); ++i) {
     const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
@@ -250,7 +250,7 @@ Fading in_time(const Rational& transform, double t) {
   return rounded(inverse_transform(transform, t), "t", t);
 }
 
-/// A polynomial at growth + i omega, and the sum of its terms' magnitudes.
+/// The value of a polynomial at growth + i omega, and the sum of its terms' magnitudes.
 struct AtPoint {
   OctupleComplex value;
   Octuple size = 0;

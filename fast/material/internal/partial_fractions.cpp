@@ -50,7 +50,7 @@ OctupleComplex residue(const Octuple& gain, const Roots& zeros, const Roots& pol
 
 Compliances compliances_of(const Operators& shear, const Operators& bulk) {
   const Polynomial six = 6 * bulk.q, two = 2 * shear.q;
-  // A factor p that both have is left out at once: rounding would split its double root.
+  // A factor p that both moduli have is cancelled at once, as rounding would split its double root.
   if (shear.p == bulk.p) return {{{shear.p}, {two}}, {{{3}, shear.p}, {sum(six, two)}}};
   return {{{shear.p}, {two}}, {{{3}, shear.p, bulk.p}, {sum(six * shear.p, two * bulk.p)}}};
 }
@@ -86,7 +86,7 @@ data::MaterialFunction partial_fractions(const Rational& transform, std::string_
     if (poles[k].imag() == 0) amplitude = amplitude.real();
     function.terms.push_back({amplitude, 0.0 - rounded(poles[k])});  // no -0
   }
-  // Rounding must not make the amplitudes of a conjugate pair different.
+  // Without this, rounding could make the amplitudes of a conjugate pair differ.
   for (data::RelaxationTerm& term : function.terms) {
     if (term.rate.imag() <= 0) continue;
     const auto other = std::ranges::find(function.terms, std::conj(term.rate), &data::RelaxationTerm::rate);

@@ -9,7 +9,7 @@ namespace {
 
 using Points = std::vector<OctupleComplex>;
 
-/// c + b p + a p^2, without the cancellation of -b + sqrt(b^2 - 4 a c).
+/// The roots of c + b p + a p^2, without the cancellation in -b + sqrt(b^2 - 4 a c).
 Points quadratic_roots(const Octuple& c, const Octuple& b, const Octuple& a) {
   const Octuple square = b * b - 4 * a * c;
   if (square < 0) {
@@ -21,8 +21,8 @@ Points quadratic_roots(const Octuple& c, const Octuple& b, const Octuple& a) {
   return {q / a, c / q};
 }
 
-/// All roots at once by the method of Ehrlich and Aberth, from points on a circle that encloses them (Fujiwara's bound),
-/// until the polynomial is as small as its rounding at each.
+/// Finds all roots at once by the Ehrlich-Aberth method. It starts from points on a circle that encloses the roots
+/// (Fujiwara's bound) and ends when the polynomial at each point is as small as its rounding error.
 Points aberth_roots(const Polynomial& p) {
   const std::size_t degree = p.size() - 1;
   const auto order = static_cast<double>(degree);
@@ -33,7 +33,7 @@ Points aberth_roots(const Polynomial& p) {
           radius, 2 * pow(Octuple(abs(p[k] / p[degree])), 1 / Octuple(order - static_cast<double>(k))));
   }
   Points roots;
-  for (std::size_t k = 0; k < degree; ++k) {  // 0.2 keeps any two from starting as each other's conjugates
+  for (std::size_t k = 0; k < degree; ++k) {  // with 0.2 no two points are conjugates of each other
     const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.2) / order;
     roots.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }

@@ -19,7 +19,7 @@ inline double log_of_ellipse(std::complex<double> z) {
 }
 
 /// The number of Chebyshev points on [0, width] that give a function to e^-nats, if it is analytic for |Im alpha| < 2 and
-/// grows like e^(rate |alpha|) at most. The ellipse through 2 i has |alpha| <= reach and half axes that sum to e^fall width/2.
+/// grows like e^(rate |alpha|) at most. On the ellipse through 2 i, |alpha| <= reach; its half axes sum to e^fall width/2.
 inline double points_of_analytic(double width, double rate, double nats) {
   const double fall = log_of_ellipse({-1, 4 / width}), reach = width / 2 * (1 + std::cosh(fall));
   return 1 + (nats + rate * reach) / fall;

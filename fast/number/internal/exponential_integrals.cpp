@@ -93,9 +93,9 @@ double scaled_E1(double x) {
   return std::exp(x) * boost::math::expint(1, x, Double());
 }
 
-/// Uses the asymptotic series, the power series or the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))), evaluated
-/// from its end. The error of the fraction falls like e^(-4 Re sqrt(80 z)), also in the left half plane where |z| + Re z > 3,
-/// for which scaled_Ei needs it.
+/// Uses the asymptotic series, the power series or the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))),
+/// evaluated from its end. The error of the fraction falls like e^(-4 Re sqrt(80 z)), also in the left half plane where
+/// |z| + Re z > 3, for which scaled_Ei needs it.
 std::complex<double> scaled_E1(std::complex<double> z) {
   if (std::abs(z) >= asymptotic_from && z.real() >= 0) return asymptotic(1.0 / z) / z;
   if (std::abs(z) < 2.5) return std::exp(z) * -ein_and_log(-z, std::log(z));
