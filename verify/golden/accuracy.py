@@ -2,7 +2,7 @@
 """data/golden/ACCURACY.md on standard output: how accurate fast and the peers of its bench are, and what ref takes.
    nipref audit QUANTITY... --json >audit.json; nipref bench QUANTITY... --json >bench.json
    accuracy.py NIPREF audit.json bench.json >data/golden/ACCURACY.md
-Widths are the bounds of golden values, which `golden check` keeps."""
+The widths are the bounds of golden values; `golden check` fails if they grow."""
 import csv
 import json
 import resource
@@ -21,14 +21,14 @@ def saved(path):
 
 
 def width(path):
-    """The largest bound over the scale, or the value where there is no scale."""
+    """The largest ratio of bound to scale; rows with the scale 0 are left out."""
     with open(path, encoding="utf-8") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     return max((float(row["bound"]) / float(row["scale"]) for row in rows if float(row["scale"]) > 0), default=0)
 
 
 def milliseconds(name):
-    """Of a processor, for each value that `golden check` makes anew by ref."""
+    """The processor time for each value that `golden check` recomputes by ref."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     made = answer("golden", "check", name)["files"][0]["recomputed"]
     return 1000 * (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before) / made

@@ -13,10 +13,9 @@ namespace fs = std::filesystem;
 /// The least number of rows that are compared with the reference, however slow it is.
 constexpr std::size_t fewest = 6;
 
-/// The reference's error may be so many times the stored bound.
+/// The largest ratio of the reference's error to the stored bound that passes.
 constexpr long double widening = 1.5;
 
-/// The faults of one row.
 std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& row, std::size_t number,
                                      int digits, bool by_ref) {
   std::vector<GoldenFailure> failures;
@@ -73,7 +72,7 @@ CheckedGolden checked_rows(const GoldenHeader& file, std::size_t rows, std::size
   checked.quantity = file.entry("quantity");
   checked.rows = (rows + options.every - 1) / options.every;
   checked.recomputed = options.all ? checked.rows : std::min(checked.rows, by_ref);
-  // One alone is in the middle: values at a file's end take the reference longest.
+  // The offset puts a single row in the middle of the file, because the rows at the end take the reference longest.
   const auto is_recomputed = [&](std::size_t i) {
     return is_taken((i + checked.rows / 2) % checked.rows, checked.rows, checked.recomputed);
   };

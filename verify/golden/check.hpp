@@ -14,10 +14,10 @@
 
 namespace nipref::verify {
 
-/// Digests by the names of files: the SHA256SUMS of a folder, in the format of sha256sum.
+/// SHA-256 digests by file name, as a folder's SHA256SUMS lists them in the format of sha256sum.
 using Checksums = std::map<std::string, std::string>;
 
-/// Reads the file; empty if the folder has none. BadInput if it has another format.
+/// Reads the folder's SHA256SUMS; empty if there is none. BadInput if the file has another format.
 Checksums checksums_of(const std::filesystem::path& folder);
 std::string checksums_text(const Checksums& sums);
 
@@ -30,7 +30,7 @@ enum class GoldenFault {
   missing        ///< a quantity of the catalogue has no golden values
 };
 
-/// wrong, too-wide, text-changed, missing.
+/// The name of the fault: wrong, too-wide, text-changed, missing.
 std::string_view name(GoldenFault fault);
 
 struct GoldenFailure {
@@ -43,7 +43,7 @@ struct CheckOptions {
   /// Whether the reference computes the values of all rows again. Otherwise it computes evenly spaced rows, a quarter
   /// as many as the quantity has audit points, but at least six; slow quantities have few audit points.
   bool all = false;
-  std::size_t every = 1;  ///< only one of so many rows is compared, > 0
+  std::size_t every = 1;  ///< > 0; one row of each group of `every` rows is compared
   OnProgress progress = {};
 };
 
@@ -58,7 +58,8 @@ struct CheckedGolden {
   [[nodiscard]] bool kept() const { return failures.empty(); }
 };
 
-/// Checks every so many of a file's rows: those that `check` is told so, `by_ref` of them, evenly spaced, by the reference.
+/// Calls `check` for one row of each group of `options.every` rows, and asks it to compare with the reference in
+/// `by_ref` of these calls, evenly spaced, or in all of them with `options.all`.
 CheckedGolden checked_rows(
     const GoldenHeader& file, std::size_t rows, std::size_t by_ref, const CheckOptions& options,
     const std::function<std::vector<GoldenFailure>(std::size_t row, bool by_ref)>& check);
@@ -68,8 +69,8 @@ CheckedGolden checked_rows(
 /// thousandth of a unit in the last place of the scale.
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options);
 
-/// The same for a file of a quantity or of contacts, whose checksum in the folder's SHA256SUMS is compared first, if there is one. If the file
-/// cannot be read, the result is text-changed where the checksum is wrong; otherwise BadInput.
+/// Checks a file of a quantity or of contacts: first its checksum, if the folder's SHA256SUMS has one, and then its
+/// rows. If the file cannot be read, the result is text-changed where the checksum is wrong; otherwise BadInput.
 CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions& options);
 
 /// The files that the folder's SHA256SUMS lists but that do not exist, and the golden files that it does not list.

@@ -14,9 +14,9 @@ using ByRef = SceneSolution<ref::Estimate>;
 
 constexpr std::string_view prefix = "contacts-";
 constexpr std::size_t nips_for_each_confirmed = 10;
-constexpr std::size_t axis_points = 100;  ///< of a range that a kind's sweep has
+constexpr std::size_t axis_points = 100;  ///< for each range in a kind's sweep
 
-/// What a result's error is measured against.
+/// The size of a result against which its error is measured.
 template <class Number>
 long double size_of(const SceneSolution<Number>& solution, std::size_t result) {
   return solution.results[result].allowed.front() / solution.accuracy;
@@ -34,14 +34,14 @@ SecondSolution by_fast(const data::Scene& scene) {
   return solution;
 }
 
-/// A combination of the sweep, while it is made.
+/// A contact of the sweep, from its keys to its confirmed results.
 struct UnmadeContact {
   Assignments keys;
   std::optional<data::Scene> scene;
   ByRef reference;
   std::string confirmed_by, refused;
 
-  /// Compares the results with those that another method has: how far they leave a result open, or that they contradict it.
+  /// Compares the results with those of another method: notes how closely it confirms them, or which it contradicts.
   void take(const SecondSolution& other, bool names_results) {
     std::string of, contradicted;
     long double open = 0;
@@ -88,7 +88,8 @@ struct UnmadeContact {
   }
 };
 
-/// Those that a second method is to confirm.
+/// Chooses the contacts to confirm by a second method: all that it covers on half-spaces, a tenth of the sweep for
+/// nips.
 std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts) {
   std::vector<UnmadeContact*> reached, taken;
   for (UnmadeContact& contact : contacts)
@@ -101,7 +102,6 @@ std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts
   return taken;
 }
 
-/// The faults of a contact.
 std::vector<GoldenFailure> check_contact(const data::SceneText& text, const GoldenFile& file,
                                          std::size_t number, bool by_ref) {
   const GoldenRow& row = file.rows[number - 1];

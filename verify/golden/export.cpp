@@ -24,7 +24,7 @@ struct Column {
     for (const std::string& text : texts) {
       std::optional<double> number = number_in(text);
       if (!number) return numbers.clear();
-      // A bound that underflows is not 0.
+      // Bounds are rounded upwards, so that one that underflows is not 0.
       const std::string digits = text.substr(0, text.find('e'));
       if (name.ends_with("bound") && digits.find_first_of("123456789") != std::string::npos)
         number = std::nextafter(*number, std::numeric_limits<double>::infinity());

@@ -13,7 +13,7 @@ namespace {
 using data::BadInput;
 using data::CsvField;
 
-/// The columns behind those of the arguments or keys; results: of contacts.
+/// Appends the columns that follow those of the arguments or keys. `results` is empty for a quantity.
 std::vector<std::string> columns_behind(std::vector<std::string> columns,
                                         const std::vector<std::string>& results) {
   const auto add = [&](std::initializer_list<std::string> more) { columns.insert(columns.end(), more); };
@@ -47,7 +47,7 @@ bool read_decimal(const std::string& text, ref::Float& number, mpfr_rnd_t roundi
 /// The point of a row whose first fields are these arguments.
 Point point_of_row(const std::filesystem::path& path, const Quantity& quantity,
                    const std::vector<Argument>& named, const std::vector<CsvField>& fields) {
-  // The field of the argument itself, or of the material or solid that contains it; a file may lack one with a default.
+  // The field of the argument, or of the material or solid that contains it; the next field if the file lacks it.
   const auto position_of = [&](const std::string& name) {
     return fields[static_cast<std::size_t>(std::ranges::find(named, name, &Argument::name) - named.begin())]
         .position;
@@ -87,7 +87,7 @@ const std::string& decimal_of(const std::filesystem::path& path, const CsvField&
   return field.text;
 }
 
-/// Adds the numbers that the fields behind the arguments have, and what stands behind them.
+/// Reads the fields behind the arguments or keys: the numbers with their bounds, and the columns that follow.
 void read_numbers(GoldenRow& row, const std::filesystem::path& path, std::span<const CsvField> rest,
                   bool is_of_quantity) {
   const std::size_t end = rest.size() - (is_of_quantity ? 4 : 2);

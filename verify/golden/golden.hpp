@@ -11,58 +11,56 @@
 
 namespace nipref::verify {
 
-/// The bound of the value that is written, with the rounding to its text. The text of the value 0 is not rounded.
+/// The bound of the written value as text. It includes the rounding of the value to its text; the text of 0 is exact.
 std::string bound_text(const ref::Estimate& reference);
 
-/// A stored number.
 struct GoldenNumber {
   std::string value;  ///< decimal text
   std::string bound;  ///< of |value - truth|, decimal text
 
-  /// The number that these texts are. The text of a value that is none is a NaN.
+  /// The number with its bound. It is a NaN if the text of the value is no number.
   [[nodiscard]] ref::Estimate number() const;
 };
 
-/// What is stored of a point, a value of a quantity or all results of a contact, which other methods have confirmed.
+/// A row of a golden file: the value of a quantity at a point, or all results of a contact, confirmed by other methods.
 struct GoldenRow {
-  Point arguments;   ///< of a quantity
-  Assignments keys;  ///< of a contact's scene, as its sweep has them
-  /// One, or those of the results in the order in which the scene wants them.
+  Point arguments;   ///< for a quantity
+  Assignments keys;  ///< for a contact: the keys that the sweep varies, with their values
+  /// The value of the quantity, or the results of the contact in the order in which the scene wants them.
   std::vector<GoldenNumber> numbers;
-  bool proven;               ///< whether all bounds are; otherwise some are estimates
-  std::string confirmed_by;  ///< the methods, and how far they leave a number open
-  // Of a quantity:
-  double scale = 0;         ///< what errors of other values are measured against, unit of the quantity
+  bool proven;               ///< whether all bounds are proven; otherwise some are estimates
+  std::string confirmed_by;  ///< the methods, and how closely each confirms the numbers
+  // Only for a quantity:
+  double scale = 0;         ///< the size against which errors are measured, unit of the quantity
   std::string origin = {};  ///< hard, worst:fast@COMMIT, dense or user
 
-  [[nodiscard]] ref::Estimate number() const { return numbers.front().number(); }  ///< of a quantity
+  [[nodiscard]] ref::Estimate number() const { return numbers.front().number(); }  ///< the quantity's value
 };
 
-/// What stands above the values of a file.
 struct GoldenHeader {
-  std::vector<std::pair<std::string, std::string>> header;  ///< keys and their texts, in their order
+  std::vector<std::pair<std::string, std::string>> header;  ///< keys and texts, in the file's order
 
-  /// BadInput naming the key if it is not there.
+  /// The text of a key. BadInput that names the key if the header lacks it.
   [[nodiscard]] const std::string& entry(const std::string& key) const;
   [[nodiscard]] int digits() const;
   void set(const std::string& key, const std::string& text);
   [[nodiscard]] std::string header_text() const;
 };
 
-/// The header of a file that was read. BadInput with line and column of what is no entry.
+/// The header of a file. BadInput with line and column of a comment that is not an entry.
 GoldenHeader header_of(const data::CsvFile& csv);
 
-// What files of values hold. BadInput with line and column of what is not there.
+// The fields of files of values. BadInput with line and column of a field that does not hold such a number.
 
-/// A double, decimal or hexadecimal, which is finite or, if it `may_be_none`, also an infinity or a NaN.
+/// A double, decimal or hexadecimal. It must be finite; with `may_be_none` it may also be an infinity or a NaN.
 double double_of(const std::filesystem::path& path, const data::CsvField& field, bool may_be_none = false);
-/// The number that stands for an argument.
+/// The value of an argument: a finite double, or the index of a choice.
 double argument_of(const std::filesystem::path& path, const Argument& argument, const data::CsvField& field);
 
 /// A file of golden values of one quantity, or of contacts of one kind.
 struct GoldenFile : GoldenHeader {
   std::vector<GoldenRow> rows;
-  std::vector<std::string> results = {};  ///< names of those of contacts
+  std::vector<std::string> results = {};  ///< names of the contacts' results; empty for a quantity
 
   /// The quantity whose values the file holds. BadInput if the catalogue has none of that name.
   [[nodiscard]] const Quantity& quantity() const;
@@ -76,14 +74,14 @@ struct Gap {
   ref::Float distance, allowed;
 
   Gap(const ref::Estimate& a, const ref::Estimate& b);
-  /// Whether both may stand for one number; a NaN may not.
+  /// Whether the distance is at most the allowed one, so that both may stand for one number; false for a NaN.
   [[nodiscard]] bool is_covered() const;
 };
 
 /// Whether a width is small against the scale: at most a thousandth of a unit in the last place.
 bool is_small(const ref::Float& width, double scale);
 
-/// Two digits, rounded upwards.
+/// The text of the number with two digits, rounded upwards.
 std::string upward_text(const ref::Float& number);
 
 /// The text of a file, as data/golden/README.md describes it.
@@ -95,11 +93,11 @@ GoldenFile read_golden(const std::filesystem::path& path);
 /// The file of the golden values of a quantity or of a kind of contacts: data/golden/NAME.csv.
 std::filesystem::path golden_path(std::string_view name);
 
-/// What to pin: the SHA-256 of SHA256SUMS, and so of all golden values; empty if there is none.
+/// A version of all golden values, for others to pin: the SHA-256 of SHA256SUMS; empty if there is no such file.
 std::string golden_version();
 
-/// A golden file of any kind as csv, json, cpp or npy, for programs that do not read the CSV. Numbers are the doubles
-/// nearest to the texts, bounds those above. BadInput as read_csv has it.
+/// A golden file of any kind as csv, json, cpp or npy, for programs that do not read the CSV. Numbers are rounded to
+/// the nearest double, bounds are rounded upwards. BadInput for what read_csv refuses.
 std::string exported_golden(const std::filesystem::path& path, std::string_view format);
 
 }  // namespace nipref::verify

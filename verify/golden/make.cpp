@@ -9,18 +9,18 @@ namespace {
 
 // Shares of the requested points; the remaining points are spread over the domain.
 constexpr double share_of_hard = 0.4, share_of_zeros = 0.1, share_of_worst = 0.1;
-/// The number of rounds in which points of the domain replace points that occur twice or have no value.
+/// The largest number of rounds in which points of the domain replace points that occur twice or have no value.
 constexpr int most_rounds = 8;
 /// The largest number of audit points for each golden value.
 constexpr std::size_t most_audited = 16;
-constexpr double part_of_audit = 0.2;  ///< of the progress
+constexpr double part_of_audit = 0.2;  ///< the audit's share of the progress
 
 struct Candidate {
   Point point;
   std::string origin;
 };
 
-/// The worst point of an audit with its search, followed by the worst of its other points in the order of their errors.
+/// The worst point of an audit with its search, followed by the points before the search in order, the worst first.
 std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& golden, std::size_t count) {
   AuditOptions options;
   options.points = std::min(quantity.audit_points, most_audited * golden.points);
@@ -70,15 +70,15 @@ class Candidates {
   std::vector<Candidate> fresh_;
 };
 
-/// A confirmed golden value, or the reason why there is none; neither of a row that stays as it is.
+/// A confirmed golden value, or the reason why there is none. A row that stays as it is has neither.
 struct MadeRow {
   std::optional<GoldenRow> row = {};
   std::optional<RefusedRow> refused = {};
   bool has_reference = true;
-  std::string why = {};  ///< why_of
+  std::string why = {};  ///< the reason to store the row
 };
 
-/// `why_of`: the reason to have that row, as a text; empty if there is none.
+/// Computes and confirms a row. `why_of` returns the reason to store it; with an empty reason it is not confirmed.
 template <class Why>
 MadeRow made_row(const Quantity& quantity, const Point& point, const std::string& origin, int digits,
                  const Why& why_of) {

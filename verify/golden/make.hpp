@@ -36,13 +36,13 @@ inline GoldenOptions golden_options(const Quantity& quantity) {
 
 /// A point or a contact without golden values.
 struct RefusedRow {
-  Assignments arguments;  ///< as its file would have them
+  Assignments arguments;  ///< arguments or keys, as the golden file writes them
   std::string reason;
 };
 
 struct MadeGolden {
   GoldenFile file;
-  std::vector<RefusedRow> refused = {};  ///< what no second method confirms
+  std::vector<RefusedRow> refused = {};  ///< points or contacts without a confirmed value
 };
 
 /// Golden values of a quantity at hard cases, at zeros and their neighbours, at the points where an audit finds the
@@ -63,7 +63,7 @@ struct ChangedRow {
   std::string why;
 };
 
-/// Of what is refused, the rows stay as they are.
+/// A golden file after an update. Rows that are refused stay as they are.
 struct UpdatedGolden : MadeGolden {
   std::vector<ChangedRow> changed = {};
 };

@@ -8,7 +8,7 @@ namespace nipref::verify::confirm {
 namespace {
 
 // The surface response of anisotropic half-spaces by Stroh's formalism: eigenvectors from the roots of the sextic
-// polynomial. It is for solids whose roots are distinct and has no proven error.
+// polynomial. The method applies to solids whose roots are distinct. Its error is not proven.
 
 using Quadratic = PolynomialOf<Float>;
 using Column = std::array<Complex, 3>;
@@ -19,12 +19,13 @@ Column cross(const Column& x, const Column& y) {
 Complex dot(const Column& x, const Column& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 Float size(const Column& x) { return abs(x[0]) + abs(x[1]) + abs(x[2]); }
 
-/// A half-space by its stiffness in Voigt's notation and its density.
+/// A half-space, given by its stiffness in Voigt's notation and its density.
 struct StrohSolid {
   std::array<std::array<Float, 6>, 6> voigt;
   Float density;
 
-  /// Y, the inverse of the impedance, for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
+  /// Y, the inverse of the impedance, for the line n at the angle psi and a phase speed, in the axes n, across n, and
+  /// 3.
   [[nodiscard]] std::array<std::array<Complex, 3>, 3> admittance(const Float& psi_degrees,
                                                                  const Float& phase) const;
 };
@@ -92,7 +93,7 @@ std::array<std::array<Complex, 3>, 3> StrohSolid::admittance(const Float& psi_de
   return y;
 }
 
-/// The speed at which 1/K vanishes along psi, by the secant rule from a double near it.
+/// Returns the speed at which 1/K vanishes for the line psi, by the secant method. `near` is that speed in double.
 Float surface_wave(const StrohSolid& solid, const Float& psi, const Float& theta, double near) {
   const Float cosine = abs(cosine_between(psi, theta));
   const auto inverse = [&](const Float& speed) -> Float {
@@ -113,13 +114,13 @@ Confirmation by_secant(const Float& value) {
   return confirmation("root of 1/K by Stroh's eigenproblem", value, value * Float("1e-70"));
 }
 
-/// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
+/// The line with the smallest critical speed: its angle in degrees, right to about 1e-7, and this speed.
 struct CriticalLine {
   double psi, speed;
 };
 
-/// The minimum of this speed over all lines, by Newton's iteration for a zero of its slope, from a nearby line and
-/// speed.
+/// Returns the minimum of the critical speed over all lines. Newton's iteration from `near` finds the zero of its
+/// slope.
 Confirmation lowest_surface_wave(const StrohSolid& solid, double theta, const CriticalLine& near) {
   Float psi = near.psi, value = 0;
   const Float step("1e-22");
@@ -136,7 +137,8 @@ Confirmation lowest_surface_wave(const StrohSolid& solid, double theta, const Cr
   return by_secant(value);
 }
 
-/// The solid in the units of the seed's steel, whose constants are decimal numbers.
+/// The transversely isotropic solid, in units of the seed's steel: its shear modulus and density, exact decimal
+/// numbers.
 StrohSolid transverse_solid(Arguments x) {
   const auto axis = x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
   const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
@@ -148,7 +150,7 @@ StrohSolid transverse_solid(Arguments x) {
   return solid;
 }
 
-/// The solid of the upper triangle of Voigt's matrix row by row, which begins with c11.
+/// The solid whose stiffness is in the arguments from c11 on: the upper triangle of Voigt's matrix, row by row.
 StrohSolid any_solid(Arguments x) {
   StrohSolid solid{{}, x["density"]};
   data::set_symmetric(solid.voigt, x.from("c11").begin());
@@ -161,7 +163,7 @@ Confirmation by_stroh(const Float& value, const Float& scale) {
 
 enum class Part { re, minus_im };
 
-/// An entry of Y of the solid that the arguments have.
+/// Returns the method that computes an entry of Y for the solid of the arguments.
 Confirm entry_of(StrohSolid (*solid)(Arguments), std::size_t row, std::size_t column, Part part) {
   return [=](Arguments x) {
     const Float phase = Float(x["speed"]) * cosine_between(x["psi_deg"], x["theta_deg"]);
@@ -200,7 +202,7 @@ Confirmation critical_of_any(Arguments x) {
   return lowest_surface_wave(any_solid(x), x["theta_deg"], {near.psi * 180 / std::numbers::pi, near.speed});
 }
 
-/// Eigenvalues of Christoffel's matrix.
+/// The speed of a bulk wave along theta: its square times the density is an eigenvalue of Christoffel's matrix.
 Confirmation branch(Arguments x) {
   const Float cosine = cosine_of(x["theta_deg"]), sine = sine_of(x["theta_deg"]), cc = cosine * cosine,
               ss = sine * sine;
@@ -216,7 +218,7 @@ Confirmation branch(Arguments x) {
   return confirmation("eigenvalue in closed form", speed, speed * Float("1e-80"));
 }
 
-/// The answers of the solid and of a steel sphere on it.
+/// The response of the solid and of a steel sphere together.
 LineAnswers joint_answers(Arguments x) {
   return [solid = transverse_solid(x), x](const Float& degrees) -> LineAnswerByFormula {
     const Float speed = x["speed"] * cosine_of(degrees), along = x["patch"] * speed;
@@ -228,7 +230,7 @@ LineAnswers joint_answers(Arguments x) {
 }
 SlidingBody sphere(Arguments x) { return {joint_answers(x), x["friction"]}; }
 
-/// Lines about that with the smallest critical speed, where K may have a peak.
+/// Lines on panels about the line with the smallest critical speed, where K may have a peak.
 std::vector<WeightedLine> lines_about_critical(Arguments x, bool coarse) {
   const CriticalLine critical = critical_line(x);
   const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));

@@ -12,10 +12,10 @@ using Solver = std::function<SecondSolution()>;
 
 constexpr int digits = 20;
 
-/// A result, the number that gives it, and that number's unit in the scene.
+/// A result, the dimensionless quantity that gives it, and the unit of this quantity in the scene.
 struct Row {
   ResultId id;
-  std::string_view quantity;  ///< of the catalogue
+  std::string_view quantity;  ///< its name in the catalogue
   mpq_class unit;
 };
 
@@ -24,7 +24,7 @@ void add(SecondSolution& solution, ResultId id, const Confirmation& number, cons
   solution.numbers.emplace_back(id, in_unit(ref::Estimate(number.value, number.error, digits), unit));
 }
 
-/// Solves by the second methods of quantities that have these arguments.
+/// Returns a solver that computes each row's quantity at these arguments by its second method.
 Solver by_quantities(std::vector<std::pair<std::string_view, double>> arguments, std::vector<Row> rows) {
   return [arguments = std::move(arguments), rows = std::move(rows)] {
     SecondSolution solution;
@@ -63,7 +63,7 @@ Solver solver_of(const data::ElasticNipProblem& problem) {
                        std::move(rows));
 }
 
-/// theta1 and theta2 of the numbers that a material's doubles are rounded from; nothing for springs that are not alike.
+/// theta1 and theta2 from the material's constants before they are rounded to double; nothing for springs and dashpots.
 std::optional<confirm::BothFunctions> functions_of(const data::ViscoelasticMaterial& material) {
   using Both = confirm::BothFunctions;
   const data::MaterialConstants& constants = material.constants();
@@ -116,7 +116,7 @@ Solver solver_of(const data::ViscoelasticNipProblem& problem) {
   };
 }
 
-/// No other program knows this contact to more than three digits.
+/// There is no second method: no other program gives more than three digits of this contact.
 Solver solver_of(const data::PartialSlipProblem&) { return {}; }
 
 Solver solver_of(const data::HalfSpaceProblem& problem) {
@@ -125,7 +125,7 @@ Solver solver_of(const data::HalfSpaceProblem& problem) {
   const auto* const ball = std::get_if<data::RigidRollingSphere>(&problem.body);
   const auto* const span = std::get_if<data::GivenSpan>(&problem.given);
   const bool is_exact = problem.rule == data::ContourRule::exact;
-  // The quantities have the speed in that of shear waves.
+  // The unit of speed of the quantities is the speed of shear waves, which must therefore be 1 in the scene.
   if (solid == nullptr || solid->shear != solid->density || (die == nullptr && ball == nullptr)) return {};
   std::vector<std::pair<std::string_view, double>> arguments{{"poisson", solid->poisson},
                                                              {"speed", problem.speed}};

@@ -11,12 +11,12 @@ namespace nipref::verify {
 struct Confirmation {
   std::string method;
   ref::Float value;
-  ref::Float error;  ///< estimate: the change of the value when the method's own work is halved
+  ref::Float error;  ///< estimate: the difference from a coarser rule, or an allowance for rounding errors
 };
 
 using Confirm = std::function<Confirmation(const NamedPoint& point)>;
 
-/// The second method for the quantity of that name; empty if there is none.
+/// The second method for the quantity of this name; empty if there is none.
 Confirm confirmer_of(std::string_view quantity);
 
 /// Results of a contact by a second method, in the scene's units.
@@ -25,7 +25,7 @@ struct SecondSolution {
   std::vector<std::pair<data::ResultId, ref::Estimate>> numbers;
 };
 
-/// Solves the scene by a second method; empty if none reaches such a contact.
+/// Returns a function that solves the scene by a second method; empty if no second method covers such a contact.
 std::function<SecondSolution()> second_solver(const data::Scene& scene);
 
 namespace confirm {
@@ -35,9 +35,9 @@ using Arguments = const NamedPoint&;
 /// Second methods by the names of their quantities.
 using Methods = std::map<std::string, Confirm, std::less<>>;
 
-/// Roots, kernels, displacements of the elastic sheet and the field inside it. For |alpha| <= 3 that of the field adds the
-/// fields of two half-planes under the loads and the integrals along the real axis of the thesis's integrands without them;
-/// beyond, it integrates around the poles.
+/// Roots, kernels and displacements of the elastic sheet, and the field inside it. For |alpha| < 3 the field is that of
+/// two half-planes under the loads, plus integrals along the real axis of the rest of the thesis's integrands. For
+/// |alpha| >= 3 it is a sum of integrals around the poles.
 Methods sheet_methods();
 Methods memory_methods();     ///< J1 to J6 and the displacements under a moving load
 Methods material_methods();   ///< material.*

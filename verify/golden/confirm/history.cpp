@@ -8,8 +8,8 @@ namespace {
 
 using boost::math::quadrature::gauss;
 
-/// I1 + ln |w|, or the odd kernel over w, for |w| < 3. The nearest singularity, +-i, is on Bernstein's ellipse of parameter
-/// 2.4.
+/// The smooth part of a kernel for |w| < 3: I1 + ln |w|, or an odd kernel over w. The nearest singularities, +-i, are
+/// on Bernstein's ellipse of parameter 2.4.
 const Interpolant& smooth_part(const SymbolTransform& kernel) {
   static const auto made = [](const SymbolTransform& of) {
     return Interpolant(0, far, 180, [of](const Float& w) {
@@ -22,17 +22,17 @@ const Interpolant& smooth_part(const SymbolTransform& kernel) {
   return all.at(&kernel);
 }
 
-/// A memory is neglected where it has decayed by e to this power.
+/// A memory is neglected once it has decayed by the factor e^-forgotten.
 constexpr int forgotten = 200;
 
-/// The integrals of a history over distances x from the load on one side of it: w is x on the side 1, -x on the side -1.
+/// The integrals of history() over the distance x from the load on one side of it: w = x on side 1, w = -x on side -1.
 struct History {
   const SymbolTransform& kernel;
   Float from;
   Complex rate;
   bool coarse;
 
-  /// The factor by which the memory of x has decayed.
+  /// The factor by which the memory of the distance x has decayed.
   [[nodiscard]] Complex kept(int side, const Float& x) const {
     return exp(Complex(-rate * Float(side * x - from)));
   }
@@ -47,7 +47,7 @@ struct History {
     return {real, rate.imag() == 0 ? Float(0) : part([](const Complex& z) -> Float { return z.imag(); })};
   }
 
-  /// int -ln x kept(x) dx from 0 to `end` by the substitution x = end e^(-v), for x down to 10^-70 of `end`.
+  /// int -ln x kept(x) dx over 0 < x < end, by the substitution x = end e^(-u) and without the part below end e^-176.
   [[nodiscard]] Complex logarithm_at_zero(int side, const Float& end) const {
     Complex sum = 0;
     const auto integrand = [&](const Float& u) -> Complex {
@@ -58,7 +58,7 @@ struct History {
     return sum;
   }
 
-  /// 0 <= near < distant <= 3
+  /// The integral from `near` to `distant`, 0 <= near < distant <= 3.
   [[nodiscard]] Complex close(int side, Float near, Float distant) const {
     const Float fades = rate.real(), turns = abs(rate);
     if (fades * (distant - near) > forgotten) {
@@ -88,8 +88,8 @@ struct History {
     return sum;
   }
 
-  /// near >= 3: a sum over the pairs of poles z and -conj z, whose terms are conjugate but for the factor of the memory. The
-  /// integral of each is the difference of its antiderivative at both ends.
+  /// The integral from `near` >= 3 to `end`, or to infinity without `end`: a sum over the pairs of poles z and -conj z,
+  /// whose terms are conjugate but for the factor of the memory. Each term is integrated by its antiderivative.
   [[nodiscard]] Complex distant(int side, const Float& near, const std::optional<Float>& end) const {
     const Complex i(Float(0), Float(1)), turned = Float(side) * rate;
     const auto of_wave = [&](const Complex& z) -> Complex {
@@ -107,7 +107,7 @@ struct History {
     return sum * pi();
   }
 
-  /// From the distance `near` to `end`, or to infinity without `end`.
+  /// The integral from the distance `near` to `end`, or to infinity without `end`.
   [[nodiscard]] Complex one_side(int side, const mpq_class& near, const std::optional<mpq_class>& end) const {
     const mpq_class border = far;
     Complex sum = 0;
@@ -141,7 +141,7 @@ LongComplex history_of_sign(const mpq_class& from, const std::optional<mpq_class
   if (from < 0) sum -= over((to && *to < 0 ? *to : mpq_class(0)) - from);
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
-    // At rate 0 the integral of the two parts to infinity differs from that of sign w by a constant, which is left out.
+    // At rate 0 the integral to infinity diverges. The result is the integral over a long way W from `from` on, less W.
     const LongComplex endless = rate == LongComplex(0) ? LongComplex(to_number<Long>(mpq_class(from - begin)))
                                                        : LongComplex(LongComplex(1) / rate);
     const LongComplex rest = to ? over(mpq_class(*to - begin)) : endless;

@@ -3,8 +3,8 @@
 
 namespace nipref::verify::confirm {
 
-/// The interpolant of a smooth function on an interval at Chebyshev points, which are not in its middle if their number is
-/// even.
+/// The interpolant of a smooth function on an interval at Chebyshev points. If their number is even, no point is in the
+/// middle of the interval.
 class Interpolant {
  public:
   Interpolant(const Float& from, const Float& to, int points, const std::function<Float(const Float& x)>& f)
@@ -29,7 +29,7 @@ class Interpolant {
   [[nodiscard]] Float slope(const Float& x) const { return sum(slopes_, x); }
 
  private:
-  /// By Clenshaw's recurrence.
+  /// Sums the Chebyshev series by Clenshaw's recurrence.
   [[nodiscard]] Float sum(const std::vector<Float>& coefficients, const Float& x) const {
     const Float u = (x - middle_) / half_, twice = 2 * u;
     Float last = 0, before = 0;

@@ -52,7 +52,7 @@ Float small_moment(const Float& b) {
 }
 
 /// sum (-1)^k a/((2k + 1)^2 + a^2) = (1/2) int_0^inf sin(a v)/cosh(v) dv, by the acceleration of Cohen, Villegas and
-/// Zagier: an error of 5.8^-terms.
+/// Zagier, with an error of 5.8^-terms.
 Float alternating_sum(const Float& a) {
   constexpr int terms = 130;
   Float d = pow(3 + sqrt(Float(8)), terms);
@@ -85,7 +85,7 @@ Float rolling_amplitude(Arguments x, const Float& cosine) {
               (line.compliance * (line.compliance * line.in_line - line.coupling * line.coupling)));
 }
 
-/// By Newton's method for the span L of L B Q = L1 B1 Q1, from the root of first order.
+/// Solves L B Q = L1 B1 Q1 for the span L by Newton's method, from the solution to first order.
 Float finite_span_ratio(Arguments x) {
   const auto slowness = [&](const Float& cosine) -> Float {
     const LineAnswerByFormula line = line_at(x, cosine);
@@ -102,7 +102,6 @@ Float finite_span_ratio(Arguments x) {
   return found / span;
 }
 
-/// poisson, speed, span over radius, degrees.
 Float rolling_creep(Arguments x) {
   const Float cosine = cosine_of(x["psi_deg"]), index = rolling_index(x, cosine);
   const LineAnswerByFormula line = line_at(x, cosine);
@@ -135,7 +134,7 @@ std::vector<WeightedLine> lines_between(const Float& centre, const std::vector<F
   return all;
 }
 
-/// About the logarithm of the ratio of an ellipse's axes.
+/// An approximation of the logarithm of the ratio of the contact ellipse's axes.
 double rough_slenderness(double curvature_ratio) { return 0.62 * std::log(curvature_ratio); }
 
 /// The width of the peak of K about the direction of motion, radians.
@@ -162,7 +161,7 @@ Float rolling_force(Arguments x, bool coarse) {
 
 ContactEllipse ellipse_at(Arguments x, bool coarse) {
   const double rough = rough_slenderness(x["curvature_ratio"]);
-  // The first panel also resolves an ellipse that the peak of K makes longer.
+  // The factor 1.2 lets the first panel also resolve an ellipse that the peak of K makes longer.
   const Float narrow = exp(-Float(std::fabs(rough) * 1.2)) / 2, width = peak_width(x) / 2;
   const auto lines = lines_about(0, rough < 0 ? std::min<Float>(narrow, width) : width,
                                  rough > 0 ? std::min<Float>(narrow, width) : Float(width), coarse);
@@ -288,7 +287,7 @@ Float SlidingLine::moment() const {
 ContactEllipse::ContactEllipse(const LineAnswers& answers, const std::vector<WeightedLine>& lines,
                                double curvature_ratio) {
   struct Term {
-    Float cosine2, sine2, weighted;  ///< of twice the angle; the weight times K
+    Float cosine2, sine2, weighted;  ///< cosine and sine of twice the angle; the weight times K
   };
   const auto terms = mapped(lines, [&](const WeightedLine& line) -> Term {
     const Float twice = 2 * radians(line.degrees);

@@ -3,13 +3,13 @@
 namespace nipref::verify::confirm {
 namespace {
 
-/// The derivative of cos or sin at `angle`.
+/// The derivative of cos or sin of this order, 0 to 2, at `angle`.
 Float derivative(const Float& angle, bool is_sine, int order) {
   const Float wave = is_sine == (order % 2 == 0) ? sin(angle) : cos(angle);
   return order == 2 || (order == 1 && !is_sine) ? Float(-wave) : wave;
 }
 
-/// The integral along the real axis of the symbol times cos(x z) or sin(x z), or times a derivative of that to x.
+/// The integral along the real axis of the symbol times cos(x z) or sin(x z), differentiated `order` times by x.
 template <class Symbol>
 Split along_axis(const mpq_class& x, bool is_sine, int order, Symbol symbol) {
   const Float at = to_number(x);
@@ -26,7 +26,7 @@ constexpr SymbolTransform plain(Symbol) {
           [](const mpq_class& x, int order) { return along_axis(x, is_odd, order, Symbol()); }};
 }
 
-/// An approximate root by Newton's iteration in double, which is only the centre of a circle around the root.
+/// An approximation of the n-th root by Newton's iteration in double: the centre of a circle around the root.
 std::complex<double> near_root(std::size_t n) {
   const double y = (static_cast<double>(n) - 0.25) * std::numbers::pi;
   std::complex<double> z(std::acosh(2 * y) / 2, y);
@@ -45,7 +45,7 @@ Split I1_near(const mpq_class& alpha, int order) {
   return sum;
 }
 
-/// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx, and what I6_eta is at 3.
+/// I6_eta as int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx + I6_eta(3).
 Split I6_eta_near(const mpq_class& eta, int) {
   const Float at = to_number(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
   return integral([&](const Node& node) -> Float {
@@ -54,7 +54,7 @@ Split I6_eta_near(const mpq_class& eta, int) {
       .add(1, I6_eta(far));
 }
 
-/// I1, and int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x, and what I6_eta is at 3.
+/// I6_alpha as I1 + int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx + I6_eta(3), without cancellation at small x.
 Split I6_alpha_near(const mpq_class& alpha, int) {
   const Float at = to_number(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
   return integral([&](const Node& node) -> Float {
@@ -81,8 +81,8 @@ const SymbolTransform I6_alpha{
 const SymbolTransform I6_eta{false, -1, [](const Pole& at) -> Complex { return at.cosine / at.z; },
                              I6_eta_near};
 
-// Node j is at t = j/256; the coarse rule has the nodes of even j. For |x| <= 3 the integrands are analytic and bounded in
-// the strip |Im t| < 0.3.
+// Node j is at t = j/256; the coarse rule has the nodes of even j. For |x| <= 3 the integrands are analytic and bounded
+// in the strip |Im t| < 0.3.
 const std::vector<Node>& nodes() {
   static const std::vector<Node> all = [] {
     const Float step = Float(1) / 256;

@@ -8,7 +8,7 @@ namespace {
 
 enum Model { standard_linear, kelvin_voigt, maxwell, elastic, prony, operators, thesis, one_time };
 
-/// A modulus of springs and a dashpot. name: shear or bulk.
+/// The modulus of springs and a dashpot. `name` is shear or bulk.
 Ratio springs(Arguments x, Model model, const std::string& name) {
   const Long spring = x[name], dashpot = x[name + "_viscosity"];
   if (model == elastic) return {{spring}, {Long(1)}};
@@ -17,11 +17,11 @@ Ratio springs(Arguments x, Model model, const std::string& name) {
   return {{Long(spring * second), Long(spring * dashpot)}, {Long(spring + second), dashpot}};
 }
 
-/// function: theta1 or theta2.
+/// The Prony series of `function`, which is theta1 or theta2.
 Ratio series(Arguments x, const std::string& function) {
   Ratio sum{{Long(x[function + "_instantaneous"])}, {Long(1)}};
   const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
-  // Terms of one rate are one, as a double root would be found slowly or not at all.
+  // Terms of equal rate are added up, because a double root would be found slowly or not at all.
   std::map<double, Long> by_rate;
   for (std::size_t k = 0; k < amplitudes.size(); ++k)
     if (amplitudes[k] != 0) by_rate[rates[k]] += amplitudes[k];
@@ -45,15 +45,15 @@ Responses responses(Arguments x) {
   return Responses(Compliance(x["bulk"], x["shear"], x["relaxation_time"], model == thesis ? 2 : 1));
 }
 
-/// The inverse Laplace transform without impulses: the solution of the differential equation whose characteristic
-/// polynomial is the denominator, by the series of the matrix exponential at t/2^k, which is squared k times. The
-/// unit of time is that of the largest root. With the companion matrix A the last column of (p - A)^-1 has 1, p, p^2, ... over
-/// the denominator.
+/// The inverse Laplace transform of r at the time t, without impulses. It solves the differential equation whose
+/// characteristic polynomial is the denominator, with the companion matrix A. The exponential of A t is its series at
+/// t/2^k, squared k times, in a unit of time that suits the largest root. The last column of (p - A)^-1 is 1, p, p^2,
+/// ... over the denominator.
 Long in_time(Ratio r, double t) {
   using Matrix = Eigen::Matrix<Long, Eigen::Dynamic, Eigen::Dynamic>;
   r.above.normalize();
   r.below.normalize();
-  // A common root 0 would leave rounding errors beside what decays.
+  // A common root 0 would add rounding errors that do not decay.
   while (r.below[0] == 0 && r.above[0] == 0) {
     r.below >>= 1;
     r.above >>= 1;
@@ -80,7 +80,7 @@ Long in_time(Ratio r, double t) {
     sum += term;
   }
   for (int k = 0; k < halvings; ++k) sum = sum.lazyProduct(sum).eval();
-  // The whole part of the ratio is the impulses.
+  // The quotient of the division, which is left out, transforms to the impulses.
   const Polynomial rest = r.above % r.below;
   Long value = 0;
   for (std::size_t k = 0; k < rest.size(); ++k)
@@ -97,7 +97,7 @@ LongComplex at_frequency(const Ratio& ratio, double omega, double growth = 0) {
   return value_at(ratio.above, p) / value_at(ratio.below, p);
 }
 
-/// `value`: of the responses and the point.
+/// Returns the method that computes `value` from the responses and the point.
 template <class Value>
 Confirm by_series(Value value) {
   return [value](Arguments x) {
@@ -124,7 +124,7 @@ void add_modulus(Methods& methods, const std::string& letter, const std::string&
   });
 }
 
-/// gamma or lambda of a term.
+/// The amplitude gamma or the rate lambda of a term.
 Confirmation of_term(Arguments x, bool amplitude) {
   const Responses all = responses(x);
   auto [at_once, terms] = in_exponentials(x["of"] == 0 ? all.theta1 : all.theta2);

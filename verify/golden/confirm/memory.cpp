@@ -8,7 +8,7 @@ namespace {
 
 enum class MovingModel { thesis = 1, prony, operators, two_moduli };
 
-/// function: theta1 or theta2.
+/// The Prony series of `function`, which is theta1 or theta2.
 Exponentials terms_of(Arguments x, const std::string& function) {
   Exponentials sum{Long(x[function + "_instantaneous"]), {}};
   const auto amplitudes = x.list(function + "_amplitude"), rates = x.list(function + "_rate");
@@ -17,7 +17,7 @@ Exponentials terms_of(Arguments x, const std::string& function) {
   return sum;
 }
 
-/// The material of a moving load.
+/// The material of the sheet under a moving load.
 BothFunctions material_of(Arguments x) {
   const auto model = static_cast<MovingModel>(static_cast<int>(x["material"]));
   if (model == MovingModel::prony) return {terms_of(x, "theta1"), terms_of(x, "theta2")};
@@ -65,7 +65,7 @@ Float faded_by_gauss(const Float& lambda, const Float& from, const Float& to) {
   return sum;
 }
 
-/// J5, J6.
+/// J5 and J6.
 Confirmation of_sign(Arguments x) {
   const Float gamma0 = x["gamma0"], gamma = x["gamma"], lambda = x["lambda"], t = x["t"], T = x["T"];
   const Float passed = std::clamp<Float>(t - T, 0, t);  // the time since the load passed
@@ -76,13 +76,14 @@ Confirmation of_sign(Arguments x) {
                       (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
 }
 
-/// The load's path relative to a point, in half-thicknesses: the present distance, and the distance at the start.
+/// The load's path relative to a point, in half-thicknesses: the present distance, and that at the start, if there was
+/// one.
 struct LoadPath {
   mpq_class alpha;
   std::optional<mpq_class> start;
 };
 
-/// The convolution theta * I.
+/// The convolution of theta with a kernel I along the load's path.
 class Convolution {
  public:
   Convolution(Exponentials theta, double speed, double half_thickness) : theta_(std::move(theta)) {
@@ -130,7 +131,6 @@ class Convolution {
   Exponentials theta_;
 };
 
-/// The sheet's two convolutions.
 struct Sheet {
   Convolution theta1, theta2;
 
@@ -160,7 +160,7 @@ Confirmation Vn(const Sheet& sheet, const LoadPath& alpha, const LoadPath& eta) 
   return over_pi(sum, error);
 }
 
-/// At the time t after the start, of the point that the load passes at the time T.
+/// The load's path at the time t after its start, relative to the point that it passes at the time T.
 LoadPath started(Arguments x, const char* T_name) {
   const mpq_class T(x[T_name]), way_per_time = mpq_class(x["speed"]) / mpq_class(x["half_thickness"]);
   return {(T - mpq_class(x["t"])) * way_per_time, mpq_class(T * way_per_time)};

@@ -15,19 +15,20 @@ using FloatVector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
 
 std::size_t at(long i) { return static_cast<std::size_t>(i); }
 
-/// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2
-/// away from the real axis.
+/// Returns the number of Chebyshev points, an even one, that interpolate a function on (-reach, reach) to `digits`
+/// digits. The singularities of the function are at least 2 away from the real axis.
 int smooth_points(double reach, double digits) {
   const double height = 2 / reach, ellipse = height + std::hypot(1, height);
   return 2 * static_cast<int>(8 + digits * std::log(10.0) / std::log(ellipse) / 2);
 }
 
-/// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther. In the
-/// plane of w the nearest singularities are images of the ends, seen in the sheet's faces. Beyond the last node the
-/// tractions are taken to decay as at an end, (A - x)^(1/2 +- i epsilon), which leaves out e^(-3 w).
+/// The grid in w of sinc collocation: tractions at multiples of the step, slopes of the surface half a step farther.
+/// The step follows from the singularities nearest to the real axis of w, the images of the contact's ends in the
+/// sheet's faces. Beyond the last node the tractions decay like (A - x)^(1/2 +- i epsilon), as at an end, which
+/// neglects terms of the order e^(-3 w).
 struct Grid {
   Float step;
-  int last, beyond;  ///< nodes that are unknown, and those that follow from the last of them
+  int last, beyond;  ///< last node with unknown tractions; number of nodes beyond it
 
   Grid(double half_length, double digits) {
     const double strip = (std::atan(2 / half_length) + std::numbers::pi / 2) / 2,
@@ -40,9 +41,9 @@ struct Grid {
   [[nodiscard]] Float middle(int k) const { return step * k + step / 2; }
 };
 
-/// The kernels of the sheet's surface without the term -ln|x|, and their slopes; lengths in half-thicknesses.
+/// Interpolants of the kernels of the sheet's surface without the term -ln|x|. Lengths are in half-thicknesses.
 struct Kernels {
-  Interpolant normal, stretch, coupling;  ///< I1 + ln|x|, the part of I6 that depends on alpha + ln|x|, I3
+  Interpolant normal, stretch, coupling;  ///< I1 + ln|x|, I6_alpha + ln|x|, I3
 
   Kernels(double half_length, double digits)
       : normal(made(
@@ -69,8 +70,8 @@ Float sinc(const Float& x) {
 }
 
 /// An elastic contact with full friction by sinc collocation: x = A tanh w, so that the tractions decay in w. The
-/// tractions are values at multiples of a step in w; the pressure is even, the shear odd. The slopes of the surface are
-/// required half a step away from them, where the trapezoidal rule converges although the integrals are principal values.
+/// unknowns are the tractions at multiples of a step in w. The pressure is even, the shear odd. The surface's slopes
+/// are prescribed half a step away, where the trapezoidal rule converges although the integrals are principal values.
 class GrippedContact {
  public:
   GrippedContact(double half_length, double poisson, double digits)
@@ -122,7 +123,7 @@ class GrippedContact {
       for (int j = -last; j <= last; ++j) {
         const int sign = j < 0 ? -1 : 1;
         const Float way(x - half_length_ * tanh(grid_.node(j)));
-        // They do not change beyond the last node.
+        // Beyond the last node x hardly changes, so that these slopes are taken as constant.
         const Float normal(kernels_.normal.slope(way)), stretch(kernels_.stretch.slope(way)),
             shared(kernels_.coupling.slope(way));
         for (int m = 0; m <= (std::abs(j) == last ? grid_.beyond : 0); ++m) {
@@ -158,7 +159,7 @@ class GrippedContact {
     for (int j = -nodes(); j <= nodes(); ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
     return abs(sum);
   }
-  /// By golden section search about the largest of the known values.
+  /// Returns the largest shear, by golden-section search about the node with the largest value.
   [[nodiscard]] Float largest_shear() const {
     int largest = 1;
     for (int j = 1; j < grid_.last; ++j)
@@ -175,26 +176,26 @@ class GrippedContact {
   Float half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
-  std::vector<Float> along_,
-      across_;  ///< the decay beyond the last node, and how pressure turns into shear by it
+  /// Beyond the last node, with (p, q), the pressure is along p - across q and the shear across p + along q.
+  std::vector<Float> along_, across_;
   std::vector<Float> pressure_, shear_;
   Float strain_;
 };
 
 /// A frictionless contact by Kress's rule. The pressure is g(t)/sqrt(1 - t^2), where g is given by its values at the
-/// zeros of T_n. The logarithm of the kernel is integrated exactly on each T_j, the rest by the Gauss-Chebyshev rule.
-/// Two more equations, g(+-1) = 0 for a bounded pressure, determine the position and the depth of the contact.
-/// Lengths are in half-thicknesses, x is from the middle of the contact to its leading end, the pressure is in b/(2 R
-/// N_0).
+/// zeros of T_n. The product of the kernel's logarithm and T_j is integrated exactly, the rest by the Gauss-Chebyshev
+/// rule. Two more equations, g(+-1) = 0 for a bounded pressure, determine the position and the depth of the contact.
+/// Lengths are in half-thicknesses b, and the pressure in b/(2 R N_0). x points from the middle of the contact to its
+/// leading end.
 class RolledContact {
  public:
-  /// The half length A > 0, and the displacement of the surface times pi at the distance x downstream of a unit load,
-  /// share(x) (-ln|x|) + rest(x), in which both functions are analytic; `points` > 3.
+  /// `half_length` is A > 0, and `points` > 3. At the distance x downstream of a unit load the displacement of the
+  /// surface times pi is share(x) (-ln|x|) + rest(x), where both functions are analytic.
   RolledContact(const Float& half_length, const std::function<Float(const Float& x)>& share,
                 const std::function<Float(const Float& x)>& rest, int points)
       : half_length_(half_length), nodes_(points) {
     const Float half_turn = pi(), step = half_turn / points;
-    // T_j at each node, and the coefficients of a function by its values at the nodes.
+    // waves: T_j at each node. by_values: the matrix from values at the nodes to Chebyshev coefficients.
     FloatMatrix waves(points, points), by_values(points, points);
     FloatVector of_logarithm(points), alternating(points);
     for (int j = 0; j < points; ++j) {
@@ -227,7 +228,7 @@ class RolledContact {
     values_ = found.head(points);
     for (int j = 0; j < points; j += 2)
       middle_pressure_ += (j % 4 == 0 ? 1 : -1) * by_values.row(j).dot(values_);
-    // The same parabola is d0 - (offset + A t)^2.
+    // D + slope t - (A t)^2 = d0 - (offset + A t)^2, where d0 is the indentation.
     offset_ = -found(points + 1) / (2 * half_length_);
     indentation_ = found(points) + offset_ * offset_;
   }
@@ -235,9 +236,9 @@ class RolledContact {
   [[nodiscard]] Float load() const {
     return integral([](const Float&) { return Float(1); });
   }
-  [[nodiscard]] Float offset() const { return offset_; }            ///< of the middle towards the leading end
+  [[nodiscard]] Float offset() const { return offset_; }            ///< of the middle from the roller's axis
   [[nodiscard]] Float indentation() const { return indentation_; }  ///< in b^2/(2 R)
-  /// Of the pressure, about the contact's middle.
+  /// The moment of the pressure about the contact's middle.
   [[nodiscard]] Float moment() const {
     return integral([](const Float& x) { return x; });
   }
@@ -277,7 +278,7 @@ Float remembered_sign(const Float& x, const Float& rate) {
   return x > 0 ? Float(1 - 2 * exp(-rate * x)) : Float(-1);
 }
 
-/// What rolling_numbers() returns; a sheet without memory is an elastic one.
+/// Computes the numbers of rolling_numbers() by a fine or a coarse rule. A sheet without memory is elastic.
 std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
   const Float& half_length = sheet.half_length;
   const auto share = [&](const Float& w) {
@@ -291,7 +292,7 @@ std::vector<Float> rolling(const RollingSheet& sheet, bool coarse) {
       sum += memory.of_normal * rate * remembered(I1, w, rate, coarse);
     return sum;
   };
-  // A memory needs more points, an even number, for the growing exponentials.
+  // Because of its growing exponentials a memory needs more points. Their number is even.
   const double reach = half_length.convert_to<double>(), elastic_digits = coarse ? 19 : 24,
                digits = sheet.memories.empty() ? elastic_digits : 11;
   int more = 0;
@@ -337,7 +338,7 @@ Numbers elastic_numbers(Arguments x) {
   return {all[2], all[3], all[4], all[5], confirmation(all[5].method, Float(0), Float(0))};
 }
 
-/// The sheet of rolling_nip.*, whose constants are doubles.
+/// The sheet of the quantities rolling_nip.*. Its constants are rounded to double, as those of the catalogue are.
 RollingSheet rolling_sheet(Arguments x) {
   const double time = x["memory_over_L"] * x["L_over_B"], theta1 = 1 + x["poisson"],
                theta2 = theta1 * (1 - 2 * x["poisson"]), more_soft = x["softening"] - 1;
@@ -351,7 +352,7 @@ RollingSheet rolling_sheet(Arguments x) {
   return sheet;
 }
 
-/// The quantities of a family, in the order of their numbers.
+/// Adds the methods of a family. `solve` returns the numbers in the order of the family's quantities in the catalogue.
 void add_family(Methods& methods, std::string_view family, Numbers (*solve)(Arguments)) {
   std::size_t next = 0;
   for (const Quantity& quantity : catalogue()) {

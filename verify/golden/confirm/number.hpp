@@ -10,7 +10,7 @@
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/support/internal/common.hpp>
 
-/// The numbers that the second methods compute with, and what of the standard library they are written with.
+/// The number types of the second methods, and their conversions.
 namespace nipref::verify::confirm {
 
 template <unsigned digits>
@@ -20,10 +20,10 @@ template <unsigned digits>
 using ComplexNumber = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<digits>,
                                                     boost::multiprecision::et_off>;
 
-/// A hundred of the digits are left where half-spaces at the squared phase speed 1e-44 cancel.
+/// At the squared phase speed 1e-44, where the terms of half-spaces cancel, a hundred of these digits are left.
 using Float = Number<150>;
 using Complex = ComplexNumber<150>;
-/// For the terms of memories, which cancel more.
+/// The type for the terms of memories, where more digits cancel.
 using Long = Number<700>;
 using LongComplex = ComplexNumber<700>;
 

@@ -7,7 +7,7 @@
 /// Rational functions of the Laplace variable, and their roots.
 namespace nipref::verify::confirm {
 
-/// The coefficient of the power 0 comes first.
+/// A polynomial. The coefficient of the power 0 comes first.
 template <class Real>
 using PolynomialOf = boost::math::tools::polynomial<Real>;
 using Polynomial = PolynomialOf<Long>;
@@ -64,7 +64,7 @@ std::vector<ComplexNumber<digits>> roots_of(const PolynomialOf<Number<digits>>& 
   return roots;
 }
 
-/// G and K of a material by its operators.
+/// The moduli G and K of a material. operator_moduli() takes them from its differential operators.
 struct Moduli {
   Ratio G, K;
 };
@@ -81,11 +81,11 @@ struct Compliance {
   Compliance(const Ratio& first, const Ratio& second) : theta1(first), theta2(second) {}
   explicit Compliance(const Moduli& of)
       : theta1(inverse(Long(2) * of.G)), theta2(Long(3) * inverse(Long(6) * of.K + Long(2) * of.G)) {}
-  /// Both relax at one rate, theta2 at `rate_factor` times it.
+  /// The rate of theta1 is 1/relaxation_time, that of theta2 `rate_factor` times as large.
   Compliance(const Long& bulk, const Long& shear, const Long& relaxation_time, int rate_factor);
 };
 
-/// instantaneous delta(t) + sum amplitude e^(-rate t)
+/// The function of time instantaneous delta(t) + sum amplitude e^(-rate t).
 struct Exponentials {
   struct Term {
     LongComplex amplitude, rate;
@@ -94,7 +94,7 @@ struct Exponentials {
   std::vector<Term> terms;
 };
 
-/// The function of time of a ratio: by the roots of its denominator, without those that the numerator has, too.
+/// The function of time whose Laplace transform is the ratio, by the roots of its denominator that do not cancel.
 inline Exponentials in_exponentials(Ratio ratio) {
   auto& [above, below] = ratio;
   above.normalize();
@@ -115,7 +115,7 @@ inline Exponentials in_exponentials(Ratio ratio) {
   return function;
 }
 
-/// Both functions of a material.
+/// theta1 and theta2 of a material as functions of time.
 struct BothFunctions {
   Exponentials theta1, theta2;
 

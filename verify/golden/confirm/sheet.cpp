@@ -9,7 +9,7 @@ Pole pole_of(Arguments x) { return pole_by_circle(static_cast<std::size_t>(x["n"
 
 Confirmation root_part(const Float& part) { return confirmation(on_circle, part, part * Float("1e-75")); }
 
-/// In the order of the kernels in quantities.toml, of which I3, I4 and I5 are sine transforms.
+/// The kernels are in the order of quantities.toml. I3, I4 and I5 are sine transforms.
 Confirmation residue(Arguments x) {
   const Pole at = pole_of(x);
   const Complex by_kernel[]{I1.residue(at),       I3.residue(at),      I4.residue(at), I5.residue(at),
@@ -67,10 +67,10 @@ Confirmation F2(const Compliances& c, const mpq_class& eta) {
   return displacement(Split{}.add(-1, I6_eta(eta)).add(mpq_class(c.theta1 / c.normal), I7(eta)));
 }
 
-/// A face's slope or curvature, by derivatives of kernels of order 1 or 2.
+/// The order of the kernels' derivatives: 1 for a face's slope, 2 for its curvature.
 int order_of(Arguments x) { return x["order"] == 0 ? 1 : 2; }
 
-/// alpha >= 0 and 0 <= depth <= 1.
+/// A point inside the sheet: alpha >= 0 and 0 <= depth <= 1.
 struct InnerPoint {
   Float alpha, depth;
 };
@@ -133,7 +133,7 @@ Float half_planes(Component part, bool normal, const InnerPoint& at, const Float
                 : Float(-log(r2 * R2) / 2 - t1 * (d * d / r2 + D * D / R2));
 }
 
-/// pi times the quantity; for v the part that does not depend on eta.
+/// pi times the quantity for alpha < far. For v it is the part that does not depend on eta.
 Split near_sum(Component part, bool normal, const InnerPoint& at, const Float& t1) {
   const bool sine = is_sine(part, normal), twofold = part == Component::v && !normal;
   Split sum = integral([&](const Node& node) -> Float {
