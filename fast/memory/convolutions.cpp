@@ -26,7 +26,7 @@ void check_times(double lambda, double t, double T) {
   check("T", T, -largest);
 }
 
-/// e^(i b u). The phase b u has two words: from 10 radians on its rounding to one word would show in the result.
+/// e^(i b u). The phase b u has two words; above 10 radians its rounding to one word would affect the result.
 Wave wave(double b, Two u) {
   const Two phase = Two{b, 0} * u;
   return std::polar(Extended{1}, Extended{phase.high}) * std::polar(Extended{1}, Extended{phase.low});
@@ -56,14 +56,15 @@ Wave integral(Extended decay, double b, Two length) {
   return Wave(rise, -faded * wave(b, length).imag()) * Wave(decay, b) / (decay * decay + Extended{b} * b);
 }
 
-/// The integrals with the cosine and with the sine, as real and imaginary part of the one with e^(i b |T - tau|).
-/// Nothing cancels: each part is a sum of two products, neither of which exceeds the scale.
+/// The integral with e^(i b |T - tau|). Its real part is the integral with the cosine, its imaginary part that with the
+/// sine. Nothing cancels: each part is a sum of two products, neither of which exceeds the scale.
 Wave convolution(Extended amplitude, Extended rate, double b, Two start, Two length) {
   if (amplitude == 0 || length.high == 0) return 0;
   return amplitude * (wave(b, start) * integral(rate, b, length));
 }
 
-/// J2 + i J1, the load's approach. The integral runs backwards from tau = min(t, T), so that both exponentials decay.
+/// J2 + i J1, for the time before the load passes the point. The integral runs backwards from tau = min(t, T), so that
+/// both exponentials decay.
 Wave approaching(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);
@@ -76,9 +77,9 @@ Wave approaching(double lambda, double a, double b, double t, double T) {
   return convolution(fading(lambda, internal::two_sum(t, -T)), Extended{lambda} + a, b, {0, 0}, {T, 0});
 }
 
-/// J4 - i J3, the time after the load has passed. Where lambda >= a, the memory decays faster than the residue, and
-/// the integral runs backwards from tau = t; otherwise it runs forwards from tau = max(0, T). In either direction the
-/// integrand decays.
+/// J4 - i J3, for the time after the load has passed the point. If lambda >= a, the relaxation decays faster than the
+/// residue, and the integral runs backwards from tau = t; otherwise it runs forwards from tau = max(0, T). Either way
+/// the integrand decays.
 Wave receding(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);

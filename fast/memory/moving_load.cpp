@@ -37,8 +37,8 @@ std::vector<Fade> fades(const data::MaterialFunction& theta, Two time_unit,
   return all;
 }
 
-/// The sum over the terms of amplitude times memory(rate), with times in units of b/F0. Of a conjugate pair of terms
-/// one is evaluated and its real part doubled.
+/// The sum over the terms of amplitude times memory(rate), with times in units of b/F0. For a conjugate pair of terms,
+/// one term is evaluated and its real part doubled.
 template <typename Memory>
 double over_terms(const data::MaterialFunction& theta, const std::vector<Fade>& fades, Two time_unit,
                   Memory memory) {
@@ -63,7 +63,7 @@ struct MovingLoad::LoadPath {
   SurfacePoint start;
   SurfacePoint end;
 
-  /// How far the load has moved since it passed the point; 0 if it has not.
+  /// The distance that the load has moved since it passed the point, or 0 if it has not passed.
   [[nodiscard]] double behind() const { return std::clamp(-start.at.high, 0.0, length.high); }
   [[nodiscard]] int sign() const { return (start.at.high > 0) - (start.at.high < 0); }
 
@@ -82,8 +82,7 @@ Rate integrated_decay(double x, Rate rate) {
   return std::isinf(x) ? 1.0 / rate : x * phi1(rate * x);
 }
 
-/// int_0^length e^(-rate w) sign(w - behind) dw. For infinite length and rate 0, where this diverges, 1/rate is left
-/// out.
+/// int_0^length e^(-rate w) sign(w - behind) dw. For infinite length and rate 0, where it diverges, 1/rate is left out.
 Complex memory_of_sign(double behind, double length, Complex rate) {
   return integrated_decay(length, rate) - 2.0 * integrated_decay(behind, rate);
 }

@@ -13,24 +13,24 @@ namespace nipref::fast {
 ///   t          time since the load started, >= 0
 ///   T, t0      times at which the load passes the point and the pinned point, of either sign: the point is
 ///              alpha = F0 (T - t)/b half-thicknesses ahead of the load, the pinned point eta = F0 (t0 - t)/b
-///   accuracy   max(8 units in the last place, rtol) of the scale, for rates up to 1e12 F0/b. The scale is the
-///              same sums and integrals with the magnitudes of amplitudes and kernels, max(|kernel|, envelope).
+///   accuracy   max(8 units in the last place, rtol) of the scale, for rates up to 1e12 F0/b. For the scale, the
+///              sums and integrals take the amplitudes' magnitudes and, as kernels, max(|kernel|, envelope).
 ///              A complex rate adds a few roundings for each radian of its oscillation before it has decayed.
 ///              Results below 1e-290 have an absolute error of up to 1e-305
-///   cost       Un: half a microsecond for a real rate, twice that just behind the load; Vn: a few. Complex
-///              rates are integrated by panels: tens of microseconds, more if they oscillate often
+///   cost       Un: half a microsecond for a real rate, twice as much just behind the load; Vn: a few microseconds.
+///              Complex rates are integrated by panels: tens of microseconds, more if they oscillate often
 ///   bad input  nan, infinite, t < 0, more than 1e100 b/F0 between two of 0, t and T or t0, and a point under the
 ///              load, where Un is infinite: data::BadInput
 class MovingLoad {
  public:
-  /// speed: F0 > 0, length/time. half_thickness: b > 0, length. All else: BadInput.
+  /// speed: F0 > 0, length/time. half_thickness: b > 0, length. Anything else: BadInput.
   MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
              Accuracy accuracy = {});
 
-  /// Normal displacement towards the middle plane, 1/stress.
+  /// Un, the normal displacement towards the middle plane, 1/stress.
   [[nodiscard]] double normal_displacement(double t, double T) const;
 
-  /// Displacement along the sheet against the pinned point, 1/stress.
+  /// Vn, the displacement along the sheet relative to the pinned point, 1/stress.
   [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
   /// Un of a load that started infinitely long ago. alpha: either sign, not 0.

@@ -30,7 +30,7 @@ std::vector<Complex> each(const std::vector<Complex>& roots, Coefficient coeffic
   return result;
 }
 
-/// sign(w) e^(-rate (w - alpha)) integrated from alpha to T > alpha.
+/// The integral of sign(w) e^(-rate (w - alpha)) from alpha to T > alpha.
 double remembered_sign(double rate, double t, double T) {
   const double behind = std::clamp(t - T, 0.0, t), ahead = std::clamp(T, 0.0, t);
   return (std::expm1(-rate * behind) - std::exp(-rate * behind) * std::expm1(-rate * ahead)) / rate;
@@ -103,7 +103,7 @@ PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distanc
   return result;
 }
 
-/// The last sum of (6.23): what is left of the memory when the load has passed by `distance`.
+/// The last sum of (6.23), for a load that has moved `distance` since it passed the point.
 double PlainMovingLoad::after(const Kernel& kernel, const Memory& memory, double distance) const {
   std::vector<double> faded;
   for (std::size_t r = 0; r < rates_.size(); ++r)
@@ -120,8 +120,7 @@ double PlainMovingLoad::after(const Kernel& kernel, const Memory& memory, double
   return sum;
 }
 
-/// theta * kernel: the elastic response and, for each rate, int e^(-rate (w - alpha)) kernel(w) dw from alpha
-/// to T.
+/// theta * kernel: the elastic response and, for each rate, int_alpha^T e^(-rate (w - alpha)) kernel(w) dw.
 double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T,
                                    const Sums& at_alpha, const Sums& at_T) const {
   const bool behind = t > T;

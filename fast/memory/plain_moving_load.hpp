@@ -6,34 +6,34 @@
 
 namespace nipref::fast {
 
-/// Tangential or normal displacement of the viscoelastic sheet's surface as the thesis computes it: the first
-/// `terms` residues of (6.23)-(6.28) as printed. Among them is the sum after the contact, whose truncation error
-/// decreases only like 0.2/terms. It serves to replay the thesis's tables and to compare speed and accuracy.
+/// The tangential or normal displacement of the viscoelastic sheet's surface as the thesis computes it: the first
+/// `terms` residues of (6.23)-(6.28) as printed. The truncation error of one of their sums, that after the contact,
+/// decreases only like 0.2/terms. The class serves to reproduce the thesis's tables and to compare speed and accuracy.
 ///
-/// Lengths are in half-thicknesses b and times in b/speed, so that time is the distance the load has moved. A point
-/// that the load reaches at T is at the distance alpha = T - t from it. Each sum depends on one distance, so that
-/// many displacements share it.
+/// Lengths are in half-thicknesses b and times in b/speed, so that a time is the distance that the load moves in it. A
+/// point that the load reaches at T is at the distance alpha = T - t from the load. Each sum depends on one distance,
+/// so that many displacements share it.
 class PlainMovingLoad {
  public:
-  /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise
-  /// BadInput. The sum after the contact of the normal displacement ends with its first term below `smallest_term`
-  /// of theta1 + theta2 at once; 0: it has all terms.
+  /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise BadInput.
+  /// The normal displacement's sum after the contact ends with its first term below `smallest_term` times the
+  /// instantaneous theta1 + theta2; if smallest_term is 0, it has all terms.
   PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness, int terms,
                   double smallest_term = 0);
 
   /// The residue sums at one distance x >= 0.
   struct Sums {
-    double kernel;               ///< sum Re c_n e^(i z_n x): the elastic kernel, its constant apart
+    double kernel;               ///< sum Re c_n e^(i z_n x): the elastic kernel without its constant
     std::vector<double> ahead;   ///< for each rate: sum Re c_n e^(i z_n x)/(rate - i z_n)
     std::vector<double> behind;  ///< for each rate: sum Re c_n e^(i z_n x)/(rate + i z_n)
   };
   [[nodiscard]] Sums normal_sums(double distance) const { return sums(normal_, distance); }
 
-  /// Normal displacement by the unit normal load that started at t = 0, 1/stress. `at_alpha` and `at_T` are
+  /// The normal displacement due to a unit normal load that started at t = 0, 1/stress. `at_alpha` and `at_T` are
   /// normal_sums(|T - t|) and normal_sums(|T|). (thesis 6.23, 6.25)
   [[nodiscard]] double normal_displacement(double t, double T, const Sums& at_alpha, const Sums& at_T) const;
   [[nodiscard]] double normal_displacement(double t, double T) const;
-  /// Tangential displacement by that load, relative to the pinned point, which the load reaches at t0.
+  /// The tangential displacement due to this load, relative to the pinned point, which the load reaches at t0.
   /// (thesis 6.24, 6.26-6.28)
   [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
@@ -44,7 +44,7 @@ class PlainMovingLoad {
     double constant;
     std::vector<std::complex<double>> residues;
   };
-  /// A material function, in b and speed.
+  /// A material function with times in units of b/speed.
   struct Memory {
     double instantaneous;
     std::vector<double> amplitude;  ///< for each of rates_
@@ -57,7 +57,7 @@ class PlainMovingLoad {
   [[nodiscard]] Memory memory(const data::MaterialFunction& function, double speed,
                               double half_thickness) const;
 
-  std::vector<double> rates_;  ///< all of both functions
+  std::vector<double> rates_;  ///< the rates of both material functions
   std::vector<std::complex<double>> roots_;
   double smallest_term_;
   /// 1/(rate - i z_n) and 1/(rate + i z_n), for each rate.

@@ -20,7 +20,7 @@ double faded(const Fade& fade, Two way) { return decay(fade.rate * way); }
 Complex faded(Complex rate, Two way) { return faded_exp(rate * way.high); }
 Complex faded(const OscillatingFade& fade, Two way) { return faded(fade.rate, way); }
 
-/// The waves at the distance `nearest`, where the pieces far from the load start.
+/// The waves at the distance `nearest`, beyond which kernels are summed as waves.
 const Waves& nearest_waves(Accuracy accuracy) {
   static const Waves full = waves({nearest, 0}, 0x1p-56), coarse = waves({nearest, 0}, 1e-10);
   return accuracy.rtol() >= 1e-8 ? coarse : full;
@@ -29,7 +29,9 @@ const Waves& nearest_waves(Accuracy accuracy) {
 /// The limit of a kernel far ahead of the load; far behind it, the odd kernels have the opposite limit.
 double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : std::numbers::pi / 4; }
 
-/// The memory of what lies ahead of the load, from the waves' distance on: over `length`, and to infinity.
+/// The integral of e^(-rate (w - start)) I(w) ahead of the load, where `start` is the distance of the waves `from`:
+/// over `length`, and to infinity (all_ahead). For an odd kernel at rate 0, where the latter diverges, the kernel's
+/// limit is subtracted for all w > 0.
 template <typename Rate>
 Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
   return memory_of_piece_ahead(kernel, from, rate, length) + limit(kernel) * length * phi1(rate * length);
@@ -60,8 +62,9 @@ Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
   return all_ahead(kernel, nearest_waves(accuracy), nearest, rate);
 }
 
-/// The memory on [start, end], or on [start, infinity) if `end` is null. Parts farther from the load than `nearest` are
-/// sums of residues, the part near the load is memory_under_load. Each part decays over its distance from `start`.
+/// The integral of e^(-rate (w - start)) I(w) on [start, end], or on [start, infinity) if `end` is null. Parts farther
+/// from the load than `nearest` are sums of residues; memory_under_load is the part near the load. Each part is
+/// multiplied by e^(-rate d), where d is its distance from `start`.
 template <typename Rate>
 auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end, Two length,
                const Rate& rate, Accuracy accuracy) {
@@ -96,7 +99,7 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
-/// K' of I1 or I3 is smooth, but for -1/w of I1, between the distances `nearest`, and a sum of waves from there on.
+/// The derivative of I1 or I3 is a sum of waves for |w| >= `nearest`. Nearer, it is smooth, except for the term -1/w of I1.
 template <typename Rate>
 auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
   const auto plain = one_word(rate);
@@ -113,8 +116,8 @@ auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
          faded(rate, -start.at + Two{-nearest, 0}) * (sum - reached);
 }
 
-/// The integral of e^(-L w) I1(w) over all w, continued analytically to those L for which it diverges: pi times the
-/// kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
+/// The integral of e^(-L w) I1(w) over all w, continued analytically to values of L for which it diverges. It is pi
+/// times the kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
 double whole_line(double L) {
   const double sine_ratio = L == 0 ? 1 : std::sin(L) / L;
   return std::numbers::pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
@@ -172,7 +175,7 @@ double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade,
     return whole_line(rate) * faded(fade, -start.at) +
            memory_of_waves(kernel, start.waves, rate, Side::behind);
   }
-  // At rate 0 the limit is subtracted from the point on, not from the load on.
+  // At rate 0 all_ahead subtracts the limit for w > 0; here the limit is subtracted for w > start.
   const double from_point = fade.rate.high == 0 ? limit(kernel) * start.at.high : 0;
   return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + from_point;
 }
@@ -186,7 +189,7 @@ Complex steady_memory(Kernel kernel, const SurfacePoint& start, const Oscillatin
   return by_pieces(kernel, start, nullptr, {}, fade, accuracy);
 }
 
-/// Up to the distance from which on the kernel less its limit is a sum of waves, and these.
+/// Adds the integral up to the distance `nearest` and that beyond, where the kernel minus its limit is a sum of waves.
 template <typename Kept>
 typename Kept::Number steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Kept& fade,
                                                  Accuracy accuracy) {
@@ -218,8 +221,8 @@ double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end,
   if (length.high < 1 || end.at.high < nearest) return by_pieces(kernel, start, &end, length, fade, accuracy);
   const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
   if (forgotten) return steady_memory(kernel, start, fade, accuracy);
-  // The memory to infinity less that beyond `end`. Over a half-thickness or more of I1, with `end` far ahead of the
-  // load, the second is small against the first and nothing cancels; the other kernels do not decay.
+  // For I1 the result is the integral to infinity minus that beyond `end`. With a length of at least a half-thickness and
+  // `end` far ahead of the load, the second integral is small, since I1, unlike the other kernels, decays.
   if (kernel != Kernel::I1) return by_pieces(kernel, start, &end, length, fade, accuracy);
   return steady_memory(kernel, start, fade, accuracy) -
          faded(fade, length) * steady_memory(kernel, end, fade, accuracy);

@@ -19,8 +19,9 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(Two at, Accuracy accuracy);
 
-/// A rate, and for the kernels it was made for what depends on it alone: `core` for integrals of e^(-rate (w - start)) I(w)
-/// up to the distance `nearest`, `beyond` from there to infinity, and those of the smooth part's derivative, if there is one.
+/// A rate, and integrals of e^(-rate (w - start)) I(w) that depend on the rate alone, for the kernels of its
+/// construction. `core` serves for w < `nearest`, `beyond` is the integral from `nearest` to infinity, and `slope`,
+/// where present, serves for the derivative of the kernel's smooth part.
 template <typename Rate, typename Core, typename Integral>
 struct FadeOf {
   using Number = Integral;
@@ -30,14 +31,15 @@ struct FadeOf {
   std::array<Number, kernel_count> beyond{};
   std::array<std::optional<SmoothMemory<Number>>, kernel_count> slope{};
 };
-/// A real rate, with the integrals over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1]; and a complex one, for many places.
+/// Fade is for a real rate; its core has the integrals over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1]. OscillatingFade
+/// is for a complex rate and many starts.
 using Fade = FadeOf<Two, CorePieces, double>;
 using OscillatingFade = FadeOf<Complex, std::optional<OscillatingCore>, Complex>;
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 
-/// The kernel at a point; the odd ones are 0 under the load.
+/// The kernel at a point. Odd kernels are 0 under the load.
 double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) I(w) dw. For an odd kernel at rate 0, where this diverges, limit/rate is left
@@ -52,15 +54,15 @@ template <typename Kept>
 typename Kept::Number steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Kept& fade,
                                                  Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0. The error is a few units in the last place:
-/// of its own size, which may be far below that of I, for real rates and for complex ones from polynomial_from on, of I's for
-/// others.
+/// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0. For real rates, and complex rates of
+/// modulus polynomial_from or more, the error is a few units in the last place of the result, which may be far smaller
+/// than I. For other complex rates it is a few units in the last place of I.
 double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
                                Accuracy accuracy);
 
-/// The integral of steady_memory up to end = start + length. `length` is an argument of its own because a short length is
-/// lost in the rounding of end - start.
+/// int_start^end e^(-rate (w - start)) I(w) dw with end = start + length. `length` is a separate argument because
+/// end - start loses the digits of a short length.
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy);
 Complex memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, Complex rate,

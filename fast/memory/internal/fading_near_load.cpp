@@ -12,9 +12,9 @@ namespace {
 
 /// I1 = ln(log_end/w) + a smooth even function that begins with w^2.
 constexpr double log_end = 0x1.68324269695c0p-1;
-/// From here on e^-x < 2^-57 is neglected.
+/// From this x on, e^-x < 2^-57 is neglected.
 constexpr double faded_nats = 40;
-/// A Gauss rule integrates the logarithm over an interval whose ends have distances from it within this ratio.
+/// Up to this ratio of the distances of an interval's ends from the load, a Gauss rule integrates the logarithm.
 constexpr double smooth_ratio = 6;
 
 constexpr int most_nodes = 32;
@@ -31,8 +31,8 @@ const GaussRule& rule(int index) {
   return all[static_cast<std::size_t>(index)];
 }
 
-/// The index of the Gauss rule. Its degree 2 n has to be about 12 + 0.85 x for e^(-x s) on [0, 1] at full accuracy,
-/// and 30 for the kernels, whose singularities are at least a quarter of the interval away.
+/// The index of the Gauss rule. At full accuracy its degree 2 n has to be about 12 + 0.85 x for e^(-x s) on [0, 1], and
+/// 30 for the kernels, whose singularities are at least a quarter of the interval away.
 int rule_for(double decays, double ratio, Accuracy accuracy) {
   const bool easy = decays <= 6 && ratio <= 3;
   if (accuracy.rtol() >= 1e-8) return easy ? 0 : 2;
@@ -115,7 +115,7 @@ Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accura
   return faded_sum(gauss, *value, length, rate);
 }
 
-/// The smooth part of I1 on any piece of [-1/2, 1/2].
+/// The integral of e^(-rate d) times the smooth part of I1 over any piece of [-1/2, 1/2].
 double smooth_rest(double w, double length, double rate, Accuracy accuracy) {
   const GaussRule& gauss = gauss_rule_for(rate * length, accuracy);
   Nodes smooth;
@@ -123,8 +123,8 @@ double smooth_rest(double w, double length, double rate, Accuracy accuracy) {
   return faded_sum(gauss, smooth, length, rate);
 }
 
-/// int_0^length e^(-rate d) ln(log_end/(p + d)) dd for p >= 0, p + length <= 1/2, integrated by parts. Where p is close
-/// to p + length the terms cancel.
+/// int_0^length e^(-rate d) ln(log_end/(p + d)) dd for p >= 0, p + length <= 1/2, integrated by parts. The terms cancel
+/// if p is close to p + length.
 double log_ahead(double p, double length, double rate) {
   const double q = p + length;
   const double constant = std::log(log_end / q) * length * phi1(rate * length);
@@ -144,20 +144,20 @@ double log_behind(double a, double rate) {
   return a * (std::log(log_end / a) * phi1(rate * a) + faded_ein_ratio(rate * a));
 }
 
-/// I1 on a piece of [0, 1/2].
+/// The integral of e^(-rate d) I1 over a piece of [0, 1/2].
 double inner_ahead(double p, double length, double rate, Accuracy accuracy) {
   if (p > 0 && p + length <= smooth_ratio * p) return by_rule(Kernel::I1, p, 1, length, rate, accuracy);
   return log_ahead(p, length, rate) + smooth_rest(p, length, rate, accuracy);
 }
 
-/// I1 on a piece behind the load from the distance a <= 1/2 down to c.
+/// The integral of e^(-rate d) I1 over a piece behind the load, from the distance a <= 1/2 down to c.
 double inner_behind(double a, double c, double length, double rate, Accuracy accuracy) {
   if (a <= smooth_ratio * c) return by_rule(Kernel::I1, a, -1, length, rate, accuracy);
   const double missing = c > 0 ? faded_exp(rate * length) * log_behind(c, rate) : 0;
   return log_behind(a, rate) - missing + smooth_rest(-a, length, rate, accuracy);
 }
 
-/// A piece from w to `end` = w + length on one side of the load and on one side of 1/2.
+/// The integral over a piece from w to `end` = w + length, on one side of the load and of the distance 1/2.
 double piece(Kernel kernel, double w, double end, double length, double rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double distance = std::fabs(w);
@@ -172,14 +172,14 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
                   : inner_behind(distance, -end, length, rate, accuracy);
 }
 
-/// For a complex rate: within this distance x of the load the weight counts as constant, and the logarithm is integrated in
-/// closed form; the other kernels count as 0. Of the integral over `length` that leaves out a part of rate x^2/length, where
-/// the weight fades sooner one of (rate x)^2: 1e-18 at most.
+/// For a complex rate: the distance x from the load within which the weight is taken as constant, the logarithm is
+/// integrated in closed form, and the other kernels are taken as 0. The relative error in the integral over `length` is
+/// rate x^2/length or, if the weight decays sooner, (rate x)^2; it is at most 1e-18.
 double nearest_panel(double rate_size, double length) {
   return 1e-9 * std::sqrt(std::min(length, 1 / (1 + rate_size)) / (1 + rate_size));
 }
 
-/// One panel within [-1, 1], on one side of the load.
+/// The integral over one panel within [-1, 1], on one side of the load.
 Complex panel(Kernel kernel, double w, double length, Complex rate, double tiny, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double v = std::fabs(w);
@@ -190,7 +190,7 @@ Complex panel(Kernel kernel, double w, double length, Complex rate, double tiny,
   return step > 0 ? log_to(v + length) - log_to(v) : log_to(v) - log_to(std::max(v - length, 0.0));
 }
 
-/// How far a panel reaches from w, short against the period and against the distance from the logarithm.
+/// The length of the panel from w, short compared with the period of the weight and with the distance from the load.
 double panel_length(double w, double rate_size, double tiny) {
   const double v = std::fabs(w), most = 12 / rate_size;
   if (w >= 0) return v < tiny ? tiny - v : std::min(most, 2 * v);
@@ -274,7 +274,7 @@ OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
     smooth_.emplace(smooth_part(kernel), rate);
     return;
   }
-  // Each is the beginning of a panel that ends at the one before.
+  // Each stop is the beginning of a panel that ends at the stop before it.
   for (double w = 1; w > tiny; w -= std::min(most, w * 2 / 3)) stops_.push_back(w);
   stops_.insert(stops_.end(), {tiny, 0, -tiny});
   for (double v = tiny; v < 1;) stops_.push_back(-(v = std::min({1.0, v + most, 3 * v})));

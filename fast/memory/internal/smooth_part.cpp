@@ -10,10 +10,10 @@
 namespace nipref::fast::internal {
 namespace {
 
-constexpr double negligible = 1e-18;  ///< of kernels, whose size is 1
+constexpr double negligible = 1e-18;  ///< error of kernels that is neglected; their size is 1
 
-/// c'_k = c'_(k + 2) + 2 (k + 1) c_(k + 1)/half_width of the derivative c', of which later ones are known. Both are 0 from
-/// two terms on beyond the last.
+/// The coefficient c'_k = c'_(k + 2) + 2 (k + 1) c_(k + 1)/half_width of the derivative, from its later coefficients.
+/// Both vectors end with two zeros.
 template <typename Coefficient>
 Coefficient slope_coefficient(const std::vector<Coefficient>& of, const std::vector<Coefficient>& slope,
                               std::size_t k) {
@@ -57,7 +57,7 @@ Series<Rate> sum_of_derivatives(const Series<double>& f, Rate rate) {
   return {result, negligible * std::abs(step)};
 }
 
-/// The coefficients of e^(-r (1 - w/1.25)), which are those of Bessel functions, are below 2^-60 from (84 r)^(1/2) on.
+/// The coefficients of e^(-r (1 - w/1.25)), which are Bessel functions, are below 2^-60 from number (84 r)^(1/2) on.
 Series<double> integral_to_end(const Series<double>& f, double rate) {
   constexpr double half_width = Series<double>::half_width;
   const double r = half_width * rate;
@@ -68,7 +68,7 @@ Series<double> integral_to_end(const Series<double>& f, double rate) {
     b[k] = r / pivot;
     a[k] = -(half_width * (f.coefficient(k - 1) - f.coefficient(k + 1)) + r * a[k + 1]) / pivot;
   }
-  // The values at the end of what a and b make of P_0 = 0 and of P_0 = 1.
+  // at_end is P(1.25) by the recurrence from P_0 = 0; free_at_end is how much P_0 = 1 adds.
   double given = 0, free = 1, at_end = 0, free_at_end = 0.5;
   for (std::size_t k = 1; k < terms; ++k) {
     at_end += given = a[k] + b[k] * given;

@@ -10,13 +10,13 @@
 namespace nipref::fast::internal {
 namespace {
 
-/// How many waves reach the tolerance: at a distance x the n-th is about e^(-pi (n - 1) x) of the first.
+/// The number of waves that the tolerance needs. At a distance x the n-th wave is about e^(-pi (n - 1) x) of the first.
 int wave_count(double distance, double tolerance) {
   return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, most_waves);
 }
 
-/// The sum over the waves of C wave transform(i z): its real part for a real rate. For a complex rate the transform at
-/// the conjugate root is not the conjugate, and both are summed.
+/// The sum over the waves of C wave transform(i z). For a real rate it is the real part. For a complex rate the
+/// transform at the conjugate root is not the conjugate, and both transforms enter the sum.
 template <typename Rate, typename Transform>
 Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   Rate sum = 0;
@@ -37,7 +37,7 @@ Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
 
 Waves waves(Two distance, double tolerance) {
   if (distance.high < 0) distance = -distance;
-  // From this distance on even the first wave is below the least double.
+  // Beyond this distance even the first wave is below the smallest double.
   if (distance.high > underflown) distance = {underflown, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
@@ -71,8 +71,8 @@ template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded) {
   const auto short_piece = [&](Complex exponent) { return std::norm((rate + exponent) * length) < 1; };
-  // A wave's integral is the difference of its antiderivative at both ends. Over a short piece these would cancel, and
-  // the value at the far end is multiplied by phi1 instead.
+  // A wave's integral is the difference of its antiderivative at both ends. Over a short piece the two would cancel;
+  // instead the wave at the far end is multiplied by length phi1.
   const Rate far = sum_over<Rate>(kernel, from, [&](int, Complex exponent) {
     const Complex slope = rate + exponent;
     return short_piece(exponent) ? length * phi1(slope * length) : inverse(slope);

@@ -5,9 +5,9 @@
 #include <nipref/fast/number/two_words.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
-// The decaying part D of a kernel, which is I1 itself, or I3, I4, I5 less (pi/4) sign(w), as its residue series
-// D(w) = Re sum_n C_n e^(i z_n |w|), times the sign of w for the odd kernels. A term of the series is called a wave;
-// its integrals with an exponential are elementary.
+// The decaying part D of a kernel is I1 itself, or I3, I4 or I5 minus (pi/4) sign(w). Its residue series is
+// D(w) = Re sum_n C_n e^(i z_n |w|), times the sign of w for the odd kernels. A wave is a term of this series; its
+// integrals with an exponential are elementary.
 
 namespace nipref::fast::internal {
 
@@ -17,7 +17,7 @@ inline constexpr int kernel_count = 4;
 using Complex = std::complex<double>;
 
 inline constexpr int most_waves = tabulated_roots;
-/// From this distance on most_waves waves are enough: the next is below e^(-pi 15) = 2^-67 of the first.
+/// From this distance on most_waves waves are enough: the next wave is below e^(-pi 15) = 2^-67 of the first.
 inline constexpr double nearest = 1;
 
 /// The waves e^(i z_n |w|) at one |w| >= nearest, as many as the tolerance needs.
@@ -38,10 +38,10 @@ double faded_kernel(Kernel kernel, const Waves& at);
 
 enum class Side { ahead, behind };
 
-/// The sum Re C_n (i z_n)^order e^(i z_n w)/(rate -+ i z_n) at the waves' distance w, which is > 0; the rate is real or
-/// complex, Re rate >= 0, and the order of the derivative D^(order) 0 or 1. With the minus it is int_0^inf e^(-rate d)
-/// D^(order)(w + d) dd, the memory of all that lies farther ahead of the load; with the plus, behind the load, the
-/// antiderivative of e^(-rate d) D^(order)(w - d).
+/// The sum Re C_n (i z_n)^order e^(i z_n w)/(rate -+ i z_n), where w > 0 is the distance of the waves, the rate is real
+/// or complex with Re rate >= 0, and the order of the derivative D^(order) is 0 or 1. Side::ahead takes the minus,
+/// which gives int_0^inf e^(-rate d) D^(order)(w + d) dd. Side::behind takes the plus, which gives the antiderivative
+/// of e^(-rate d) D^(order)(w - d).
 template <typename Rate>
 Rate memory_of_waves(Kernel kernel, const Waves& at, Rate rate, Side side, int order = 0);
 
@@ -50,7 +50,7 @@ template <typename Rate>
 Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length);
 
 /// int_0^length e^(-rate d) D(a - d) dd for a piece behind the load, from the distance a to a - length >= nearest.
-/// `faded` is e^(-rate length).
+/// `faded` must be e^(-rate length).
 template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded);
