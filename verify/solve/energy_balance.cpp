@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// j_0 .. j_n of x >= 0, n the last index. Steed's method is exact where j_n underflows, and slow where x is large.
+/// Sets j_0 .. j_n of x >= 0. Steed's method is exact where j_n underflows, but slow for large x.
 void spherical_bessel(double x, std::vector<double>& j) {
   const int last = static_cast<int>(j.size()) - 1;
   if (x < 1000) {

@@ -129,8 +129,8 @@ ref::Estimate from_x1(ref::Estimate angle, double motion) {
   return angle;
 }
 
-/// A body on a half-space by either path: its contact is solved when a result first needs it; `surface` gives what depends on
-/// the solids and the speed alone.
+/// A body on a half-space by either path: its contact is solved when a result first needs it; `surface` gives what
+/// depends on the solids and the speed alone.
 template <class Path, class Surface, class Contact>
 class BodyOnHalfSpace final : public SolvedContact<typename Path::Number> {
   using Number = typename Path::Number;
@@ -210,25 +210,25 @@ class BodyOnHalfSpace final : public SolvedContact<typename Path::Number> {
   }
   Number by_friction(const Number& normal) const { return exact(problem_.friction) * normal; }
   Number pressure_at(double x) const { return contact().pressure(Path::line(*problem_.line), Position(x)); }
-  /// Friction times the pressure of a sliding body, or the shear under a rolling sphere.
+  /// The shear: friction times the pressure of a sliding body, or the shear under a rolling sphere.
   Number shear_at(double x) const {
     if constexpr (requires { contact().shear(Path::line(x), Position(x)); })
       return contact().shear(Path::line(*problem_.line), Position(x));
     return by_friction(pressure_at(x));
   }
-  /// At x on the scene's line, at its depth: along the motion, across it and into the half-space.
+  /// The displacements at x on the line and at the depth of the scene: along the motion, across it and downwards.
   std::array<Number, 3> displacement(double x) const {
     const Position depth(problem_.depth);
     if (!displaced_) displaced_ = contact().displacement(surface_.of_half_space(depth), depth);
     return displaced_(Path::line(*problem_.line), Position(x));
   }
-  /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
+  /// The end x+ of the contact on a line: half of the span if the centre is the point of first touch.
   Number end(const Line& psi) const {
     if constexpr (requires { contact().leading_end(psi); }) return contact().leading_end(psi);
     return 0.5 * contact().span(psi);
   }
   Number trailing_end_of(double degrees) const { return -1 * end(Path::reversed(Path::line(degrees))); }
-  /// Lines differ in it only where their contours are the body's own.
+  /// The largest pressure on a line. It differs between lines only if the contour is similar to those of the body.
   Number peak_of_line(double degrees) const {
     if constexpr (requires { contact().peak_pressure(Path::line(degrees)); })
       return contact().peak_pressure(Path::line(degrees));

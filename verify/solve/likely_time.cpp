@@ -66,7 +66,7 @@ struct LikelySeconds {
       panels += std::max(1.0, std::ceil(std::fabs(ends[i].value - ends[i - 1].value) / longest_panel));
     return 4 * std::pow(panels / 2, 2.3) * std::pow(digits / 16.0, 3.5);
   }
-  /// The displacements at a place, computed together, ask for about 2500 lines at 20 digits.
+  /// The displacements at a place, computed together, need the responses of about 2500 lines at 20 digits.
   double operator()(const data::HalfSpaceProblem& problem) const {
     const bool displaced = std::ranges::any_of(scene.wanted, [](data::ResultId id) {
       const data::Scale scale = data::scene_result(id).scale;

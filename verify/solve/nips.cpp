@@ -23,7 +23,7 @@ using data::PartialSlipProblem;
 using data::ViscoelasticNipProblem;
 using fast::Estimate;
 
-/// What line loads do on the roller.
+/// The grip of line loads on the sheet.
 data::Grip grip_of(const ElasticNipProblem& problem) {
   if (problem.friction == data::Friction::none) return {};
   if (problem.creep_ratio) return {data::Grip::Creep::given, *problem.creep_ratio};
@@ -37,7 +37,7 @@ auto for_given(const data::Given& given, const auto& for_load, const auto& for_l
                          : for_length(std::get<data::GivenLength>(given).contact_length);
 }
 
-// fast takes an accuracy, a double, where the reference takes digits, an int.
+// Overloads: fast takes an accuracy, a double, where the reference takes digits, an int.
 using fast::converged_for_length, ref::converged_for_length, fast::converged_for_load,
     ref::converged_for_load;
 using fast::partial_slip_for_length, ref::partial_slip_for_length, fast::partial_slip_for_load,
@@ -95,7 +95,7 @@ auto solution(RefPath, const ViscoelasticNipProblem& problem, const data::Viscoe
 }
 
 fast::Work work_of(const auto& by_fast) { return by_fast.work(); }
-/// Numbers of values of I1, of I3, and of the part of I6 that is not in I1.
+/// The reference counts its values of I1, of I3, and of the part of I6 that is not in I1.
 fast::Work work_of(const ref::ConvergedNip& contact) {
   fast::Work work;
   const auto [normal, coupling, stretch] = contact.kernel_values();
@@ -110,7 +110,7 @@ fast::Work work_of(const ref::LineLoadNip& loads) {
   return {.systems = static_cast<std::uint64_t>(loads.systems()), .unknowns = loads.unknowns()};
 }
 
-/// The creep ratio that the thesis chooses is the last one.
+/// The lowest and the highest creep ratio of the range that the thesis's conditions leave, and the one that it chooses.
 std::vector<Estimate> creep_range_of(const fast::LineLoadNip& loads) {
   const auto creep = fast::thesis_creep(loads.creep_ranges);
   if (!creep)
@@ -123,7 +123,7 @@ std::vector<ref::Estimate> creep_range_of(const ref::LineLoadNip& loads) {
   return {lower, upper, chosen};
 }
 
-// What a solution has inside the sheet. Functions of the reference's line loads take the digits last.
+// Stresses and displacements inside the sheet.
 auto stresses(const auto& converged, const auto&, const auto& points, auto) {
   return converged.inner_stresses(points);
 }
@@ -143,7 +143,7 @@ auto displacements(const ref::LineLoadNip& by, const auto& nip, const auto& poin
   return ref::line_load_displacements(by.face_loads(), nip.half_thickness(), nip.material, points, digits);
 }
 
-/// Says what a contact is of.
+/// Sets the properties of the contact that are those of its problem.
 template <class Number, class Problem>
 void describe(SolvedContact<Number>& contact, const Problem& problem, Measure measure) {
   contact.is_symmetric = std::is_same_v<Problem, ElasticNipProblem>;
@@ -154,7 +154,7 @@ void describe(SolvedContact<Number>& contact, const Problem& problem, Measure me
   contact.measure = measure;
 }
 
-/// The contact by either path and any method, of which line loads in double have no errors yet.
+/// A contact by either path and any method. The numbers of line loads in double have no error estimates yet.
 template <class Path, class Problem, class Solution>
 class SolvedNip final : public SolvedContact<typename Path::Number> {
   using Number = typename Path::Number;
@@ -225,7 +225,7 @@ class SolvedNip final : public SolvedContact<typename Path::Number> {
     return number;
   }
 
-  /// Stresses inside, and displacements of an elastic sheet's alone.
+  /// Answers with stresses inside the sheet and, in an elastic nip, displacements inside it.
   void answer_inside(Asked<Number>& asked) const {
     using enum ResultId;
     const auto points = mapped(asked.places, [](const Place& one) {
@@ -271,8 +271,8 @@ Solved<Path> solved_by(const Problem& problem, const Method& method, typename Pa
 /// 1e-3.
 constexpr double truth_accuracy = 1e-5;
 
-/// Line loads in double. The error of each number is its distance to the truth, of a list to the nearest of the truth's
-/// numbers, whose own error is added.
+/// Line loads in double. The error of each number is its distance to the number of the continuous contact, in a list to
+/// the nearest number, plus the error of that number.
 class ComparedLineLoads final : public SolvedContact<Estimate> {
  public:
   ComparedLineLoads(const auto& problem, const auto& method, double accuracy)
@@ -285,7 +285,7 @@ class ComparedLineLoads final : public SolvedContact<Estimate> {
 
  private:
   void answer(Asked<Estimate>& asked) const override {
-    if (is_product(asked.id)) return;  // of numbers that were compared
+    if (is_product(asked.id)) return;  // a product of numbers that were compared
     // The continuous contact has one creep ratio, to which all three are compared.
     const auto& truths = asked.id == ResultId::creep_range ? truth_->get(ResultId::creep_ratio)
                                                            : truth_->get(asked.id, asked.places);
@@ -303,8 +303,8 @@ class ComparedLineLoads final : public SolvedContact<Estimate> {
   SolvedInDouble loads_, truth_;
 };
 
-/// The steps for a scene of such a problem by such line loads. Each length is the last one times the cube root of the load over
-/// that found. The steps end at a length for which no load is found.
+/// The steps of thesis_search() for a scene of this problem and these line loads. Each length is the last one times the
+/// cube root of the wanted load over the load found. The steps end at a length for which no load is found.
 template <class Problem, class Method>
 std::vector<SearchStep> steps_of(const data::Scene& scene) {
   const auto* const given = std::get_if<Problem>(&scene.system);

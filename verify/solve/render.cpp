@@ -4,7 +4,7 @@
 namespace nipref::verify {
 namespace {
 
-/// A number in JSON. One of the reference is text: it may have more digits than a double, and an error below all doubles.
+/// A number in JSON. A number of the reference is a text: it may have more digits than a double, and a smaller error.
 struct Shown {
   Json value, error;
   bool proven;
@@ -12,7 +12,7 @@ struct Shown {
 Shown shown(const fast::Estimate& number) { return {number.value, number.error, false}; }
 Shown shown(const ref::Estimate& number) { return {number.value_text(), number.error_text(), number.proven}; }
 
-/// One, a list, or of a field a list for each depth.
+/// The numbers of a result: one, a list, or for a field a list for each depth.
 Json list_json(const data::SceneResult& what, const std::vector<Shown>& numbers,
                const data::FieldPlaces& field, Json Shown::*part) {
   if (what.shape == data::Shape::number) return numbers.front().*part;
@@ -44,8 +44,8 @@ Json work_json(const fast::Work& work) {
           {"_evaluated", evaluated}};
 }
 
-/// The numbers of a result as the text shows them, of a profile or a field each with its place; `next_depth` stands at the
-/// first of each depth.
+/// The numbers of a result as the text shows them, in a profile or a field each with its place; `next_depth` is set at
+/// the first number of each depth.
 template <class Number>
 std::vector<Json> numbers_json(const SceneSolution<Number>& solution,
                                const typename SceneSolution<Number>::Result& result,
@@ -63,7 +63,7 @@ std::vector<Json> numbers_json(const SceneSolution<Number>& solution,
   });
 }
 
-/// The contact to which the errors are the distance.
+/// The solution from which the errors measure the distance.
 template <class Number>
 std::string_view truth_of(const SceneSolution<Number>& solution) {
   const bool is_of_ref = std::is_same_v<Number, ref::Estimate>;

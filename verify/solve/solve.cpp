@@ -13,7 +13,7 @@ std::vector<double> places_between(const data::Profile& profile, const ContactEn
   });
 }
 
-/// What a scene gives, which its solver may refuse: the key, its value, and the name of the solver's argument.
+/// The key of what a scene gives (load, length or speed), its value, and the name of the argument of the solver.
 struct GivenKey {
   const char* key;
   double value;
@@ -94,8 +94,8 @@ struct Collector {
     }
     return numbers;
   }
-  /// The largest error of each number that meets the accuracy. The reference's digits are relative to the largest number of
-  /// the result.
+  /// The largest error of each number that meets the accuracy. The digits of the reference are relative to the largest
+  /// number of the result.
   [[nodiscard]] std::vector<long double> allowed_errors(const Result& found, const Places& places) const {
     auto magnitudes = mapped(found.numbers, [](const Number& number) { return magnitude_of(number); });
     if (std::is_same_v<Number, ref::Estimate> && !magnitudes.empty())
@@ -154,8 +154,7 @@ void refuse_moments_by_ref(const data::Scene& scene) {
   }
 }
 
-/// Throws a solver's error again and names the scene's key: the solver can refuse what Scene::check has accepted only because
-/// of its load or length, its speed, the material, or the digits.
+/// Throws a solver's error again and names the key of the scene: the solver may refuse what Scene::check has accepted.
 [[noreturn]] void refuse_by_key(const data::Scene& scene, const data::BadInput& error) {
   const auto [key, value, argument] =
       std::visit([](const auto& problem) { return given_key(problem); }, scene.system);

@@ -126,18 +126,19 @@ struct SearchStep {
   double contact_length, load;
 };
 
-/// The steps of the thesis's search for a load by line loads (2.13), from the sheet's thickness on, with full friction from
-/// the length without; until the load is met to 2e-3, of a rolling nip to 1e-2, as in its tables. Empty for other scenes.
+/// The steps of the thesis's search for a load by line loads (2.13). The first length is the thickness of the sheet;
+/// with full friction it is the contact length without friction. The search ends where the load is met to 2e-3, in a
+/// rolling nip to 1e-2, as in the thesis's tables. Empty for other scenes.
 [[nodiscard]] std::vector<SearchStep> thesis_search(const data::Scene& scene);
 
-/// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
-/// scene's accuracy is not used, and the errors of line loads are those of the discrete system, not its distance to
-/// the continuous contact. It throws BadInput for every scene and every result that is not in this list:
+/// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits. The scene's accuracy
+/// is not used, and the errors of line loads are those of the discrete system, not its distance to the continuous
+/// contact. It throws BadInput for every scene and every result that is not in this list:
 /// - the continuous contact of an elastic nip, without friction with proven bounds where these reach it, otherwise
 ///   estimated; digits from 16 to 100 (ref/elastic_nip/converged.hpp);
 /// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
-/// - the continuous contact of a viscoelastic nip, lengths, load, resistance and pressure mostly proven, the rest estimated;
-///   digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);
+/// - the continuous contact of a viscoelastic nip, lengths, load, resistance and pressure mostly proven, the rest
+///   estimated; digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);
 /// - its line loads, real rates, proven; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
 /// - the contact with Coulomb's friction, estimated; digits from 16 to 30 (ref/partial_slip/partial_slip.hpp);
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
@@ -154,14 +155,14 @@ struct SearchStep {
 
 Json warnings_json(const std::vector<BeyondTheory>& warnings);
 
-/// A number, and its error rounded upwards, as decimals.
+/// A number and its error as decimals; the error is rounded upwards.
 std::string value_text(const fast::Estimate& number);
 std::string error_text(const fast::Estimate& number);
 std::string value_text(const ref::Estimate& number);
 std::string error_text(const ref::Estimate& number);
 
-/// The answer of `solve`. The reference's numbers are text. The text of `full` has the meanings of the results. Instantiated
-/// for fast::Estimate and ref::Estimate.
+/// The answer of `solve`. The numbers of the reference are texts. `full`: the text for people has the meanings of the
+/// results. Instantiated for fast::Estimate and ref::Estimate.
 template <class Number>
 Json solution_json(const SceneSolution<Number>& solution, bool full = false);
 

@@ -170,8 +170,7 @@ Response respond(const IndentedStrip& strip) {
 
 }  // namespace calculix
 
-/// The program gets the shape of the contact's surface, and the surfaces are compared in the contact and in a part of the same
-/// length beside it.
+/// Gives the program the shape of the surface in the contact. Compares the surfaces there and as far again beside it.
 Witnessed witness_of(double thickness, data::Friction friction) {
   constexpr double load = 100, accuracy = 1e-9;
   const data::ElasticNipProblem problem{

@@ -15,8 +15,8 @@ struct Witnessed {
   double thickness;   ///< of the sheet, inches
   bool gripped;       ///< full friction, otherwise none
   double load;        ///< relative
-  double normal;      ///< of the indentation, under the contact and as far again beside it
-  double tangential;  ///< of the largest tangential displacement there
+  double normal;      ///< over the indentation, under the contact and as far again beside it
+  double tangential;  ///< over the largest tangential displacement there
 
   // The limits are the errors of the mesh: these become up to eight times larger with elements that grow by 1.3
   // instead of 1.15, and up to four times smaller with half the largest element.

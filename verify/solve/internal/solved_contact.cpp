@@ -14,7 +14,8 @@ bool same(const ref::Estimate& a, const ref::Estimate& b) {
          mpfr_equal_p(ref::raw(a.error), ref::raw(b.error)) != 0;
 }
 
-/// int p Y dY from a to b, each of which may be an end of the contact, next to which p is like a square root.
+/// int p Y dY from a to b. Next to an end of the contact, which a and b may be, p is like a square root, and the
+/// substitution Y = end + reach t^2 makes the integrand smooth.
 template <unsigned points>
 Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, double b) {
   using Rule = boost::math::quadrature::gauss<double, points>;
@@ -37,8 +38,8 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   return sum;
 }
 
-/// int p Y dY on one side of the line through the rollers' centres (thesis 7.13), by Gauss's rule. The error is the integrated
-/// error of the pressure and twice the difference from half as many nodes.
+/// int p Y dY on one side of the line through the rollers' centres (thesis 7.13), by Gauss's rule. The error is the
+/// integral of the error of the pressure plus twice the difference from half as many nodes.
 Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, bool is_leading) {
   const Estimate leading = contact.number(ResultId::leading_length),
                  trailing = contact.number(ResultId::trailing_length);
@@ -57,7 +58,7 @@ double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
   return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
 }
 
-/// The factor of the rolling resistance in such a product, but for the load.
+/// The factor of the rolling resistance in `product`, without the load.
 template <class Number>
 double given_factor(const SolvedContact<Number>& contact, ResultId product) {
   if (product == ResultId::eccentricity) return contact.roller_radius;
@@ -73,9 +74,9 @@ Number product_of(const SolvedContact<Number>& contact, ResultId id) {
   return result * exactly(given_factor(contact, id), result);
 }
 
-/// The velocity of sliding over F_0, the strain of the surface less the creep ratio: by (2.5) the surface moves at F_0 (1 + v')
-/// and the rollers at F_0 (1 + creep ratio). Without friction the creep ratio is the mean strain, so that the mean slip in the
-/// contact is 0. Outside the contact it is the slip that there would be if the surfaces touched.
+/// The velocity of sliding over F_0, the strain of the surface less the creep ratio: by (2.5) the surface moves at F_0
+/// (1 + v') and the rollers at F_0 (1 + creep ratio). Without friction the creep ratio is the mean strain in the
+/// contact, so that the mean slip is 0. Outside the contact it is the slip that there would be if the surfaces touched.
 ref::Estimate slip_at(const SolvedContact<ref::Estimate>& contact, double y) {
   const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),
                       &creep = contact.number(ResultId::creep_ratio);
@@ -96,7 +97,7 @@ Number heat_at(const SolvedContact<Number>& contact, double y) {
   return size(ResultId::shear) * size(ResultId::slip);
 }
 
-/// Answers by other results of the contact.
+/// Answers with results that follow from other results of the contact.
 template <class Number>
 void answer_by_others(const SolvedContact<Number>& contact, Asked<Number>& asked) {
   if (is_product(asked.id)) asked.set(asked.id, [&] { return product_of(contact, asked.id); });
@@ -147,7 +148,7 @@ double result_size(const SolvedContact<Number>& contact, ResultId id, double y, 
   const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;
   const double flat_maximum = (1e-6 + 10 * std::sqrt(accuracy)) / accuracy;
   const double rounding_of_slope = slope * std::min(1.0, 1e-14 / accuracy);
-  // Where little or nothing slips, little or nothing is left of the resistance that friction would have.
+  // Where little or nothing slips, the resistance is small or 0; the error is measured against what friction could add.
   const double resistance = rounding_of_slope + 0.1 * std::min(contact.friction, 1.0) * slope / 2;
   const auto indentation = [&] { return value_of(contact.at(ResultId::normal_displacement, 0)); };
   const auto growth = [&] { return growth_next_to_end(y, ends, accuracy); };

@@ -25,13 +25,13 @@ struct Place {
 };
 using Places = std::vector<Place>;
 
-/// A number without an error, as another number is.
+/// The value with the error 0, as a number of the type and the digits of `like`.
 inline fast::Estimate exactly(double value, const fast::Estimate&) { return {value, 0}; }
 inline ref::Estimate exactly(double value, const ref::Estimate& like) {
   return ref::exactly(value, like.digits);
 }
 
-/// The ends of a contact, or of a half-space's angles: Y, unit of length.
+/// The ends of a contact, Y, unit of length; on a half-space without a line the ends of the angles, degrees.
 struct ContactEnds {
   double first, last;
 };
@@ -44,15 +44,15 @@ enum class Measure {
   truth  ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
 };
 
-/// A result that a contact is asked for, of a profile or a field at these places, and the answer: with it may come others that
-/// are computed at once with it.
+/// A request for a result of a contact, at these places if it is a profile or a field, and the answer. The answer may
+/// have other results that are computed together with it.
 template <class Number>
 struct Asked {
   ResultId id;
   const Places& places;
   std::map<ResultId, std::vector<Number>> answer = {};
 
-  /// The result of that name, computed only if it is the one that is asked for: a number, a list, or a number at Y.
+  /// Answers with `result`, a number, a list, or a function of Y, if `name` is asked for. Otherwise it is not computed.
   template <class Result>
   void set(ResultId name, const Result& result) {
     if (name != id) return;
@@ -64,7 +64,7 @@ struct Asked {
       answer[id] = {number_of(result())};
     }
   }
-  /// Results that are `parts` of what `all` gives at once, all places together.
+  /// If one of the `parts` is asked for, answers with all of them; all() computes them together for all places.
   void set_parts(const auto& all, const auto&... parts) {
     if (((parts.first != id) && ...)) return;
     const auto wholes = all();
@@ -72,7 +72,7 @@ struct Asked {
   }
 
  private:
-  /// A double has no error yet.
+  /// A double gets the error 0 until its error is estimated.
   static Number number_of(double found) requires std::same_as<Number, fast::Estimate> { return {found, 0}; }
   static Number number_of(const Number& found) { return found; }
 };
@@ -86,8 +86,8 @@ class SolvedContact {
   SolvedContact& operator=(const SolvedContact&) = delete;
   virtual ~SolvedContact() = default;
 
-  /// The numbers of a result: one, all of a list, or one for each place of a profile or field. BadInput if the contact does not
-  /// have it.
+  /// The numbers of a result: one, all of a list, or one for each place of a profile or field. BadInput if the contact
+  /// does not have it.
   [[nodiscard]] const std::vector<Number>& get(ResultId id, const Places& places = {}) const;
   [[nodiscard]] const Number& number(ResultId id) const { return get(id).front(); }
   [[nodiscard]] const Number& at(ResultId id, double y) const { return get(id, {{y}}).front(); }
@@ -111,15 +111,14 @@ class SolvedContact {
   Measure measure = Measure::size;
 
  private:
-  /// Answers what the solution has; what follows from other results of a nip is known without.
+  /// Answers with what the solution itself has. Results of a nip that follow from its other results need no answer.
   virtual void answer(Asked<Number>& asked) const = 0;
   virtual bool solve_again() { return false; }
 
   mutable std::map<std::pair<ResultId, Places>, std::vector<Number>> cache_;
 };
 
-/// The size that data::Scale describes for the error of a result, of a profile or a field at `y`, where the scene asks
-/// for this accuracy.
+/// The size of a result by data::Scale, at `y` for a profile or a field, if the scene asks for this accuracy.
 template <class Number>
 double result_size(const SolvedContact<Number>& contact, ResultId id, double y, double accuracy);
 
@@ -128,7 +127,7 @@ bool is_moment(ResultId id);
 /// Whether it is the rolling resistance in another unit: eccentricity, resistance_force, power_loss.
 bool is_product(ResultId id);
 
-/// What differs between the paths for a template that serves both.
+/// The types and functions of a path, for templates that serve both paths.
 struct FastPath {
   static constexpr bool is_fast = true;
   using Accuracy = double;  ///< a scene's
