@@ -7,10 +7,10 @@ namespace {
 constexpr double half_unit = 0x1p-53, library_rounding = 0x1p-51,
                  infinite = std::numeric_limits<double>::infinity();
 
-/// Enlarges the error by the rounding in the sum of its parts.
+/// Makes a number whose error is enlarged by the rounding in the sum of its parts.
 Propagated inflated(double value, double error) { return {value, error * (1 + 0x1p-48)}; }
 
-/// A value of a library function, which changes by at most `change` within the error of its argument.
+/// The value of a library function, which changes by at most `change` within the error of its argument.
 Propagated of_library(double value, double change) {
   return inflated(value, change + library_rounding * std::fabs(value));
 }

@@ -5,9 +5,9 @@
 
 namespace nipref::verify {
 
-/// A number with a bound on its error, which arithmetic propagates: the bound of a result covers the errors of the operands
-/// and rounding, for which elementary functions of the library are given two units in the last place. Where an operand's
-/// error leaves the domain of an operation the bound is infinite.
+/// A number with an error bound, which arithmetic propagates. The bound of a result covers the errors of the operands
+/// and the rounding error; elementary functions of the library are taken to be right to two units in the last place. If
+/// the error of an operand leaves the domain of an operation, the bound is infinite.
 class Propagated {
  public:
   /// A constant of a formula: exact if 40 bits hold it, otherwise the double nearest to a decimal.
@@ -20,7 +20,7 @@ class Propagated {
 
   [[nodiscard]] double value() const { return number_.value; }
   [[nodiscard]] double error() const { return number_.error; }
-  /// Certainly larger than 0, or smaller: by more than the error.
+  /// Whether the number is certainly > 0, or < 0: by more than its error.
   [[nodiscard]] bool is_positive() const { return number_.value > number_.error; }
   [[nodiscard]] bool is_negative() const { return -number_.value > number_.error; }
 
@@ -36,13 +36,13 @@ OfTwo operator+, operator-, operator*, operator/, hypot;
 OfTwo pow;  ///< a > 0
 OfOne fabs, square, sqrt, exp, expm1, log, sinh, cosh, tanh, atanh, sin, cos, tan, atan;
 
-/// The decimals of a number and of its error. The number has no digit below the first of its error; the error includes the
-/// digits left out and has two digits, rounded upwards. An exact number has its shortest decimal and the error 0.
+/// The decimals of a number and of its error. The number has no digit below the first digit of the error. The error has
+/// two digits, rounded upwards, and includes the digits left out. An exact number has its shortest decimal and error 0.
 struct Stated {
   std::string value, error;
 };
 Stated stated(const Propagated& number);
-/// "0.1234 +- 5.6e-05", and of an exact number the value alone
+/// "0.1234 +- 5.6e-05"; for an exact number the value alone.
 std::string stated_text(const Propagated& number);
 
 }  // namespace nipref::verify

@@ -13,7 +13,7 @@ Json texts_json(const TomlTable& entry, std::initializer_list<const char*> keys)
   return json_object(mapped(keys, [&](const char* key) { return std::pair(key, entry.text(key)); }));
 }
 
-/// Sets the decimals of a number and of its error, and what people read; all are null where there is no number.
+/// Sets the decimals of a number and of its error, and their text for people; all are null without a number.
 void set_number(Json& row, const std::string& key, std::string_view error_key,
                 const std::optional<Propagated>& number) {
   const Stated decimals = number ? stated(*number) : Stated{};

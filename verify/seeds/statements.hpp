@@ -7,14 +7,14 @@
 #include <nipref/verify/formulas/propagated.hpp>
 #include <nipref/verify/support/json.hpp>
 
-// What the seeds state in words, in limits and in formulas that are printed wrong: the files of data/statements. Reading them
-// throws BadInput that names the line.
+// The statements of the seeds in the files of data/statements: claims in words, limits, and formulas that are
+// misprinted. The functions here throw BadInput that names the line if a file is wrong.
 
 namespace nipref::verify {
 
 struct TomlTable;
 
-/// A statement of a seed: an entry of such a file, which has its seed, its place and what is stated, in our words.
+/// A statement of a seed: an entry of such a file with the seed, the place, and what is stated, in our words.
 struct Statement {
   std::string id;  ///< "thesis-creep-with-friction"
   const TomlTable* entry;
@@ -46,7 +46,7 @@ struct CheckedClaim {
 std::vector<Statement> claims();
 /// Computes the numbers of one of claims().
 CheckedClaim check(const Statement& claim);
-/// Checks many, on all cores; the order is kept.
+/// Checks several claims on all cores and keeps their order.
 std::vector<CheckedClaim> check_all(const std::vector<Statement>& claims);
 Json claims_json(const std::vector<CheckedClaim>& claims);
 /// How many claims have each of these verdicts, in this order.
@@ -75,21 +75,21 @@ struct LimitRow {
 
   /// The exponent between the last two samples; empty where the last distance is no larger than its error.
   [[nodiscard]] std::optional<Propagated> measured_order() const;
-  /// Whether distances fall with that exponent, to 0.1, or faster than with exponent 4 where it is 0; false too where the
-  /// errors are too large to decide it.
+  /// Whether the distances fall with the exponent `order`, to 0.1, while their errors are small enough to tell. If
+  /// `order` is 0: whether they fall faster than with the exponent 4, or the last one is within its error.
   [[nodiscard]] bool approached() const;
 };
 
-/// Of the elastic nip thick and thin with and without friction, of the one with Coulomb's friction thick, with little and
-/// with much friction, and of the rolling one with short memory, with long memory and thin.
+/// The limits of the elastic nip, thick and thin, with and without friction; of the nip with Coulomb's friction, thick,
+/// with little and with much friction; and of the rolling nip, with short memory, with long memory and thin.
 [[nodiscard]] std::vector<Statement> limits();
 /// Computes the contacts on the way to one of limits().
 [[nodiscard]] LimitRow approach(const Statement& limit);
 [[nodiscard]] std::vector<LimitRow> approach_all(const std::vector<Statement>& limits);
 Json limits_json(const std::vector<LimitRow>& limits);
 
-/// A formula that a seed prints wrong, as printed and as it must be, at one place, against a truth that is computed by
-/// neither. The erratum's entry says what is wrong with it, what must stand there, and how the truth is computed.
+/// A misprinted formula of a seed at one place: its value as printed, as corrected, and the truth, computed by neither.
+/// The entry of the erratum says what is wrong, what must stand there, and how the truth is computed.
 struct Settlement {
   std::string at;                     ///< the place, and what is computed there
   std::optional<Propagated> printed;  ///< empty: the printed formula has no value
@@ -97,7 +97,7 @@ struct Settlement {
   Propagated truth;
   Statement erratum = {};
 
-  /// The right one agrees with the truth and the printed one does not, to the sum of both errors.
+  /// Whether the corrected value agrees with the truth within the sum of both errors, and the printed one does not.
   [[nodiscard]] bool settled() const;
 };
 

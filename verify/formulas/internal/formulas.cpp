@@ -6,7 +6,7 @@
 namespace nipref::verify {
 namespace {
 
-/// What stands before and behind the equals sign of each line.
+/// The texts before and behind the equals sign of each line.
 std::vector<std::pair<std::string, std::string>> halves_of(const std::string& lines) {
   std::vector<std::pair<std::string, std::string>> halves;
   std::istringstream stream(lines);
@@ -137,7 +137,7 @@ class Formulas::Parser {
     return value;
   }
 
-  /// The name before an equals sign, with which the text may go on; otherwise empty.
+  /// The name before an equals sign if the rest of the text begins with these two, otherwise empty.
   std::string assigned() {
     const std::string_view start = rest_;
     std::string called = name();

@@ -7,46 +7,46 @@ namespace nipref::verify {
 /// Evaluates formulas of numbers with their errors. A formula is made of
 ///   - decimal numbers, pi and names that were defined,
 ///   - + - * / ^ (the exponent is a whole number), parentheses, and x < y and x > y, which compare values and are 1 or 0,
-///   - sqrt(x) and the other functions of words.cpp, min(x, ...) and max(x, ...) by value, and defined ones, which come first,
-///   - if(condition, x, y), of which only one is evaluated,
+///   - sqrt(x) and others of words.cpp, min(x, ...) and max(x, ...) by value, and defined ones, found first,
+///   - if(condition, x, y), which evaluates x or y alone,
 ///   - integral(t, a, b, f(t)) and the other functionals of words.cpp, whose first argument names the variable,
 ///   - [WORDS]: a number that the program computes,
-///   - name = formula; before the formula that is the value: what the name is from there on.
+///   - name = formula; any number of times before the last formula, which is the value: defines the name from there on.
 class Formulas {
  public:
   using Numbers = std::vector<Propagated>;
   using Named = std::vector<std::pair<std::string, double>>;
   using Solve = std::function<Propagated(const std::string& words, Formulas& scope)>;
-  /// A formula, which may be evaluated many times, by several threads at once, each with its own scope.
+  /// A compiled formula. Several threads may evaluate it at the same time, each with its own scope.
   using Expression = std::function<Propagated(Formulas& scope)>;
   using Function = std::function<Propagated(double)>;
 
   explicit Formulas(Solve solve = {}, const std::string& lines = "") : solve_(std::move(solve)) {
     define(lines);
   }
-  /// With these numbers, constants.
+  /// Defines these numbers as constants.
   explicit Formulas(const Named& numbers) { define(numbers); }
   Formulas(const Formulas&) = delete;
   Formulas& operator=(const Formulas&) = delete;
 
   void define(const std::string& name, const Propagated& number) { numbers_.emplace_back(name, number); }
   void define(const Named& all) { numbers_.insert(numbers_.end(), all.begin(), all.end()); }
-  /// Lines "name = formula", evaluated in their order, or "name(argument, ...) = formula". A line that is indented goes on
-  /// with the last one; what begins with # is a comment.
+  /// Lines "name = formula", evaluated in their order, or "name(argument, ...) = formula". A line that is indented
+  /// continues the line before; a line that begins with # is a comment.
   void define(const std::string& lines);
-  /// Such lines without functions, not evaluated.
+  /// Compiles such lines, which define no functions, without evaluating them.
   [[nodiscard]] std::vector<std::pair<std::string, Expression>> compiled_lines(
       const std::string& lines) const;
-  /// BadInput that names the formula if it cannot be understood, or a name in it is not defined.
+  /// BadInput that names the formula if it cannot be understood. The expression throws BadInput for an unknown number.
   [[nodiscard]] Expression compiled(std::string_view formula) const;
   [[nodiscard]] Propagated value(std::string_view formula) { return compiled(formula)(*this); }
-  /// The value of a defined function, with the numbers of a scope.
+  /// The value of a function that was defined, for these numbers, with the other numbers of a scope.
   [[nodiscard]] Propagated value_of(const std::string& function, const Numbers& numbers,
                                     Formulas& scope) const {
     const Definition& definition = *functions_.at(function);
     return scope.with(definition.parameters, numbers, definition.body);
   }
-  /// The number that was defined last by that name.
+  /// The number that was defined last by that name. Throws BadInput if there is none.
   [[nodiscard]] Propagated number(const std::string& name) const;
 
  private:
@@ -72,7 +72,7 @@ struct Functional {
   Propagated (*apply)(const Formulas::Function& f, const Formulas::Numbers& at);
 };
 
-/// What formulas are written with, by name.
+/// The functions and the functionals of formulas, by name.
 struct FormulaWords {
   static const std::map<std::string, OfOne*> of_one;
   static const std::map<std::string, OfTwo*> of_two;

@@ -15,8 +15,8 @@ using Numbers = Formulas::Numbers;
 using Real = std::function<double(double)>;
 using fast::Direction;
 
-/// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
-/// infinite if `certain` holds at none.
+/// Returns x with the least distance at which `certain` holds as its error. Distances double from `first` times x on;
+/// if `certain` holds at none, the error is infinite.
 Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
   for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2)
     if (certain(reach)) return {x, reach};
@@ -27,11 +27,11 @@ Real values_of(const Function& f) {
   return [&](double x) { return f(x).value(); };
 }
 
-/// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size. The error of an integral is
-/// the sum of the rule's estimate of its truncation error, the integral of the errors of f, and the rounding of the sum.
+/// The integral of f. integrate(function, tolerance, &error, &size) is the integral of a function of a double. The
+/// error is the rule's estimate of its truncation error, twice the integral of the errors of f, and the rounding error.
 Propagated integral_by(const auto& integrate, const Function& f) {
-  // A rule divides its intervals to the end where it is asked for more than there is to know: of the values, whose errors
-  // it would resolve, and of the errors, which jump. Those are doubled below, so that a tenth of them does.
+  // A rule divides its intervals to the end if it cannot reach the tolerance, because the values have errors and the
+  // errors jump. The integral of the errors is doubled below, so that a tenth of it suffices.
   constexpr double roughly = 0.1, finest = 1e-15;
   double truncation = 0, size = 0, unused = 0;
   const Real values = values_of(f), errors = [&](double x) { return f(x).error(); };
@@ -41,7 +41,7 @@ Propagated integral_by(const auto& integrate, const Function& f) {
   return {value, truncation + 2 * of_errors + 0x1p-50 * size};
 }
 
-/// The largest value of f, which rises to it and falls from it, and its place, whose error reaches to where f is certainly
+/// The maximum of f, which rises before it and falls behind it. The error of its place reaches to where f is certainly
 /// smaller.
 struct Maximum {
   Propagated place, value;
@@ -63,7 +63,7 @@ Maximum maximum_of(const Function& f, double lower, double upper) {
   return {reached, {value.value(), value.error() + fall}};
 }
 
-/// 1 if x is positive beyond its error, otherwise 0; 0 with the error e; x without its error.
+/// certain(): 1 if x is positive beyond its error, otherwise 0. within(): 0 with this error. without_error(): exact.
 Propagated certain(const Propagated& x) { return Propagated::exact(x.is_positive() ? 1 : 0); }
 Propagated within(const Propagated& error) { return {0, error.value()}; }
 Propagated without_error(const Propagated& x) { return Propagated::exact(x.value()); }
@@ -95,7 +95,7 @@ Propagated half_line_integral(const Function& f, const Numbers&) {
   return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, how...); }, f);
 }
 
-/// (1/pi) times the principal value of int_from^to f(t)/(t - x) dt, of x, from and to, from < x < to.
+/// (1/pi) times the principal value of int_from^to f(t)/(t - x) dt. `at` has x, from and to; from < x < to.
 Propagated hilbert(const Function& f, const Numbers& at) {
   const double x = at[0].value(), from = at[1].value(), to = at[2].value();
   const auto distance = [](double a, double b) { return Propagated::exact(a) - Propagated::exact(b); };
@@ -107,9 +107,8 @@ Propagated hilbert(const Function& f, const Numbers& at) {
          Propagated::pi();
 }
 
-/// f'(x) by central differences with halved steps, extrapolated to 0 (Ridders). Of the extrapolated values the result is the
-/// one with the least error, the sum of the change by the last extrapolation and of the propagated errors of f. f must be
-/// analytic within several steps.
+/// f'(x) by central differences with halved steps, extrapolated to 0 (Ridders). The result is the extrapolated value of
+/// least error, the last change plus the propagated errors of f. f must be analytic within several steps.
 Propagated derivative(const Function& f, double x, double step) {
   constexpr int halvings = 7;
   Propagated best(0, std::numeric_limits<double>::infinity());
@@ -131,8 +130,8 @@ Propagated derivative(const Function& f, double x, double step) {
   return best;
 }
 
-/// The place where f changes its sign, between two places at which its signs differ. The error reaches to where they are
-/// certain.
+/// The place where f changes its sign, between two places at which its signs differ. Its error reaches to where the
+/// signs are certain.
 Propagated sign_change(const Function& f, double lower, double upper) {
   constexpr int binary_digits = 44;
   std::uintmax_t steps = 100;
@@ -146,7 +145,7 @@ Propagated sign_change(const Function& f, double lower, double upper) {
   });
 }
 
-/// f at a place that has an error; f must be monotonic there.
+/// f at a place with an error, within which f must be monotonic.
 Propagated monotonic(const Function& f, const Numbers& at) {
   const Propagated& place = at[0];
   const Propagated below = f(place.value() - place.error()), above = f(place.value() + place.error());
@@ -161,7 +160,8 @@ Propagated place_of_largest(const Function& f, double lower, double upper) {
   return maximum_of(f, lower, upper).place;
 }
 
-// Values whose errors are not known. Degrees and the angle psi turned by degrees keep their digits near 90 degrees.
+// Functions without known errors. Sines and cosines of degrees, and of the angle psi turned by degrees, keep their
+// digits near 90 degrees.
 Propagated alone(double value) { return {value, std::numeric_limits<double>::infinity()}; }
 Propagated floor(const Propagated& x) { return alone(std::floor(x.value())); }
 Propagated round(const Propagated& x) { return alone(std::round(x.value())); }

@@ -13,9 +13,8 @@ struct Station {
   double pressure, shear, error;
 };
 
-/// Of a contact with full friction of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu = 1/3. Within one step
-/// of an end the oscillation of the end, r^(1/2) cos(eps ln r), may change the sign of the shear once more, but there the
-/// shear is negligible.
+/// The tractions of a contact with full friction, of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu =
+/// 1/3. Within one step of an end the oscillation r^(1/2) cos(eps ln r) may change the sign of the negligible shear.
 std::vector<Station> stations(double length_over_thickness) {
   constexpr int steps = 400;
   const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};
@@ -30,7 +29,7 @@ std::vector<Station> stations(double length_over_thickness) {
 
 using Property = bool (*)(const std::vector<Station>&);
 
-/// The border of a property: L/B between a place with it and a place without it.
+/// The L/B at which a property ends, found by bisection between a length with it and a length without it.
 Propagated border_between(Property is_so, double with, double without) {
   constexpr int halvings = 7;
   for (int i = 0; i < halvings; ++i) {
@@ -41,7 +40,7 @@ Propagated border_between(Property is_so, double with, double without) {
                              Propagated::exact(std::max(with, without)));
 }
 
-/// The first and the last L/B with a property, of those from 0.5 to 20 in steps of a twentieth; 0 if none has it.
+/// The first and the last L/B with a property, among lengths from 0.5 to 20 that grow by a twentieth; 0 if none has it.
 struct Range {
   Propagated first = 0, last = 0;
 };

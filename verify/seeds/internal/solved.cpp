@@ -23,8 +23,8 @@ Propagated as_propagated(const ref::Estimate& reference) {
   return {value, std::fabs(reference.error_of(value)) + std::strtod(reference.error_text().c_str(), nullptr)};
 }
 
-/// A quantity of the catalogue at decimal arguments. The error by fast is what fast promises at the doubles nearest to
-/// them, and the change of the quantity from the decimals to the doubles.
+/// A quantity of the catalogue at decimal arguments. The error of fast is its promise at the doubles nearest to them,
+/// plus the change of the quantity from the decimals to the doubles.
 Propagated of_quantity(const Brackets& brackets) {
   constexpr int digits = 20;
   const std::string& kind = brackets.name(0);
@@ -82,7 +82,7 @@ Propagated of_material(const Brackets& brackets) {
   if (name != "theta1" && name != "theta2") brackets.refuse(fmt::format("no '{}'", name));
   const double value =
       (name == "theta1" ? functions.theta1 : functions.theta2).transform(brackets.number("p", 0)).real();
-  // It is a sum of a few products, so that this bounds its rounding.
+  // The value is a sum of a few products, so that this bounds its rounding error.
   return {value, 0x1p-48 * std::fabs(value)};
 }
 

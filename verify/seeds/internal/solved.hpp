@@ -7,7 +7,7 @@
 
 namespace nipref::verify {
 
-/// The words of a formula's brackets, [KIND NAME ... KEY=VALUE ...], whose values are formulas of the same scope.
+/// The words in the brackets of a formula, [KIND NAME ... KEY=VALUE ...]. The values are formulas of the same scope.
 struct Brackets {
   std::string text;
   Formulas& formulas;
@@ -18,14 +18,14 @@ struct Brackets {
   /// Throws BadInput that names the brackets.
   [[noreturn]] void refuse(std::string_view lacking) const;
   [[nodiscard]] const std::string& name(std::size_t i) const;
-  /// The words or the value of a key; without `otherwise` a value must be given.
+  /// text_of() is the text of a key and number() its value as a formula. Without `otherwise` the key must be given.
   [[nodiscard]] std::string text_of(const std::string& key, const std::string& otherwise) const;
   [[nodiscard]] double number(const std::string& key, std::optional<double> otherwise = {}) const;
-  /// The given values as decimal arguments of a quantity; what follows $ is a formula.
+  /// The given values as decimal arguments of a quantity. A value that begins with $ is a formula.
   [[nodiscard]] Assignments arguments() const;
 };
 
-/// A result of the contact by the last of the names, or one that follows from it.
+/// The result of the contact that the last of the names names.
 Propagated result_of(const Brackets& brackets, const SolvedContact<fast::Estimate>& contact);
 
 /// The text with each field {NAME} or {NAME:FORMAT} replaced by written(NAME, ":FORMAT").
@@ -33,18 +33,18 @@ std::string with_fields(const std::string& text,
                         const std::function<std::string(const std::string&, const std::string&)>& written);
 
 /// Computes what formulas name in brackets, [KIND NAME KEY=VALUE ...]; the values are formulas without spaces:
-///   - ref, fast, printed, double: a quantity of the catalogue by ref, by fast, as the seed prints it, or by fast without an
-///     error. Its arguments are decimal texts as on the command line; $x is the value of x;
+///   - ref, fast, printed, double: a quantity of the catalogue by ref, by fast, as the seed prints it, or by fast without
+///     an error. Its arguments are decimal texts as on the command line; $x is the value of x;
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
-///     for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory, speed; by
-///     default as in the thesis. In place of friction an elastic one may have mu, Coulomb's coefficient, and traction;
+///     for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory, speed. The
+///     defaults are the thesis's. In place of friction, elastic may have mu, Coulomb's coefficient, and traction;
 ///   - started: mu_R by the thesis's line loads. Keys: thickness, load, memory, and distance, from which they start;
-///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed, in
+///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed over
 ///     that of the sphere's shear waves;
 ///   - material: theta1 or theta2 of a viscoelastic solid at p in the Laplace plane. Keys: solid, memory, p;
-///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
+///   - table ID COLUMN KEY=VALUE: the number that the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
-/// Each contact is solved only once, by all copies together.
+/// Copies share their contacts: each contact is solved only once.
 class SolvedNumbers {
  public:
   Propagated operator()(const std::string& words, Formulas& formulas) const;
@@ -59,12 +59,12 @@ class SolvedNumbers {
 /// Numbers that no formula describes, by name.
 const std::map<std::string, std::function<Propagated()>>& computed_numbers();
 
-/// The value of a printed formula in double arithmetic without a bound on its rounding: eight of its sixteen digits are
-/// trusted, enough to tell it from the truth.
+/// The value of a printed formula in double arithmetic, whose rounding error is not bounded: eight of its sixteen
+/// digits are trusted, which is enough to tell it from the truth.
 Propagated printed_form(double value);
 
-/// Evaluates the formulas of an entry, with the functions of claims.toml, the definitions of the [[setting]] that it names, then its
-/// own in `given`.
+/// Evaluates the formulas of an entry with the functions of claims.toml, then the definitions of the [[setting]] that
+/// the entry names, then its own in `given`.
 class StatementFormulas {
  public:
   StatementFormulas(const TomlTable& file, const TomlTable& entry);
