@@ -22,15 +22,15 @@ namespace nipref::verify {
 /// several threads at once.
 using Evaluator = std::function<void(std::span<const Point> points, std::span<double> values)>;
 
-/// fast, with a NaN where it refuses a point.
+/// The evaluator of fast's values. A value is a NaN where fast refuses the point.
 Evaluator fast_evaluator(const Quantity& quantity, fast::Accuracy accuracy);
 
 /// The largest number of points of a block.
 inline constexpr std::size_t points_of_block = 4096;
 
 struct AuditOptions {
-  /// The approximate number of points; from about 10000 for each position on they include all hard cases. 0: `density`
-  /// times the number in the quantity's entry, at least one.
+  /// The approximate number of points. From about 10000 for each position argument on, they include all hard cases. 0
+  /// stands for `density` times the number in the quantity's entry, at least one.
   std::size_t points = 0;
   fast::Accuracy accuracy;  ///< the accuracy asked of fast
   OnProgress progress = {};
@@ -50,11 +50,11 @@ struct AuditOptions {
   }
 };
 
-/// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks. Errors are
-/// upper bounds: ref's own error is added to each.
+/// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks.
+/// Errors are upper bounds: ref's own error is added to each.
 struct AuditTally {
   std::uint64_t points = 0;  ///< points compared
-  /// Points at which the reference has no value of 21 digits, or which are refused.
+  /// Points that are refused, or at which the reference has no value of 21 digits.
   std::uint64_t left_out = 0;
   double max_error_ulp = 0, max_relative_error = 0;  ///< the largest found
   /// The largest ratio of an error to the allowed one; the promise is kept if it is <= 1. -1 without points.
@@ -81,7 +81,7 @@ struct AuditResult : AuditTally {
   ErrorSpread spread = {};  ///< over the arguments, before the local search
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
-  /// The part of what points are drawn from in which so many of them meet a fault with a chance of 95 %: w with
+  /// The share of the sampled domain that a fault must fill for the points to hit it with a probability of 95 %: w with
   /// 1 - (1 - w)^points = 0.95. A narrower fault may be missed.
   [[nodiscard]] double fault_width() const {
     return -std::expm1(std::log(0.05) / static_cast<double>(points));
@@ -102,14 +102,14 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
 /// (support/internal/interrupt.hpp) if the process is.
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options);
 
-/// The same for fast. Where fast states an error of a value, this has to cover the error found, too.
+/// Audits fast in the same way. Where fast states the error of a value, it must cover the error found, too.
 AuditResult audit(const Quantity& quantity, const AuditOptions& options);
 
-/// The same for given values, without a search. There must be as many values as points, and at least one.
+/// Audits given values, without a search. There must be as many values as points, and at least one.
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options);
 
-/// " name=value (decimal)" for each argument: for people, and for `eval` up to what stands in brackets.
+/// " name=decimal (hexadecimal)" for each argument. The decimal number has six digits, the hexadecimal one is exact.
 std::string point_text(const Quantity& quantity, const Point& point);
 Json point_json(const Quantity& quantity, const Point& point);
 

@@ -39,7 +39,7 @@ std::vector<Decade> decades_of(std::size_t along, std::span<const Finding> findi
 constexpr std::size_t parts_of_axis = 100;
 constexpr std::size_t dots_of_part = 3;
 
-/// The largest error, and others at equal distances in their order.
+/// Appends the largest error of a part of the axis, and others at equal distances in the list.
 void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
   const auto largest = std::ranges::max_element(part, {}, &ErrorDot::ulps);
   largest->largest = true;

@@ -8,7 +8,7 @@
 
 namespace nipref::verify {
 
-/// The errors at the points whose magnitude of one argument lies in [10^exponent, 10^(exponent + 1)).
+/// The errors at the points at which the magnitude of one argument lies in [10^exponent, 10^(exponent + 1)).
 struct Decade {
   std::optional<int> exponent;  ///< nothing if the argument is 0
   std::size_t points;
@@ -21,7 +21,7 @@ struct Decade {
 struct WrongRegion {
   Point lower, upper;
   std::size_t points;  ///< points in it
-  std::size_t above;   ///< those of them that break the promise
+  std::size_t above;   ///< points that break the promise
 };
 
 /// A point of a plot, which shows a selection of all points.
@@ -34,8 +34,8 @@ struct ErrorDot {
 /// Whether arguments of this kind span decades, so that a plot shows their magnitude on a logarithmic axis.
 bool spans_decades(ArgumentKind kind);
 
-/// The position of a value on its axis; on a logarithmic one from 1e-12 to 1e12: most doubles are much smaller or larger, but
-/// behave like those at its ends.
+/// The position of a value on its axis. A logarithmic axis goes from 1e-12 to 1e12: most doubles are much smaller or
+/// larger, but errors there are like those at the ends of the axis.
 double place_on_axis(ArgumentKind kind, double value);
 
 /// The distribution of errors over the arguments. The largest error alone would mislead where it is a spike.
@@ -52,11 +52,11 @@ struct ErrorSpread {
 struct Finding {
   Point point;
   double ulps;            ///< units in the last place of the scale
-  double relative;        ///< of the value
+  double relative;        ///< relative to the value
   double allowance_used;  ///< error over the allowed error
 };
 
-/// There must be a finding.
+/// The distribution of the errors of these findings. There must be at least one finding.
 ErrorSpread error_spread(const Quantity& quantity, std::span<const Finding> findings);
 
 }  // namespace nipref::verify

@@ -31,7 +31,7 @@ void ErrorTally::add(double number) {
   largest_ = std::max(largest_, number);
   ++bins_[bin_of(number)];
   const double units = std::ceil(std::ldexp(number, bits_of_sum));
-  // What cannot be summed lets the mean be infinite.
+  // A number that is too large for the sum makes the mean infinite.
   if (std::isfinite(units)) {
     sum_ += mpz_class(units);
   } else {

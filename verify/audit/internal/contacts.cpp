@@ -64,7 +64,7 @@ void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int 
   audit.discretisation_error = solution.load() / continuous - 1;
 }
 
-/// How much the shear of one side zigzags, from the middle outwards.
+/// The oscillation of the shear from the middle outwards, see fast::oscillation.
 double oscillation_of(const fast::LineLoadNip& nip) {
   std::vector<double> shear;
   for (std::size_t j = nip.loads.size() / 2; j < nip.loads.size(); ++j) shear.push_back(nip.loads[j].shear);

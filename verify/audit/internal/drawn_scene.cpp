@@ -11,7 +11,7 @@ namespace {
 
 using data::ResultId;
 
-/// The value in TOML. A number without point and exponent would be a whole one.
+/// Writes a value in TOML. A number without a point or exponent would be read as an integer.
 struct TomlText {
   std::string operator()(double number) const {
     std::string text = fmt::format("{}", number);
@@ -35,7 +35,7 @@ const TomlTable& drawn_file() {
   return file;
 }
 
-/// A refusal of the scene that is being drawn.
+/// Thrown if the scene that is drawn so far is refused.
 struct RefusedSoFar {};
 
 /// A positive definite stiffness as a triangular matrix times its transpose, with moduli within about a decade.
@@ -49,7 +49,7 @@ std::vector<double> draw_stiffness(Random& random, double unit) {
   return mapped(data::upper_triangle, [&](const auto& at) { return product[at.first][at.second]; });
 }
 
-/// The results of converged nips that need no friction, but for the moments, which the eccentricity has.
+/// The results of converged nips that need no friction, without the moments, which the eccentricity covers.
 std::vector<ResultId> results_of_every_nip() {
   std::vector<ResultId> wanted;
   for (const data::SceneResult& result : data::scene_results()) {
@@ -91,7 +91,7 @@ class SceneDrawing {
  private:
   double value(const std::string& formula) { return formulas_.value(formula).value(); }
 
-  /// The parts of a value before and behind `separator`, the latter `otherwise` where it has none.
+  /// The parts of the text before and behind `separator`. Without a separator the second part is `otherwise`.
   static std::pair<std::string, std::string> divided(const std::string& text, char separator,
                                                      const std::string& otherwise) {
     const std::size_t at = text.find(separator);
@@ -128,7 +128,7 @@ class SceneDrawing {
     drawn.set_wanted(std::move(wanted));
   }
 
-  /// What formulas have in brackets.
+  /// The value of the words that a formula has in brackets: a random number, or a property of the scene drawn so far.
   Propagated number(const std::string& words) {
     const std::vector<std::string> all = words_of(words);
     const std::string& kind = all.front();
@@ -158,7 +158,7 @@ class SceneDrawing {
   Formulas formulas_{[this](const std::string& words, Formulas&) { return number(words); }};
 };
 
-/// Numbers of 34 bits, whose products with a few small whole numbers are exact.
+/// The bits of shortened numbers, whose products with a few small whole numbers are exact.
 constexpr int short_bits = 34;
 
 double shortened(double number) {

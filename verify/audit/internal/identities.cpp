@@ -17,7 +17,7 @@ const std::map<std::string_view, Dimension> result_units{
     {"stress", of_stress}, {"1/stress", {0, -1, 0}},    {"speed", {1, 0, -1}}, {"1", {}},
     {"degree", {}}};
 
-/// The factors by which the units are multiplied.
+/// The factors by which lengths, stresses and times are multiplied.
 struct Units {
   double length, stress, time;
 
@@ -28,7 +28,7 @@ struct Units {
 
 bool is_half_space(const DrawnScene& drawn) { return drawn.has("half_space.model"); }
 
-/// Units for which every key's factor is a whole number: stress or compliance, time or rate, as the kind of scene has.
+/// Draws units for which every key's factor is a whole number, be it a stress or a compliance, a time or a rate.
 Units draw_units(const DrawnScene& drawn, Random& random) {
   const auto odd = [&] { return 3 + 2 * static_cast<double>(random.index(4)); };
   const double a = odd(), b = odd(), c = odd();
@@ -37,7 +37,7 @@ Units draw_units(const DrawnScene& drawn, Random& random) {
   return {a * c, b, c};
 }
 
-/// The product; nothing if it is not exact.
+/// The product; nothing if the factor is not a whole number or the product is not exact.
 std::optional<double> exact_product(double factor, double number) {
   const double whole = std::round(factor), product = whole * number;
   if (std::fabs(factor - whole) > 1e-9 || std::fma(whole, number, -product) != 0) return {};
@@ -59,7 +59,7 @@ bool multiply(DrawnScene::Value& value, const Units& units, const data::SceneKey
   return true;
 }
 
-/// A number computed from another by up to two roundings.
+/// The estimate of a number that is computed from another one with up to two roundings.
 Estimate rounded(double value, double error) { return {value, error + 0x1p-51 * std::fabs(value)}; }
 
 std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
@@ -81,7 +81,7 @@ struct GivenPair {
   ResultId found;
   const char* given_key;
   ResultId given;
-  /// A bound of the result's relative change over that of the given number.
+  /// A bound of the ratio of the result's relative change to that of the given number.
   double condition;
 };
 constexpr std::array given_pairs{
@@ -93,7 +93,7 @@ constexpr std::array given_pairs{
 std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<Estimate>& solved) {
   for (const GivenPair& pair : given_pairs) {
     if (!drawn.has(pair.found_key)) continue;
-    // With a traction several loads may have contacts of one length.
+    // With a traction several loads may lead to the same contact length.
     const char* const traction = "traction.force_per_length";
     if (pair.given == ResultId::load && drawn.has(traction) && drawn.number(traction) != 0) return {};
     const Estimate found = solved[pair.found];
@@ -122,7 +122,7 @@ std::vector<double> negated(std::vector<double> numbers) {
   return numbers;
 }
 
-/// C_kl of the half-space with the axis x2 reversed: those with exactly one index of 4 and 6 change their sign.
+/// The stiffness C_kl with the axis x2 reversed: entries with exactly one index that is 4 or 6 change their sign.
 std::vector<double> mirrored_stiffness(std::vector<double> upper) {
   for (std::size_t n = 0; n < upper.size(); ++n) {
     const auto [i, k] = data::upper_triangle[n];

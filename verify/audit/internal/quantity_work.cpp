@@ -16,8 +16,8 @@ constexpr double share_of_round = 0.05;
 constexpr double share_of_dense = 0.15;
 constexpr double share_of_search = 0.1;
 
-/// Blocks are smaller for a quantity whose own number of points is less than a block, as its points are slow, and a
-/// process that is killed loses one block.
+/// The block of a quantity whose own number of points is less than a usual block: its points are slow, and a process
+/// that is killed loses one block.
 constexpr std::size_t slow_block = 64;
 
 constexpr std::size_t most_starts = 8;
@@ -39,7 +39,7 @@ void include(AuditTally& tally, const Finding& finding) {
   tally.worst_ulp = finding.ulps;
 }
 
-/// Of so many points, those with findings.
+/// The tally of findings at `points` points. Points without a finding are left out.
 AuditTally tally_of(const std::vector<Finding>& findings, std::size_t points) {
   AuditTally tally{.points = findings.size(), .left_out = points - findings.size()};
   for (const Finding& finding : findings) {

@@ -27,7 +27,7 @@ double draw_position(Random& random) {
   return with_random_sign(magnitude, random);
 }
 
-/// The value at `fraction` in [0, 1) of what the kind's numbers are spread over.
+/// The value at `fraction`, in [0, 1), of the interval over which numbers of this kind are spread.
 double spread(ArgumentKind kind, double fraction) {
   const double from = kind_of_number(kind).from, to = kind_of_number(kind).to;
   if (from <= 0 || to <= 0) return to + (from - to) * (1 - fraction);
@@ -77,8 +77,8 @@ std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
   return order;
 }
 
-/// One point in each of the part's cells of each range, the cells of different ranges combined at random (Latin
-/// hypercube).
+/// Moves one point into each of the part's cells of each range. The cells of different ranges are combined at random
+/// (Latin hypercube).
 void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random& random, std::size_t cells,
                         Part part) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -92,7 +92,7 @@ void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random
   }
 }
 
-/// The other position of a quantity of two, if there are two and `changed` is one of them.
+/// Sets every other position to the value of the position number `changed`.
 void tie_positions(const Quantity& quantity, Point& point, std::size_t changed) {
   for (std::size_t i = 0; i < point.size(); ++i) {
     if (i != changed && is_position(quantity.arguments[i].kind))

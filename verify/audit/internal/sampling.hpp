@@ -6,9 +6,9 @@
 
 namespace nipref::verify {
 
-// The points of an audit. Positions range over +-[1e-300, 700]. Only a few per cent are beyond 50, where ref is slow,
-// and half of them are in [1e-3, 50], where all regimes of fast begin or end. An argument with a range is drawn
-// evenly over the range, in the range's own spacing; the others are drawn from their whole domain.
+// The points of an audit. Positions range over +-[1e-300, 700]. Only a few per cent of them are beyond 50, where ref is
+// slow, and half of them are in [1e-3, 50], where all regimes of fast begin or end. An argument with a range is drawn
+// evenly over the range, in the range's own spacing; an argument without a range is drawn from its whole domain.
 
 /// The items number index, index + of, index + 2 of, ... of a list.
 struct Part {
@@ -21,27 +21,27 @@ struct Part {
   [[nodiscard]] std::vector<Point> taken(const std::vector<Point>& points) const;
 };
 
-/// One random value of an argument: half log-uniform over the whole domain, half over its middle.
+/// A random value of an argument. Positions are log-uniform: half of them over the whole domain, half over its middle.
 double draw(ArgumentKind kind, Random& random);
 
 /// One random point. A second position is related to the first in a part of the draws: equal, opposite,
 /// close, 0, of another order of magnitude.
 Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random);
-/// The point, moved to where the quantity is finite and has a reference, unless that is outside the ranges.
+/// Moves the point to where the quantity is finite and has a reference, unless this place is outside the ranges.
 Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point);
 
 /// At most `limit` of the points, taken evenly.
 std::vector<Point> thinned(std::vector<Point> points, std::size_t limit);
 
-/// Each hard value of each argument and each end of its range, the other arguments random; two positions also with
-/// the same hard value.
+/// Points at each hard value of each argument and at each end of its range; the other arguments are random. Of two
+/// positions there are also points at which both have the same hard value.
 std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
-/// Each position at the quarters up to 50, where codes that interpolate have their knots, the other arguments random.
+/// Points with a position at a multiple of 1/4 up to +-50, where codes that interpolate have knots; the rest is random.
 std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
 /// A part of `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
-/// cell. Each argument with a range is spread over that range in the same way.
+/// of `count` cells. Each argument with a range is spread over its range in the same way.
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
                                 Random& random, Part part = {});
 

@@ -11,14 +11,14 @@ using fast::Estimate;
 using Solution = SceneSolution<Estimate>;
 
 constexpr double best_accuracy = 1e-13;
-/// Of half-spaces, and of nips, each digit of which costs more.
+/// The digits asked of the reference: for half-spaces, and for nips, of which each digit costs more.
 constexpr int ref_digits = 20, ref_digits_of_nips = 16;
 constexpr double longest_by_ref = 20, longest_inside_by_ref = 1;  // L/B
-constexpr double most_seconds_by_ref = 20;                        // as foreseen
-/// The share of scenes that are compared with results for which the reference takes seconds, or ten where the lines
-/// of a half-space differ.
+constexpr double most_seconds_by_ref = 20;                        // estimated
+/// The shares of scenes whose costly results are compared: those for which the reference takes seconds, or about ten
+/// seconds where the lines of a half-space differ.
 constexpr double costly_share = 1.0 / 16, costliest_share = 1.0 / 64;
-/// Speed over the critical speed: closer to it, integrals over lines that differ need thousands of lines.
+/// The largest speed over the critical speed. Beyond it, integrals over lines that differ need thousands of lines.
 constexpr double fastest_by_ref = 0.98;
 
 /// A value of the reference, with more digits than a double has.
@@ -32,7 +32,7 @@ RefNumber ref_number(const ref::Estimate& number) {
           mpfr_get_d(ref::raw(number.error), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
-/// The numbers of a result in double.
+/// The numbers of a result in double, to be compared with.
 Others others_of(const std::vector<Estimate>& numbers) {
   return mapped(numbers, [](const Estimate& one) -> std::optional<RefNumber> {
     return RefNumber{one.value, one.error};
@@ -48,8 +48,8 @@ class Comparisons {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// Compares each number of these results with that of others_of(result), where there is one: the truth, or what an identity
-  /// gives. Of a list it is the nearest, as two lists may have different lengths.
+  /// Compares each number of these results with the same number of others_of(result), if there is one: the truth, or
+  /// what follows from an identity. In a list it is the nearest number, as two lists may differ in length.
   void against(const std::string& name, bool is_truth, const std::vector<ResultId>& results,
                const auto& others_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
@@ -119,7 +119,7 @@ class Comparisons {
         std::fabs(what.id == ResultId::orientation ? std::remainder(difference, 180.0L) : difference));
   }
 
-  /// The difference over the estimates, but at least over a rounding of the value, so that estimates may be 0.
+  /// The difference over the sum of the estimates, or over a rounding error of the value if that sum is smaller.
   static double ratio_of(double difference, double both, double value, bool covered) {
     if (difference == 0) return 0;
     if (std::isnan(difference)) return std::numeric_limits<double>::infinity();
@@ -149,7 +149,7 @@ class Comparisons {
   std::vector<std::vector<Checked>> checked_;
 };
 
-/// The results that need integrals over all lines or scans of them.
+/// Whether the result needs an integral over all lines or a scan of them.
 bool is_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id) {
   if (id == ResultId::compliance || id == ResultId::coupling) return false;
   if (id == ResultId::critical_speed) return !surface.all_lines_are_alike();
@@ -159,8 +159,8 @@ bool is_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& 
   return id != ResultId::span_ratio && std::holds_alternative<data::GivenNormalForce>(problem.given);
 }
 
-/// The results for which the reference takes minutes: twofold integrals close to the critical speed, and integrals over
-/// lines that differ, close to that speed or with 21 constants.
+/// Whether the reference may take minutes for the result: for twofold integrals, which are slow close to the critical
+/// speed, and for integrals over lines that differ, close to this speed or with 21 constants.
 bool is_too_costly(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id,
                    double critical_speed) {
   if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_costly(problem, surface, id);
@@ -171,7 +171,7 @@ bool is_too_costly(const data::HalfSpaceProblem& problem, const ref::JointRespon
   return lines_crowd && id != ResultId::critical_speed && is_costly(problem, surface, id);
 }
 
-/// Whether a result is compared: those for which the reference takes seconds are compared for a share of the scenes.
+/// Compares a half-space with the reference. Results that take seconds are compared in a share of the scenes.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
                       const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
   const ref::JointResponse surface(problem, ref_digits);
@@ -195,8 +195,8 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   });
 }
 
-/// Compares a nip with the reference: each without friction and memory, of which that takes up to about a second, and a share
-/// of the others.
+/// Compares a nip with the reference: every nip without friction and memory, for which this takes up to about a second,
+/// and a share of the others.
 void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution& solved, Random& random,
                       const SceneSolvers& solvers) {
   const double ratio = solved[ResultId::contact_length].value / drawn.number("sheet.thickness");
@@ -229,7 +229,7 @@ void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolv
   });
 }
 
-/// The largest pressure, with the pressure where it is said to be.
+/// Compares the peak pressure with the pressure at its position.
 void compare_peak(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
                   const SceneSolvers& solvers) {
   drawn.set("profile.positions", std::vector{solved[ResultId::peak_pressure_position].value});
@@ -254,7 +254,7 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
   }
 }
 
-/// The results that the scene gives. Where the contact is symmetric, the length also gives half of it.
+/// The results that the scene prescribes. In a symmetric contact a given length prescribes its halves, too.
 std::vector<ResultId> given_results(const DrawnScene& drawn) {
   if (drawn.has("load.per_length")) return {ResultId::load};
   if (drawn.has("load.normal_force")) return {ResultId::normal_force};
@@ -280,7 +280,7 @@ void audit_drawn(SceneTally& findings, const DrawnScene& drawn, Random& random, 
   } else {
     compare_with_ref(comparisons, drawn, solved, random, solvers);
     compare_at_best(comparisons, drawn, solvers);
-    // With Coulomb's friction it may be at a cusp, where rounding of the place counts.
+    // With Coulomb's friction the peak may be at a cusp, where the rounding of its position matters.
     if (!drawn.has("friction.coefficient")) compare_peak(comparisons, drawn, solved, solvers);
   }
   compare_with_variants(comparisons, drawn, solved, random, solvers);

@@ -18,7 +18,7 @@ class DrawnScene {
  public:
   using Value = std::variant<double, std::string, std::vector<double>, std::vector<data::ResultId>>;
 
-  /// "TABLE.KEY", or "KEY".
+  /// Sets the key "TABLE.KEY" or "KEY".
   void set(const std::string& key, Value value) { keys_.insert_or_assign(key, std::move(value)); }
   void remove(const std::string& key) { keys_.erase(key); }
   [[nodiscard]] bool has(const std::string& key) const { return keys_.contains(key); }
@@ -44,7 +44,8 @@ class DrawnScene {
   std::map<std::string, Value> keys_;
 };
 
-/// The kinds of scenes that data/statements/drawn_scenes.toml states, by name; scene `index` of any seed is of kind index modulo their number.
+/// The names of the kinds of scenes in data/statements/drawn_scenes.toml. The kind of scene `index` of any seed has the
+/// number `index` modulo the number of kinds.
 const std::vector<std::string_view>& drawn_kinds();
 
 /// Scene number `index` of `seed`, which is the same at each call. The domain: L/B 1e-4 to 1e3, R/B 1 to 1e4,
@@ -67,7 +68,7 @@ struct AuditedScene {
   double largest_ratio = 0;  ///< largest difference over the sum of both estimates
   std::string where = {};    ///< the number with the largest ratio
   std::string toml = {};     ///< the scene
-  double seconds = 0;        ///< for the scene itself
+  double seconds = 0;        ///< time to solve the scene itself
 
   /// See stored.hpp.
   static void members(auto& self, const auto& each) {
@@ -76,23 +77,23 @@ struct AuditedScene {
   }
 };
 
-/// What is found about drawn scenes of one kind. A number is a result, or one number of a profile, list or field. The sum does
-/// not depend on the order; among equally bad scenes the one with the lowest index is kept.
+/// The findings about drawn scenes of one kind. A number is a result, or one number of a profile, list or field. The
+/// sum does not depend on the order; among equally bad scenes the one with the lowest index is kept.
 struct SceneTally {
   std::size_t scenes = 0, refused = 0, failed = 0;
-  std::size_t numbers = 0;          ///< that the scenes want
-  std::size_t unchecked = 0;        ///< without a better value and without an identity to compare with
-  std::size_t uncovered = 0;        ///< whose error exceeds the sum of both estimates
-  std::size_t miss_reported = 0;    ///< that miss the accuracy, as `met` says
-  std::size_t miss_unreported = 0;  ///< that miss the accuracy although `met` says that they meet it
+  std::size_t numbers = 0;          ///< numbers that the scenes want
+  std::size_t unchecked = 0;        ///< numbers without a better value or an identity to compare with
+  std::size_t uncovered = 0;        ///< numbers whose error exceeds the sum of both estimates
+  std::size_t miss_reported = 0;    ///< numbers that miss the accuracy, as `met` says
+  std::size_t miss_unreported = 0;  ///< numbers that miss the accuracy although `met` says otherwise
   /// Estimate over error, for the numbers whose error is known to a tenth of the estimate.
   ErrorTally overestimates = {};
-  AuditedScene refusal = {}, failure = {};  ///< the first that is refused or fails, if there is one
-  AuditedScene worst = {};                  ///< with the largest ratio of error to estimate
+  AuditedScene refusal = {}, failure = {};  ///< the first scene that is refused or fails, if there is one
+  AuditedScene worst = {};                  ///< the scene with the largest ratio of error to estimate
   AuditedScene slowest = {};
 
   void add(const SceneTally& more);
-  /// Of a tally of this scene alone: counts and keeps it.
+  /// Counts and keeps a scene in a tally that is of this scene alone.
   void keep(const AuditedScene& scene);
   [[nodiscard]] std::string_view kind() const { return drawn_kinds()[worst.index % drawn_kinds().size()]; }
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
@@ -106,38 +107,38 @@ struct SceneTally {
   }
 };
 
-/// Solves scene `index` of `seed` as `solve` does, and compares each number with the reference (for elastic contacts
-/// without friction and L/B up to 20, and for half-spaces; a part of them only where the reference takes seconds),
-/// with the same nip solved to 1e-13, its peak with the pressure there, and with its variants. A number counts as checked if
-/// the other value has a smaller error estimate, or for a variant one of less than twice the size, or if the two contradict
-/// each other.
+/// Solves scene `index` of `seed` as `solve` does. Compares each number with the reference, for nips with L/B up to 20
+/// and for half-spaces, but only for a share of the scenes where the reference takes seconds. Compares nips with the
+/// same nip solved to 1e-13, and the peak pressure with the pressure at its position. Compares each scene with its
+/// variants. A number counts as checked if the other value's error estimate is no larger than its own (for variants and
+/// peaks, than twice its own), or if the two values contradict each other.
 SceneTally audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);
 
 /// An equivalent scene.
 struct Variant {
   std::string name;
   DrawnScene scene;
-  /// The number of the original scene that follows from the same number of this scene.
+  /// Converts a number of this scene to the same number of the original scene.
   std::function<fast::Estimate(const data::SceneResult& what, const fast::Estimate& number)> back =
       [](const data::SceneResult&, const fast::Estimate& number) { return number; };
 };
 
 /// The variants that the scene allows; `solved` is its solution.
 /// - Units: lengths, moduli and times multiplied by small odd numbers, if all products are exact.
-/// - Given back: the load (force) that was found for the length (span) is given, or the reverse. The estimate contains
-///   the effect of that number's error, with exponents of the load's growth from 1 to 5.
+/// - Given back: the load (force) that was found for the length (span) is given, or the reverse. The estimate includes
+///   the effect of this number's error; the load grows with the length to a power from 1 to 5.
 /// - Elastic limit: a rolling sheet that is elastic, as a nip that does not roll.
-/// - Mirror: elastic nips at -Y; half-spaces with direction and angles negated.
-/// - Turned: the direction of motion on an isotropic surface.
+/// - Mirror: elastic nips at the positions -Y; half-spaces with direction and angles negated.
+/// - Turned: another direction of motion on a surface whose response is the same in all directions.
 /// - Isotropic limit: an isotropic half-space as a transversely isotropic one, if its moduli are exact.
 std::vector<Variant> variants_of(const DrawnScene& drawn, const SceneSolution<fast::Estimate>& solved,
                                  Random& random);
 
-/// Sums by kind, in the order of drawn_kinds(), without kinds that have no scenes.
+/// The sums of the tallies of each kind, in the order of drawn_kinds(), without kinds that have no scenes.
 std::vector<SceneTally> summed(const std::vector<SceneTally>& tallies);
 
-/// Audits scenes `first` to `first + count - 1` of `seed` on all cores: a tally for each kind among them. Throws Interrupted if
-/// the process is.
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Returns a tally for each kind among them.
+/// Throws Interrupted if the process is interrupted.
 std::vector<SceneTally> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
                                      const OnProgress& on_progress, const SceneSolvers& solvers = {});
 

@@ -8,7 +8,7 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
                             &SceneTally::numbers,       &SceneTally::unchecked,      &SceneTally::uncovered,
                             &SceneTally::miss_reported, &SceneTally::miss_unreported};
 
-/// A scene that a tally keeps: of those with the largest rank the one with the lowest index. Below 0: none.
+/// A scene that a tally keeps: the one with the lowest index among those with the largest rank, if this rank is >= 0.
 struct KeptScene {
   AuditedScene SceneTally::*scene;
   double (*rank)(const AuditedScene& scene);

@@ -8,10 +8,10 @@
 
 namespace nipref::verify {
 
-// Findings as JSON in a run's folder. A struct names its parts once, for both directions: members(self, each) calls
-// each(key, part, key, part, ...) with all parts that are stored.
+// Findings as JSON in a run's folder. A struct names its stored parts once, for writing and reading: members(self,
+// each) calls each(key, part, key, part, ...).
 
-/// Calls one(key, part) for each pair of what it is called with.
+/// A function that calls one(key, part) for each pair of its arguments.
 template <class One>
 struct EachPart {
   One one;
@@ -35,7 +35,7 @@ template <class T>
 Json stored(const std::vector<T>& list) {
   return json_list(list, [](const T& one) { return stored(one); });
 }
-/// Keys and values in turn.
+/// A map is stored as a list in which keys and values alternate.
 template <class Key, class Value>
 Json stored(const std::map<Key, Value>& pairs) {
   std::vector<Json> all;
@@ -84,7 +84,7 @@ void restore(T& parts, const Json& json) {
   T::members(parts, EachPart{[&](std::string_view key, auto& part) { restore(part, json.at(key)); }});
 }
 
-/// What stored() has made of such a struct or list. JsonMisfit for anything else.
+/// Returns the struct or list from which stored() made the JSON. JsonMisfit for any other JSON.
 template <class T>
 T restored(const Json& json) {
   T parts{};

@@ -22,7 +22,7 @@ struct Blocks {
   }
 };
 
-/// One hard case of a contact in double.
+/// The audit of one hard case, a contact solved in double.
 struct ContactAudit {
   std::string system;  ///< method and friction
   double ratio;        ///< contact length over sheet thickness
@@ -30,8 +30,8 @@ struct ContactAudit {
   int unknowns;
   std::optional<double> condition;    ///< of the line loads' matching matrix
   std::optional<double> oscillation;  ///< of the shear with friction, see fast::oscillation
-  double allowed;                     ///< 1e-15 of the condition, or the solution's own estimate
-  /// The error relative to ref, where ref has the system: of the line loads over the largest load, of a converged
+  double allowed;                     ///< 1e-15 times the condition, or the solution's own estimate
+  /// The relative error against ref, where ref solves the system: for line loads over the largest load, for a converged
   /// contact that of its load.
   std::optional<double> error = {};
   /// For frictionless line loads: the part of `error` caused by the rounding of the kernel values (the rest is the
@@ -60,7 +60,7 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group);
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits);
 
-/// What audits have found.
+/// The findings of audits.
 struct Audited {
   std::vector<AuditResult> quantities;
   std::vector<ContactAudit> hard_cases;
@@ -84,22 +84,22 @@ class BlockWork {
   /// A text that differs wherever the findings of the blocks may differ.
   [[nodiscard]] virtual std::string inputs() const = 0;
   /// Computes a block on all cores, adds its findings, and returns them as they are stored. Throws Interrupted if the
-  /// process is.
+  /// process is interrupted.
   virtual Json do_block(std::size_t block, const OnProgress& on_progress) = 0;
-  /// Adds what do_block has returned in another process. JsonMisfit for anything else.
+  /// Adds the findings that do_block has returned in another process. JsonMisfit for any other JSON.
   virtual void add(std::size_t block, const Json& found) = 0;
 };
 
 /// Compares an evaluator's values with the reference's.
 class Comparator {
  public:
-  /// The quantity and the options must outlive the comparator. Without an evaluator it compares fast; the error that fast
-  /// states for a value, where it states one, must then cover the error found.
+  /// The quantity and the options must outlive the comparator. Without an evaluator it compares fast. Where fast states
+  /// the error of a value, this must then cover the error found.
   Comparator(const Quantity& quantity, Evaluator evaluator, const AuditOptions& options);
 
-  /// The errors at those of the points that the reference does not refuse, the only ones that are evaluated.
+  /// The errors at the points that the reference does not refuse. Only these points are evaluated.
   [[nodiscard]] std::vector<Finding> operator()(std::span<const Point> points) const;
-  /// The same for a value that was computed before.
+  /// The error of a value that was computed before; nothing if the reference refuses the point.
   [[nodiscard]] std::optional<Finding> operator()(const Point& point, double value) const;
 
  private:
@@ -112,10 +112,10 @@ class Comparator {
   bool checks_own_error_;
 };
 
-/// The audit of values of one quantity. Each block draws its points from its own seed, "seed/I1/block/17", so that they are
-/// the same whichever process computes the others. The listed points (hard cases, zeros, round arguments, the caller's own
-/// points) are made once, from the seed "seed/I1/listed", and dealt to the blocks. Memory is needed for this list, whose size
-/// does not depend on the number of points, and for one block.
+/// The audit of values of one quantity. Each block draws its points from its own seed, "seed/I1/block/17", so that they
+/// are the same whichever process computes the others. The listed points (hard cases, zeros, round arguments, the
+/// caller's own points) are made once, from the seed "seed/I1/listed", and dealt to the blocks. Memory is needed for
+/// this list, whose size does not depend on the number of points, and for one block.
 class QuantityWork : public BlockWork {
  public:
   /// The audit of fast's values, or of those of an evaluator. The quantity must outlive it. With `keeps_points` the
@@ -131,15 +131,15 @@ class QuantityWork : public BlockWork {
 
   /// The points of a block before its local search.
   [[nodiscard]] std::vector<Point> points(std::size_t block) const;
-  /// The number of points of a block, and of those of them that are for the local search.
+  /// The number of points of a block; below, the number that its local search may use.
   [[nodiscard]] std::size_t size(std::size_t block) const { return blocks_.size(block); }
   [[nodiscard]] std::size_t searched(std::size_t block) const;
-  /// The text from which a block draws.
+  /// The seed of a block's random numbers.
   [[nodiscard]] std::string seed(std::size_t block) const;
 
   /// The result from the blocks that were added. BadInput if the reference refuses all points.
   [[nodiscard]] AuditResult result() const;
-  /// Those before the search, if points are kept, of the blocks that were done here.
+  /// The findings before the search, if points are kept, in the blocks that this object has computed.
   [[nodiscard]] const std::vector<Finding>& findings() const { return kept_; }
 
  private:
@@ -163,7 +163,7 @@ template <class Found>
 class ListWork : public BlockWork {
  public:
   using Compute = std::function<std::vector<Found>(std::size_t block, const OnProgress& on_progress)>;
-  /// `sum`: shortens the findings of several blocks, in any order; without it they follow each other as the blocks do.
+  /// `sum` combines the findings of blocks, in any order. Without it the findings are in the order of the blocks.
   ListWork(std::string name, std::size_t blocks, std::string inputs, Compute compute,
            std::vector<Found> (*sum)(const std::vector<Found>&) = nullptr)
       : name_(std::move(name)),
@@ -184,7 +184,7 @@ class ListWork : public BlockWork {
     keep(block, restored<std::vector<Found>>(found));
   }
 
-  /// Of the blocks that were added.
+  /// The findings of the blocks that were added.
   [[nodiscard]] std::vector<Found> result() const {
     std::vector<Found> all;
     for (const auto& [block, found] : found_) all.insert(all.end(), found.begin(), found.end());

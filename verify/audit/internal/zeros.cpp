@@ -14,7 +14,7 @@ std::vector<double> grid() {
   return nodes;
 }
 
-/// Adds the points about the zeros of fast along one argument; the others are those of `point`.
+/// Adds the points about the zeros of fast along one argument. The other arguments are those of `point`.
 void add_zeros(const Quantity& quantity, Point point, std::size_t argument, std::vector<Point>& points) {
   static const std::vector<double> nodes = grid();
   const auto value_at = [&](double x) {
