@@ -23,9 +23,9 @@ namespace {
 using data::BadInput;
 
 constexpr int fewest_digits = 16;
-/// L/B. Stresses inside sum the waves of all of the contact, so that they are computed of shorter ones only.
+/// Largest L/B for stresses inside, which are sums of waves over the whole contact.
 constexpr double longest_inside = 80;
-/// Digits of the fields of line loads beyond those of the stresses that they make.
+/// Extra digits of the fields of line loads, beyond those of the stresses summed from them.
 constexpr int stress_guard = 4;
 
 }  // namespace
@@ -81,17 +81,16 @@ namespace {
 using Traction = Float PressureAndShear::*;
 using Unit = NipUnits;
 
-// Sizes of kinds of results.
+// Scales of the kinds of results. 0 means that the scale is the value itself.
 Float itself(const NipSolution&) { return 0; }
 Float half_length_of(const NipSolution& of) { return of.half_length(); }
 Float square_of(const NipSolution& of) { return of.half_length() * of.half_length(); }
-/// More than the mean, and than the pressure in the middle.
+/// Twice the mean pressure, which is more than the pressure in the middle.
 Float pressure_of(const NipSolution& of) { return of.load() / of.half_length(); }
 
-/// Proven of nothing.
 std::optional<Interval> unproven(const ProvenResults&) { return std::nullopt; }
 
-/// x of samples on all panels of both halves, rising.
+/// Returns sample places x on all panels of both halves, rising.
 std::vector<Float> samples_of(const NipSolution& of) {
   constexpr int per_panel = 40;
   std::vector<Float> samples;
@@ -103,8 +102,8 @@ std::vector<Float> samples_of(const NipSolution& of) {
   return samples;
 }
 
-/// x of the largest |part| of the tractions, to all digits: near the largest sample. As they are flat there, half of the
-/// digits with which they are computed tell the place. Of places that are alike the leading one.
+/// Returns the x of the largest |part| of the tractions, near the largest sample, to the working precision. The
+/// tractions are flat there, so they are computed with twice the digits. Of equal places the leading one is taken.
 Float place_of_largest(const NipSolution& of, Traction part) {
   const std::vector<Float> samples = samples_of(of);
   const auto size = [&](const Float& x) -> Float { return abs(of.tractions(x).*part); };
@@ -121,7 +120,7 @@ Float place_of_largest(const NipSolution& of, Traction part) {
   return at_working_precision(place);
 }
 
-/// Places x over the half length, falling, between which and the next the shear of both solutions changes its sign.
+/// Pairs of places x over the half length, falling, between which the shear changes its sign in both solutions.
 std::vector<std::pair<Float, Float>> shear_changes(const SolvedNip& nip) {
   constexpr int steps = 400;
   std::vector<std::pair<Float, Float>> changes;
@@ -146,7 +145,7 @@ FieldSource field_source(const NipSolution& of) {
 
 }  // namespace
 
-/// The parts of a contact, and what results are made of.
+/// The parts of a contact and the functions that compute results from them.
 struct ConvergedNip::Computed : Parts {
   using Unit = mpq_class NipUnits::*;
   using Proven = std::function<std::optional<Interval>(const ProvenResults&)>;
@@ -156,7 +155,7 @@ struct ConvergedNip::Computed : Parts {
 
   [[nodiscard]] const NipSolution& fine() const { return by_panels().fine(); }
   [[nodiscard]] Float in_unit(Unit unit) const { return to_float(Exact(units.*unit)); }
-  // The rest at the working precision.
+  // The functions below are called at the working precision, or set it.
   [[nodiscard]] const SolvedNip& by_panels() const {
     if (!solved) solved = SolvedNip::of_half_length(sheet, size(), digits);
     return *solved;
@@ -167,7 +166,7 @@ struct ConvergedNip::Computed : Parts {
     return proof ? middle_of(proof->contact->half_length()) : fine().half_length();
   }
 
-  /// What `proven` gives of the proof; nothing without one, or where it gives nothing.
+  /// The result that `proven` takes from the proof. Nothing if there is no proof or it does not have that result.
   [[nodiscard]] std::optional<Estimate> by_proof(Unit unit, const Proven& proven) const {
     if (!proof) return std::nullopt;
     const WorkingDigits working(proof->working_digits);
@@ -176,7 +175,7 @@ struct ConvergedNip::Computed : Parts {
     return enclosure_of(Interval(Exact(units.*unit), working_bits()) * *value, digits);
   }
 
-  /// The same, or else the estimate of a functional with the size of its kind.
+  /// The proven result if there is one, otherwise the estimate of a functional at the scale `size`.
   [[nodiscard]] Estimate number(Unit unit, const Proven& proven, const SolvedNip::Functional& functional,
                                 const SolvedNip::Functional& size) const {
     if (const auto value = by_proof(unit, proven)) return *value;
@@ -184,14 +183,14 @@ struct ConvergedNip::Computed : Parts {
     return estimated(unit, functional, size(fine()));
   }
 
-  /// The estimate of a functional whose scale is its value, or `least` if that is larger; with an error beside it.
+  /// The estimate of a functional whose scale is its value, or `least` if larger. `beside` is added to the error.
   [[nodiscard]] Estimate estimated(Unit unit, const SolvedNip::Functional& functional, const Float& least,
                                    const Float& beside = 0) const {
     const data::WithError<Float> estimate = by_panels().estimate(functional, least);
     return {in_unit(unit) * estimate.value, in_unit(unit) * (estimate.error + beside), digits};
   }
 
-  /// Of Y, from the leading end.
+  /// The distance of Y behind the leading end.
   [[nodiscard]] Float behind(const NipSolution& of, double y) const {
     return of.half_length() + of.offset() - Float(y) / in_unit(&NipUnits::length);
   }
@@ -199,7 +198,7 @@ struct ConvergedNip::Computed : Parts {
   [[nodiscard]] SurfacePoint place(double y) const {
     const ProvenResults& of = *proof->contact;
     const mpq_class distance = mpq_class(y) / units.length;
-    // Exact where the ends are.
+    // Relative to ends that are given the place is exact.
     const Interval ahead = sheet->is_symmetric() && half_length
                                ? Interval(mpq_class(distance / half_length->value()), working_bits())
                                : (Interval(distance, working_bits()) - of.offset()) / of.half_length();
@@ -207,7 +206,7 @@ struct ConvergedNip::Computed : Parts {
     return {is_trailing ? ahead + 1 : 1 - ahead, is_trailing};
   }
 
-  /// Of where the leading end is.
+  /// The error of the place of the leading end.
   [[nodiscard]] Float end_error() const {
     if (sheet->is_symmetric() && half_length) return 0;
     return by_panels()
@@ -215,14 +214,14 @@ struct ConvergedNip::Computed : Parts {
         .error;
   }
 
-  /// Where the contact surely is not.
+  /// Whether x is outside the contact whatever the error of the ends.
   [[nodiscard]] bool is_outside(const Float& x) const {
     const Float known = end_error();
     return !(x > -known && x < 2 * fine().half_length() + known);
   }
 
-  /// What a traction at x may miss as the ends do: where it is as steep as a square root they count for as much as they are
-  /// known.
+  /// The error of a traction at x due to the error of the ends: the change of the traction over that distance. It
+  /// counts near the ends, where the traction is as steep as a square root.
   [[nodiscard]] Float by_ends(const Float& x, Traction part) const {
     const Float known = end_error(), here = fine().tractions(x).*part;
     return abs(fine().tractions(x + known).*part - here) + abs(fine().tractions(x - known).*part - here);
@@ -268,7 +267,7 @@ struct ConvergedNip::Computed : Parts {
             digits};
   }
 
-  /// At the proof's working precision; nothing where it does not reach.
+  /// The stresses of the proof, at its working precision. Nothing if there is no proof or it does not cover the point.
   [[nodiscard]] std::optional<InnerStresses> proven_stresses_at(const InnerPoint& point) const {
     if (!proof || proof->contact->expansion() == nullptr) return std::nullopt;
     const WorkingDigits working(proof->working_digits);
@@ -359,7 +358,7 @@ Estimate ConvergedNip::peak_pressure() const {
 }
 
 Estimate ConvergedNip::peak_pressure_position() const {
-  // The middle, by symmetry if there is one peak.
+  // The middle, by symmetry and if there is only one peak.
   if (parts_->sheet->is_symmetric() && (parts_->sheet->grips() || !parts_->proof))
     return {0, 0, parts_->digits};
   const auto place = [](const NipSolution& of) -> Float {
@@ -444,7 +443,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   const WorkingDigits working(parts_->working_digits());
   const NipSolution& fine = parts_->fine();
   const Float x = parts_->behind(fine, y);
-  // It is no surer than the pressure that stretches the surface at once, where no friction holds that.
+  // Without friction the strain contains -beta p, and so beta times the error of the pressure.
   const Float at_once = parts_->sheet->grips() ? Float(0) : parts_->sheet->beta();
   return parts_->estimated(
       &Unit::slope, [&](const NipSolution& of) { return of.strain(parts_->behind(of, y)); },
@@ -468,8 +467,8 @@ std::vector<InnerStresses> ConvergedNip::inner_stresses(std::span<const InnerPoi
   return stresses;
 }
 
-/// What both solutions have in common is wrong by their largest difference, of the scales of surface displacements and, where
-/// pressures are larger than those, of the sheet's answer to them.
+/// The error common to both solutions is taken as their largest relative difference times a scale: that of surface
+/// displacements, or that of the displacements which the pressure causes, if it is larger.
 std::vector<InnerDisplacements> ConvergedNip::inner_displacements(std::span<const InnerPoint> points) const {
   const WorkingDigits working(parts_->working_digits());
   const NipSolution& fine = parts_->fine();

@@ -9,20 +9,21 @@
 
 namespace nipref::ref {
 
-/// The continuous contact of a nip in multiprecision, elastic or rolling, by converged_for_length() and
-/// converged_for_load() of elastic_nip/converged.hpp and viscoelastic_nip/converged.hpp. Pressure is bounded at both ends
-/// and, with full friction, where the sheet sticks to the rollers, shear too: both tractions vanish at the ends, as the
-/// power 1/2 -+ i ln(3 - 4 poisson)/(2 pi) of the distance, or as its root without friction. Polynomials times that power
-/// on panels, see internal/tractions.hpp. Inputs are doubles taken exactly, those that a material was made of where it
-/// has them; units as in data. (thesis 2.1-2.6, 5.3, 5.5, 7.6, 7.15, 7.17; continuous form)
+/// The continuous contact of a nip in multiprecision, elastic or rolling. It is made by converged_for_length() and
+/// converged_for_load() of elastic_nip/converged.hpp and viscoelastic_nip/converged.hpp. The tractions are bounded and
+/// vanish at both ends: with full friction, where the sheet sticks to the rollers, as the power 1/2 -+ i ln(3 - 4
+/// poisson)/(2 pi) of the distance, without friction as its square root. On panels they are polynomials times that
+/// power, see internal/tractions.hpp. Inputs are doubles taken exactly, of a material the parameters it was made of if
+/// it has them; units as in data. (thesis 2.1-2.6, 5.3, 5.5, 7.6, 7.15, 7.17; continuous form)
 ///
-/// What is proven (ref/README.md, What is proven) has Estimate::proven true and a bound of at most 10^-digits of the value
-/// for lengths, load, indentation and peaks, of the largest value for profiles, of the largest pressure for shears; where a
-/// length found for a load is not known to so much as the distance of Y from the ends, more. All else has an error that is
-/// estimated, see internal/nip_solution.hpp: about 10^-digits at most of the largest value of the result's kind.
+/// A proven result (ref/README.md, What is proven) has Estimate::proven true. Its bound is at most 10^-digits of the
+/// value for lengths, load, indentation and peaks, of the largest value for profiles, of the largest pressure for
+/// shears; larger where Y is so near an end that the error of a length found for a load counts. All other results have
+/// an error estimate, about 10^-digits of the largest value of their kind, see internal/nip_solution.hpp.
 ///
-/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side, unit
-/// of length; finite, for displacements within 450 sheet thicknesses of the contact; otherwise BadInput.
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
+/// unit of length. It must be finite, for displacements and strain within 450 thicknesses of the contact; else
+/// BadInput.
 ///
 /// One object must not be used by two threads at once.
 class ConvergedNip {
@@ -40,22 +41,22 @@ class ConvergedNip {
   [[nodiscard]] Estimate peak_pressure() const;           ///< unit of stress
   [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y; without memory the middle, by symmetry
   [[nodiscard]] Estimate peak_shear() const;              ///< largest |q|, unit of stress; 0 without friction
-  /// Y > 0 of the largest |q|; and the places Y >= 0, rising, at which q changes its sign, the middle first, those
-  /// that are nearer to the end than 1e-6 of L/2 left out. By secants on the slope, on the shear. BadInput without friction.
-  [[nodiscard]] Estimate peak_shear_position() const;
+  [[nodiscard]] Estimate peak_shear_position() const;     ///< Y > 0 of largest |q|; BadInput without friction
+  /// The places Y >= 0, rising, at which q changes its sign; the first is the middle. Places nearer to the end than
+  /// 1e-6 of L/2 are left out. BadInput without friction.
   [[nodiscard]] std::vector<Estimate> shear_zeros() const;
   [[nodiscard]] Estimate pressure(double y) const;                 ///< unit of stress; 0 outside the contact
-  [[nodiscard]] Estimate shear(double y) const;                    ///< the same; 0 without friction
+  [[nodiscard]] Estimate shear(double y) const;                    ///< the same; 0 also without friction
   [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
   [[nodiscard]] Estimate surface_strain(double y) const;           ///< v', dimensionless
-  /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses, the contact at most 80 long.
+  /// Stresses inside the sheet. BadInput unless |Y| is at most 450 sheet thicknesses and the contact at most 80 long.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
-  /// normal_displacement and tangential_displacement at any depth, by the tractions; of a sheet without memory.
+  /// The displacements at any depth of a sheet without memory, from the tractions on its faces.
   [[nodiscard]] std::vector<InnerDisplacements> inner_displacements(std::span<const InnerPoint> points) const;
-  [[nodiscard]] int unknowns() const;  ///< of the finer solution, or else the terms of the proof
-  [[nodiscard]] KernelValues kernel_values() const;  ///< so far
+  [[nodiscard]] int unknowns() const;  ///< of the finer solution if there is one, else terms of the proof
+  [[nodiscard]] KernelValues kernel_values() const;  ///< numbers of kernel evaluations so far
 
   struct Parts;  ///< internal/converged_parts.hpp
   explicit ConvergedNip(Parts parts);

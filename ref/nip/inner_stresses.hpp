@@ -5,11 +5,11 @@ namespace nipref::ref {
 
 /// A place inside the sheet of a nip.
 struct InnerPoint {
-  double y;      ///< along the sheet, as in the contact's profiles, unit of length
-  double depth;  ///< across it over its half thickness, from -1 to 1; 0 is the middle plane
+  double y;      ///< Y as in the contact's profiles, unit of length
+  double depth;  ///< distance from the middle plane over the half-thickness, from -1 to 1
 };
 
-/// Stresses in plane strain there, tension positive, unit of stress. They follow from the tractions on the faces alone
+/// The stresses at such a place in plane strain, tension positive, unit of stress. They follow from the tractions alone
 /// and do not depend on the material.
 struct InnerStresses {
   Estimate across;  ///< sigma_x
@@ -24,11 +24,11 @@ struct InnerStresses {
 
 /// Displacements inside an elastic sheet, unit of length.
 struct InnerDisplacements {
-  Estimate across;  ///< u, towards the middle plane from both sides, where it is 0
-  Estimate along;   ///< v, along Y, against the face at Y = 0
+  Estimate across;  ///< u, positive towards the middle plane on both of its sides
+  Estimate along;   ///< v along Y, relative to the face at Y = 0
 };
 
-/// The largest maximum_shear in the sheet and where it is; of places that are equal by symmetry one at y, depth >= 0.
+/// The largest maximum_shear in the sheet and its place; of places equal by symmetry, the one with y and depth >= 0.
 struct GreatestShear {
   Estimate value;
   Estimate y, depth;

@@ -12,7 +12,7 @@ namespace {
 
 using data::SheetLoad;
 
-constexpr int load_guard = 6;  ///< digits
+constexpr int load_guard = 6;  ///< extra digits of the single loads' fields
 
 /// The sums over the loads of one kernel at a point.
 struct LoadSums {
@@ -21,8 +21,8 @@ struct LoadSums {
   InnerPoint point;
   int digits;
 
-  /// kernel(alpha, kind) in units of `unit` at the distance alpha from a load, an Enclosure. A place that is off by e changes
-  /// it by what e on one side does and e^2 times a bound of its curvature.
+  /// The sum over the loads of force times kernel(alpha, kind) times `unit`, alpha the distance from the load. If its
+  /// place errs by e, the kernel errs by at most its change over e on one side plus e^2 times a bound of its curvature.
   [[nodiscard]] Estimate operator()(const Exact& unit, const auto& kernel) const {
     const mpfr_prec_t bits = working_bits();
     Interval sum(bits);
@@ -53,15 +53,15 @@ struct LoadSums {
       throw data::BadInput("field.positions", point.y, "must not be the place of a line load on a face");
     return from_load;
   }
-  /// A bound of that of the kernels as functions of alpha: ref/sheet/README.md, Inside the sheet. On the faces none is known,
-  /// and nothing is proven.
+  /// A bound of the kernels' curvature as functions of alpha: ref/sheet/README.md, Inside the sheet. On the faces none
+  /// is known: there this returns 0, and nothing is proven.
   [[nodiscard]] Interval curvature() const {
     const mpq_class depth = 1 - abs(Exact(point.depth).value());
     return depth == 0 ? Interval(working_bits()) : 160 / square(square(Interval(depth, working_bits())));
   }
 };
 
-/// result(sums, |depth|, depth) at each point.
+/// Returns result(sums, point) at each point.
 template <class Result>
 std::vector<Result> at_each(std::span<const FaceLoad> loads, double half_thickness,
                             std::span<const InnerPoint> points, int digits, const auto& result) {
@@ -102,7 +102,7 @@ std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad
     const auto u = [&](const Exact& alpha, SheetLoad kind) {
       return sheet_u(alpha, depth, kind, poisson, digits + load_guard);
     };
-    // Where v of a single load is counted from cancels between the loads.
+    // v of a single load is relative to a point at that load. These constants cancel between symmetric loads.
     const auto v = [&](const Exact& alpha, SheetLoad kind) {
       return sheet_v(alpha, middle, depth, kind, poisson, digits + load_guard);
     };

@@ -7,19 +7,20 @@
 
 namespace nipref::ref {
 
-/// A line load on both faces of the sheet at Y, force per unit width: it presses, and its shear acts along Y.
+/// A line load on both faces of the sheet at Y, in force per unit width: `normal` presses, `shear` acts along Y.
 struct FaceLoad {
   Estimate y, normal, shear;
 };
 
-// Inside a sheet under line loads: the sums of the loads' own proven fields (sheet/field.hpp). The errors are proven where the
-// loads' are, but on the faces: ref/nip/README.md, The field under line loads. BadInput for a place of a load on a face, where
-// nothing is bounded, and for places out of the domain of InnerPoint or more than 500 sheet thicknesses from a load.
+// The field inside a sheet under line loads is the sum of the proven fields of the single loads (sheet/field.hpp). Its
+// errors are proven where those of the loads are, except on the faces: ref/nip/README.md, The field under line loads.
+// BadInput for the place of a load on a face, where nothing is bounded, and for places outside the domain of InnerPoint
+// or more than 500 sheet thicknesses from a load.
 
 std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
                                               std::span<const InnerPoint> points, int digits);
 
-/// Of an elastic sheet, whose loads are symmetric about Y = 0: the normal ones even, the shear odd.
+/// The loads must be symmetric about Y = 0: the normal loads even, the shear loads odd.
 std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad> loads,
                                                         double half_thickness,
                                                         const data::ElasticMaterial& material,

@@ -18,7 +18,7 @@ std::vector<Interval> sizes_of(const std::vector<Interval>& loads) {
   return sizes;
 }
 
-/// The largest load, in a symmetric nip of one side, and the hull of the centres of elements that may have it.
+/// The largest load, in a symmetric nip of the leading side, and the hull of the centres of elements that may have it.
 struct Peak {
   Interval load, place;
 };

@@ -28,7 +28,7 @@ Interval sqrt_of(long x) { return sqrt(Interval(x, working_bits())); }
 
 std::size_t at(long m) { return static_cast<std::size_t>(m); }
 
-/// The place of an entry in a lower triangle.
+/// The index of the entry (i, j) or (j, i) in a lower triangle stored by rows.
 std::size_t place(int i, int j) {
   const auto [low, high] = std::minmax(i, j);
   return at(high) * at(high + 1) / 2 + at(low);
@@ -61,7 +61,7 @@ ChebyshevSystem::ChebyshevSystem(const Float& half_length, int size, SmoothKerne
   for (Parity& parity : parities_) eliminate(parity);
 }
 
-/// cos(k pi/(4n)) in intervals, or their middles.
+/// cos(k pi/(4n)) as an interval, or the midpoint of that interval.
 template <>
 const Interval& ChebyshevSystem::cosine<Interval>(long k) const {
   return cosines_(k);
@@ -89,7 +89,7 @@ void ChebyshevSystem::eliminate(Parity& parity) const {
 
 const Float& ChebyshevSystem::Parity::part(int i, int j) const { return lower_triangle[place(i, j)]; }
 
-/// (1/2) sum_k g_mk k c_k is 2/n^2 of `smooth`, whose m = 0 is there of even m.
+/// (1/2) sum_k g_mk k c_k is 2/n^2 times smooth[m]. The system of even m has m = 0 as well.
 template <class Number>
 ChebyshevSystem::Applied<Number> ChebyshevSystem::applied_to(const Parity& parity,
                                                              const std::vector<Number>& coefficients) const {
@@ -128,7 +128,7 @@ std::vector<Float> ChebyshevSystem::solution(const SlopeSeries& right) const {
     Vector wanted(unknowns(parity));
     for (Vector::Index k = 0; k < wanted.size(); ++k)
       wanted(k) = middle_of(right.coefficients[at(parity.first + 2 * k)]);
-    // No proof relies on it, as proven() bounds what it leaves.
+    // No proof relies on this solution: proven() bounds its residual.
     if (const auto found = refined_solution(parity.eliminated, wanted, apply)) spread(*found, c);
   }
   return c;
@@ -142,7 +142,7 @@ BoundedColumn ChebyshevSystem::proven(const std::vector<Float>& coefficients, co
   for (const Float& coefficient : coefficients) c.push_back(interval_of(coefficient));
   const Interval zero(bits);
   BoundedColumn result{{half_length, c, zero, zero, zero}, zero};
-  // Arguments of J are rounded; and the system's own half length is not all of the interval.
+  // The arguments of J are rounded, and the system has only one half length of the interval.
   const EntryBounds decay = entry_bounds(half_length, size_);
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   const Interval entry_error = interval_of(kernel_error_) + argument_units * ((half_length + 1) * unit);

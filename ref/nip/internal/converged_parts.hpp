@@ -10,7 +10,7 @@
 
 namespace nipref::ref {
 
-/// Units of the dimensionless contact, exactly.
+/// The exact units of the dimensionless contact.
 struct NipUnits {
   mpq_class length;        ///< b
   mpq_class slope;         ///< b/(2R)
@@ -26,7 +26,7 @@ struct NipUnits {
         force(pressure * length) {}
 };
 
-/// A nip that is to be solved to so many digits, and of which the reference solves contacts from `shortest` to `most` sheet
+/// A nip to be solved to `digits` digits. The reference solves its contacts from `shortest` to `most` sheet
 /// thicknesses.
 struct NipTask {
   double roller_radius, sheet_thickness;
@@ -34,15 +34,15 @@ struct NipTask {
   int most_digits;
   double shortest;
   int digits;
-  double most = 1000;  ///< L/B
+  double most = 1000;  ///< largest L/B; `shortest` is the smallest
 
-  void check_digits() const;  ///< BadInput
+  void check_digits() const;  ///< BadInput if they are too few or too many
   [[nodiscard]] bool allows(double contact_length) const;
-  /// In half-thicknesses; BadInput unless it is allowed.
+  /// The half length in half-thicknesses; BadInput if the contact length is not allowed.
   [[nodiscard]] Exact half_length(double contact_length) const;
-  [[nodiscard]] double longest() const;  ///< L/B
+  [[nodiscard]] double longest() const;  ///< the largest L/B that is allowed
   [[noreturn]] void refuse_load(double load) const;
-  /// By panels; `wanted` is the load without its unit. BadInput where no allowed length carries it.
+  /// The contact of a load, solved by panels. `wanted` is the dimensionless load. BadInput if no allowed length has it.
   [[nodiscard]] SolvedNip solved_for_load(const SolvedNip::Sheet& sheet, double load, const Float& wanted,
                                           double guess) const;
 
@@ -50,17 +50,18 @@ struct NipTask {
   [[nodiscard]] std::string allowed_lengths() const;
 };
 
-/// A guess at the half length that carries a load without friction, a few tens of per cent off at most: between a
-/// half-space and springs; dimensionless. `softness`: the compliance over that at once which a contact so long meets.
+/// A guess of the dimensionless half length that carries a load without friction, from an interpolation between a
+/// half-space and springs. It is a few tens of per cent off at most. `softness` is the compliance that a contact of a
+/// half length meets, over the compliance at once.
 double guessed_half_length(double load, const std::function<double(double half_length)>& softness);
 
 struct ConvergedNip::Parts {
   NipUnits units;
   SolvedNip::Sheet sheet;
   int digits;
-  std::optional<Exact> half_length = std::nullopt;  ///< where it is given
+  std::optional<Exact> half_length = std::nullopt;  ///< if it is given
   std::optional<Proof> proof = std::nullopt;
-  /// Where it is not there yet, it is solved when it is first needed.
+  /// The solution by panels. If it is empty, it is computed when it is first needed.
   mutable std::optional<SolvedNip> solved = std::nullopt;
 
   [[nodiscard]] int working_digits() const { return SolvedNip::working_digits(digits, sheet->lost_digits()); }

@@ -10,7 +10,8 @@
 namespace nipref::ref {
 namespace {
 
-/// Halvings of the double exponential rule's step: the last has some 6000 nodes, five do where nothing is singular.
+/// Levels of the double exponential rule; each halves the step. The last has some 6000 nodes, and five suffice where
+/// the integrand is smooth.
 constexpr int first_judged_level = 3, most_levels = 10;
 
 struct SineAndCosine {
@@ -32,7 +33,7 @@ struct InnerField::FacePoint {
   int face;                     ///< x = 1 or -1
   FloatShares shares;
 
-  /// Adds half of pi times the displacements of a traction at |alpha - alpha'| = `gap`, times a weight.
+  /// Adds pi/2 times the displacements due to a traction at |alpha - alpha'| = `gap`, times a weight.
   void add(const PressureAndShear& here, const Float& gap, Side side, const Float& weight,
            Displacements& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
@@ -41,7 +42,7 @@ struct InnerField::FacePoint {
     sum[0] += face * half * (here.pressure * (logarithm - part * distance) - here.shear * (angle + part * u));
     sum[1] += half * (here.pressure * (part * u - angle) - here.shear * (logarithm + part * distance));
   }
-  /// Adds the stresses of a traction at |alpha - alpha'| = `gap`, times a weight.
+  /// Adds pi/2 times the stresses due to such a traction, times a weight.
   void add(const PressureAndShear& here, const Float& gap, Side side, const Float& weight,
            Stresses& sum) const {
     const Float u = side == left_of_point ? gap : -gap;
@@ -59,7 +60,7 @@ const std::vector<UnitPoint>& InnerField::level(int number) const {
     const auto made = static_cast<int>(levels_.size());
     std::vector<UnitPoint>& nodes = levels_.emplace_back();
     const double step = std::ldexp(1 / fineness_.fineness, -made);
-    // Enough for a point at the contact's end on a face, where the integrand is singular like 1/sqrt.
+    // This suffices for a point at the contact's end on a face, where the integrand is singular like 1/sqrt.
     const double last = std::asinh(2 * (nats_of(fineness_.digits) + 4) / std::numbers::pi);
     const int stride = made == 0 ? 1 : 2;
     for (int i = made == 0 ? 0 : 1; i * step < last; i += stride) {
@@ -73,8 +74,8 @@ const std::vector<UnitPoint>& InnerField::level(int number) const {
   return levels_[static_cast<std::size_t>(number)];
 }
 
-/// Adds the integral over start <= |alpha - alpha'| <= end, with finer and finer levels until it has converged: of the tractions on
-/// each side of the point that has them there.
+/// Adds the integral over start <= |alpha - alpha'| <= end of the tractions on both sides of the point, or on the one
+/// side on which the contact reaches so far. Levels are added until the integral has converged.
 template <std::size_t Parts>
 void InnerField::add_segment(const Float& start, const Float& end, const FacePoint& point,
                              std::array<Float, Parts>& sum) const {
@@ -128,9 +129,8 @@ void InnerField::add_half_plane(const SheetPoint& at, int face, const FloatShare
   if (far > near) add_segment(abs(near), far, point, sum);
 }
 
-/// The tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x) and |Im
-/// x| < 1/2, |Im t| < 0.94. In this strip e^{i z A t} is at most e^{0.94 z A}, which the factor e^{-2z} compensates
-/// in part.
+/// The weighted tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x)
+/// and |Im x| < 1/2, |Im t| < 0.94. In this strip e^{i z A t} is at most e^{0.94 z A}, in part compensated by e^{-2z}.
 const std::vector<InnerField::Charge>& InnerField::charges() const {
   if (!charges_.empty()) return charges_;
   const double nats = nats_of(fineness_.digits + 2), A = static_cast<double>(source_.half_length);
@@ -148,8 +148,8 @@ const std::vector<InnerField::Charge>& InnerField::charges() const {
   return charges_;
 }
 
-/// Gauss rules on panels of length 2. Once it resolves the waves, each further node reduces the error by a factor of
-/// 4.45, because of the poles of 1/D at 1.125 +- 2.106 i.
+/// Gauss rules on panels of length 2. Once a rule resolves the waves, each further node reduces the error by a factor
+/// of 4.45, because of the poles of 1/D at 1.125 +- 2.106 i.
 const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const {
   const double A = static_cast<double>(source_.half_length),
                off = std::fabs(static_cast<double>(alpha - source_.middle));
@@ -184,10 +184,10 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
   return made;
 }
 
-/// With a = 2 sinh z/D and b = 2 cosh z/D the rest is [first a + second z b] C + third s z a E under the pressure, and
-/// [first b + second z a] C + third s z b E under the shear, where C is cosh sz, or sinh sz where it is odd in the depth, and E
-/// the other, each product less what it is far from the middle plane, by both half-planes. The pressure has its sine or cosine
-/// of z (alpha - alpha'), the shear its cosine, the sign changed, or sine.
+/// With a = 2 sinh z/D and b = 2 cosh z/D the symbol is [first a + second z b] C + third s z a E under the pressure and
+/// [first b + second z a] C + third s z b E under the shear. C is cosh sz, or sinh sz if it is odd in the depth, and E
+/// is the other. From each product of a or b with C or E, its part of both half-planes, 2 e^-z C or 2 e^-z E, is
+/// subtracted. The pressure is multiplied by sin or cos of z (alpha - alpha'), the shear then by -cos or sin.
 struct InnerField::Form {
   bool sine, odd_in_depth;
   Float first_pressure, first_shear, second, third;
@@ -202,7 +202,7 @@ void InnerField::add_sheet_rest(const SheetPoint& point, const std::array<Form, 
     const Float near = wave.fall * growth, far = wave.fall * inverse;
     const std::array<Float, 2> depth{(growth + inverse) / 2, (growth - inverse) / 2},
         planes{near + far, near - far};
-    std::array<Float, 2> a, b;  // of even and of odd functions of the depth
+    std::array<Float, 2> a, b;  // times an even and an odd function of the depth
     for (std::size_t i = 0; i < 2; ++i) {
       a[i] = wave.sinh_part * depth[i] - planes[i];
       b[i] = wave.cosh_part * depth[i] - planes[i];
@@ -259,7 +259,7 @@ Float largest_difference(const FloatStresses& a, const FloatStresses& b) {
   return std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)});
 }
 
-/// Of the middle and of the radius of Mohr's circle.
+/// `middles` times the middle plus `radii` times the radius of Mohr's circle.
 Estimate of_circle(const InnerStresses& of, long middles, long radii) {
   const Interval across = interval_of(of.across), along = interval_of(of.along);
   const Interval radius = sqrt(square((across - along) / 2) + square(interval_of(of.shear)));
@@ -278,7 +278,7 @@ Estimate InnerStresses::lowest() const { return of_circle(*this, 1, -1); }
 struct ContactField::Peak {
   SheetPoint point;
   Float point_error;
-  Float shear_error;  ///< error of the largest shear where the point is that of the best sample
+  Float shear_error;  ///< error of the largest shear if the point is only the best sample
 };
 
 ContactField::ContactField(const FieldSource& coarse, const FieldSource& fine, const Float& scale,
@@ -315,7 +315,7 @@ InnerDisplacements ContactField::displacements_at(const SheetPoint& point, const
           estimated(value.along, other.along, point.alpha == 0)};
 }
 
-/// The distance over which the field is smooth: to the nearer end, but at most half the contact or half the sheet.
+/// The distance over which the field is smooth: that to the nearer end, at most the half length and the half-thickness.
 Float ContactField::smooth_radius(const SheetPoint& point) const {
   const Float to_end = hypot(half_length_ - abs(point.alpha - middle_), 1 - point.depth);
   return std::min({Float(1), half_length_, to_end});
@@ -350,7 +350,7 @@ SheetPoint ContactField::best_sample(bool symmetric) const {
 }
 
 /// The gradient is computed by central differences of fourth order, with a step that balances their truncation error
-/// with the field's digits. On a face only the derivative along it is used.
+/// and the field's error. On a face only the derivative along it is used.
 ContactField::Peak ContactField::peak(const InnerField& field, const SheetPoint& near) const {
   const Float reach = smooth_radius(near);
   const bool on_face = near.depth == 1;
@@ -393,7 +393,7 @@ GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Fl
   const SheetPoint sample = best_sample(symmetric);
   const Peak coarse = peak(coarse_, sample);
   Peak fine = peak(fine_, sample);
-  // A maximum that is on a line of symmetry within its error is exactly on it.
+  // A maximum whose distance from a line of symmetry is less than its error is put on that line.
   if (symmetric && abs(fine.point.alpha) < fine.point_error) fine.point.alpha = 0;
   if (abs(fine.point.depth) < fine.point_error) fine.point.depth = 0;
   Estimate value = at(fine.point, symmetric, unit).maximum_shear();

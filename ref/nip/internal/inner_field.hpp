@@ -27,15 +27,15 @@ struct FloatShares {
   Float theta1, theta2;
 };
 
-/// u across the sheet along +x, v along it, over N and in the tractions' unit.
+/// u in the direction +x across the sheet and v along the sheet, divided by N, in the tractions' unit.
 struct FloatDisplacements {
   Float across, along;
 };
 
-/// A solved contact of which the field is computed, in half-thicknesses and any unit of stress.
+/// A solved contact whose field is computed, in half-thicknesses and any unit of stress.
 struct FieldSource {
   Float middle, half_length;
-  /// 0 at the ends and analytic between them, as functions of the distances from the left and the right end, > 0.
+  /// The tractions from the distances > 0 of a place from both ends. They are 0 at the ends and analytic between them.
   std::function<PressureAndShear(const Float& from_left, const Float& from_right)> tractions;
 };
 
@@ -50,16 +50,16 @@ struct FieldFineness {
 /// The stresses inside the sheet -1 <= x <= 1 under the same tractions on both faces of a contact, in
 /// half-thicknesses and the tractions' unit. (thesis 3.19, 3.26, 4.3, 4.14 as integrals over the contact)
 ///
-/// The field of each face's half-plane by the double exponential rule, the rest by a Gauss rule over the wave numbers:
-/// ref/nip/README.md, Stresses inside, Displacements inside. Neither part uses the kernels of sheet/field.hpp.
+/// The field of each face's half-plane is integrated by the double exponential rule, the rest by a Gauss rule over the
+/// wave numbers: ref/nip/README.md, Stresses inside, Displacements inside. Neither uses the kernels of sheet/field.hpp.
 class InnerField {
  public:
   InnerField(FieldSource source, FieldFineness fineness)
       : source_(std::move(source)), fineness_(std::move(fineness)) {}
 
   [[nodiscard]] FloatStresses at(const SheetPoint& point) const;
-  /// The displacements there, which vanish at alpha = 0 on the middle plane if the pressure is even and the shear odd. The shear
-  /// must have no resultant.
+  /// The displacements at a point under a shear without resultant. With an even pressure and an odd shear they are 0 at
+  /// alpha = 0 on the middle plane.
   [[nodiscard]] FloatDisplacements displacements(const SheetPoint& point, const FloatShares& shares) const;
 
  private:
@@ -75,15 +75,15 @@ class InnerField {
     Float z, weight, sinh_part, cosh_part, fall;
     PressureAndShear cosine, sine;
   };
-  /// The form of a stress or a displacement.
+  /// The symbols of a stress or a displacement.
   struct Form;
-  /// across, along and shear; across and along.
+  /// Stresses are across, along and shear; displacements are across and along.
   using Stresses = std::array<Float, 3>;
   using Displacements = std::array<Float, 2>;
 
-  /// Nodes of the double exponential rule that the levels before this one lack.
+  /// The nodes of the double exponential rule that this level adds to the levels before it.
   [[nodiscard]] const std::vector<UnitPoint>& level(int number) const;
-  /// Of stresses or displacements.
+  /// The stresses or the displacements at a point.
   template <std::size_t Parts>
   [[nodiscard]] std::array<Float, Parts> sums(const SheetPoint& point, const FloatShares& shares,
                                               const std::array<Form, Parts>& forms) const;
@@ -103,14 +103,14 @@ class InnerField {
   FieldFineness fineness_;
   mutable std::deque<std::vector<UnitPoint>> levels_;
   mutable std::vector<Charge> charges_;
-  mutable std::map<int, std::vector<Wave>> waves_;  ///< by the distance up to which they suffice, see waves()
+  mutable std::map<int, std::vector<Wave>> waves_;  ///< by doublings of the distance they suffice for
 };
 
-/// The largest distance at which displacements are computed from a contact, and stresses inside from its middle, half-thicknesses.
+/// The largest distance, in half-thicknesses, of surface displacements from the contact and of inner points from Y = 0.
 inline constexpr double farthest_inside = 900;
 
-/// The stresses inside the sheet from the tractions of two solutions of a contact. The values are those of the fine one; the
-/// error is estimated: twice the largest difference at the point, a hundredth of the last digit of `scale`, and `uncertainty`.
+/// The stresses inside the sheet from two solutions of a contact: the values of the fine one. The error estimate is the
+/// sum of twice the largest difference at the point, a hundredth of the last digit of `scale`, and `uncertainty`.
 class ContactField {
  public:
   /// `scale` is about the pressure in the middle, `uncertainty` the error that both solutions have in common.
@@ -120,8 +120,8 @@ class ContactField {
   /// The stresses at a point, times the unit of stress. `symmetric`: the pressure is even and the shear odd about
   /// alpha = 0.
   [[nodiscard]] InnerStresses at(const SheetPoint& point, bool symmetric, const Float& unit) const;
-  /// The displacements of an elastic contact, whose pressure is even and whose shear odd about alpha = 0, times their unit.
-  /// The error is twice the difference, plus `uncertain`.
+  /// The displacements, times their unit, of an elastic contact, whose pressure is even and whose shear is odd about
+  /// alpha = 0. The error estimate is twice the difference plus `uncertain`.
   [[nodiscard]] InnerDisplacements displacements_at(const SheetPoint& point, const FloatShares& share,
                                                     const Float& uncertain, const Float& unit) const;
   /// The maximum is located by samples whose spacing scales with the contact, by a search around the best sample, and
@@ -140,8 +140,7 @@ class ContactField {
   int digits_;
 };
 
-/// The point in half-thicknesses, where `length` is half a thickness. BadInput unless the depth is from -1 to 1 and y
-/// is within 450 sheet thicknesses.
+/// The point in half-thicknesses, which are `length`. BadInput unless |depth| <= 1 and |y| <= 450 sheet thicknesses.
 SheetPoint checked_point(const InnerPoint& point, const Float& length);
 
 }  // namespace nipref::ref

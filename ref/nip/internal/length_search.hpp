@@ -10,7 +10,7 @@
 
 namespace nipref::ref {
 
-/// All lengths within `spread` of a length, relative.
+/// All lengths within the relative distance `spread` of `length`.
 struct Lengths {
   Float length;
   Float spread = 0;
@@ -22,19 +22,20 @@ struct Lengths {
 
 inline Float middle_of(const Float& x) { return x; }
 
-/// A search for the length that carries a load: where it begins, and then where it has come to. contact_of(Lengths) points to the
-/// contacts of these lengths, which have a load() and perhaps its growth(); to nothing where the precision does not suffice.
+/// A search for the length that carries a load. contact_of(Lengths) returns a pointer or an optional with the contacts
+/// of these lengths, which have a load() and perhaps its growth(); it is empty if the precision does not suffice.
 struct LengthSearch {
   Exact load;
-  Float length;              ///< in any unit that contact_of takes
-  Float longest = HUGE_VAL;  ///< not gone beyond
-  double longest_step = 2;   ///< of ln L
+  Float length;              ///< the start, later the result, in any unit that contact_of takes
+  Float longest = HUGE_VAL;  ///< the largest length that is tried
+  double longest_step = 2;   ///< largest change of ln L in a step
   Float exponent = 3;        ///< d ln W/d ln L
-  Float exponent_error = 1;  ///< about what that is off by
-  int systems = 0;           ///< solved
+  Float exponent_error = 1;  ///< about the error of `exponent`
+  int systems = 0;           ///< number of systems solved
 
-  /// By the growth, or else secants, of ln W over ln L until W is, or is to be expected after the last step, within 10^-digits of
-  /// the load; false where the precision does not suffice to solve a contact. BadInput "load" if no length is found.
+  /// Takes Newton steps for ln W over ln L if there is a growth(), otherwise secant steps, until W is within 10^-digits
+  /// of the load or is expected to be so after the last step. Returns false if the precision does not suffice to solve
+  /// a contact. BadInput "load" if no length is found.
   template <class ContactOf>
   bool seek(int digits, const ContactOf& contact_of) {
     constexpr int most_steps = 60;
@@ -61,14 +62,14 @@ struct LengthSearch {
       last = {log_length, excess};
       const Float change = std::clamp<Float>(-excess / exponent, -longest_step, longest_step);
       length = std::min<Float>(exp(log_length + change), longest);
-      // What the step leaves is this, to a factor.
+      // The error after the step is about the excess times the error of the exponent; 100 is a margin.
       if (abs(excess) * std::min<Float>(100 * exponent_error, 1) <= tolerance) return true;
     }
     throw data::BadInput("load", load.approximate(), "no contact length was found that carries it");
   }
 
-  /// All contacts of lengths within 10^-digits, one of which carries the load, as those at the ends carry less and
-  /// more. Nothing where the precision does not suffice for the proof.
+  /// All contacts of lengths within 10^-digits of the one found. One of them carries the load, since the shortest
+  /// carries less and the longest more. Nothing if the precision does not suffice for the proof.
   template <class ContactOf>
   auto contact_carrying(int digits, const ContactOf& contact_of) -> decltype(contact_of(Lengths{})) {
     constexpr int beyond = 3;
@@ -81,7 +82,7 @@ struct LengthSearch {
       return contact ? sign_of(contact->load() - wanted) : 0;
     };
     const Lengths lengths{length, pow(Float(10), -digits)};
-    // A thousandth within the lengths, so that rounding puts neither outside; the load still changes far more than its error.
+    // Both lengths tried lie inside by a thousandth of the spread, so that rounding puts neither outside.
     const Float change = length * lengths.spread * (1 - Float(1e-3));
     if (sign_at(length - change) * sign_at(length + change) >= 0) return {};
     ++systems;

@@ -20,9 +20,9 @@ namespace {
 constexpr double nats_of_term = 1.76;
 constexpr int fewest_terms = 8, most_terms = 1000000;
 
-/// From which degree on e^(-rate e) has coefficients below e^-nats on a panel: on an ellipse with the semi-axes' sum r over
-/// the half width it is at most e^(size - fallen), and the coefficient of degree n at most twice that over r^n. (Trefethen,
-/// Approximation Theory and Approximation Practice, 8.1)
+/// The degree from which on the coefficients of e^(-rate e) on a panel are below e^-nats. On the ellipse whose
+/// semi-axes sum to r half widths, the exponential is at most e^(size - fallen). The coefficient of degree n is at most
+/// twice that over r^n. (Trefethen, Approximation Theory and Approximation Practice, 8.1)
 int degree_of_exponential(const std::complex<double>& rate, double left, double width, double nats) {
   double best = most_terms;
   const double half = width / 2, fallen = rate.real() * (left + half);
@@ -99,8 +99,8 @@ std::vector<Float> NipSolution::signature() const {
 
 namespace {
 
-/// The slowest wave between the faces: without friction the zero of sinh^2 x = 0 beside the real axis, i pi; between gripped
-/// faces i zeta, 2 zeta that of (3 - 4 poisson) sin x = x, 3 - 4 poisson = (1 + beta)/(1 - beta).
+/// The decay rate of the slowest wave between the faces. Without friction it is pi: sinh^2 x has the zero i pi. With
+/// full friction it is half the zero of (3 - 4 poisson) sin x = x, where 3 - 4 poisson = (1 + beta)/(1 - beta).
 double decay_of(bool grips, double beta) {
   if (!grips) return std::numbers::pi;
   double low = 0, high = std::numbers::pi;
@@ -119,7 +119,7 @@ Resolution ElasticSheet::resolution() const { return {decay_of(grips_, static_ca
 
 namespace {
 
-/// With full friction v = creep y in the contact. Displacements are collocated.
+/// Displacements are matched at collocation points. With full friction v = creep y in the contact.
 class ElasticSolution : public NipSolution {
  public:
   ElasticSolution(const ElasticSheet& sheet, Tractions tractions, SheetKernels& kernels)
@@ -137,7 +137,7 @@ class ElasticSolution : public NipSolution {
       const std::vector<Vector> rows = tractions_.rows(e, functionals, kernels_);
       matrix.row(i).leftCols(columns) = rows[0].transpose();
       if (sheet_.grips()) matrix.row(count + i).leftCols(columns) = rows[1].transpose();
-      // The displacement at the end over A, so that all unknowns are of about one size.
+      // This unknown is the displacement at the end over A, so that all unknowns are of about one size.
       matrix(i, columns) = -half_length();
       right(i) = e * (2 * half_length() - e);
       if (sheet_.grips()) matrix(count + i, columns + 1) = -(half_length() - e);
@@ -190,7 +190,7 @@ class ElasticSolution : public NipSolution {
     return result;
   }
 
-  /// Distance from the nearer end, negative outside.
+  /// The distance from the nearer end, negative outside the contact.
   [[nodiscard]] Float before_end(const Float& x) const {
     return x <= half_length() ? x : Float(2 * half_length() - x);
   }
@@ -223,7 +223,7 @@ Fineness fineness_of(bool fine, double nats) {
   return fine ? Fineness{1.5, 2.2, 1.2 * nats} : Fineness{1.3, 2, nats};
 }
 
-/// Of a contact on these panels; BadInput if they are too many.
+/// The number of unknowns of a contact on these panels; BadInput if it is above the limit.
 int checked_unknowns(const NipSheet& sheet, const std::vector<TractionPanel>& panels, int digits) {
   int terms = 0;
   for (const TractionPanel& panel : panels) terms += panel.terms;
@@ -252,7 +252,7 @@ SolvedNip SolvedNip::of_half_length(const Sheet& sheet, const Float& half_length
 SolvedNip SolvedNip::of_load(const Sheet& sheet, const Float& load, double guess, int digits,
                              const Check& check) {
   LengthSearch search{.load = to_exact(load), .length = guess, .longest_step = 1};
-  {  // with few digits
+  {  // First, a search with few digits.
     const WorkingDigits working(working_digits(search_digits, sheet->lost_digits()));
     const SolvedNip few(sheet, search_digits);
     search.seek(search_digits, [&](const Lengths& at) {

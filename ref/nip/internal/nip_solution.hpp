@@ -12,54 +12,54 @@ namespace nipref::ref {
 
 /// What limits how fast the expansions of a contact converge.
 struct Resolution {
-  /// Of what an end causes in the tractions, e^(-decay e) is left at the distance e, half-thicknesses.
+  /// The effect of an end on the tractions falls as e^(-decay e) with the distance e from it, half-thicknesses.
   double decay;
-  /// The tractions have exponentials e^(-rate e), too. The first panel at an end has `first`, at most 1, of the width that
-  /// it has without them, so that they hardly change on it.
+  /// The tractions have exponentials e^(-rate e) as well. The first panel at an end is narrower by the factor `first`,
+  /// at most 1, so that these exponentials hardly change on it.
   std::vector<std::complex<double>> rates;
   double first;
 };
 
 /// How finely a contact is cut into panels that grow from the end on.
 struct Fineness {
-  double first;   ///< width of the first one at most, half-thicknesses, but for Resolution::first
-  double growth;  ///< where a panel ends over where it begins, as distances from the end
-  double nats;    ///< what the expansions leave out is e^-nats
+  double first;   ///< largest width of the first panel, half-thicknesses, before Resolution::first
+  double growth;  ///< distance of a panel's outer border from the end over that of its inner border
+  double nats;    ///< the truncation error of the expansions is e^-nats
 };
 std::vector<TractionPanel> panels_of(const Float& half_length, const Resolution& resolution,
                                      const Fineness& fineness);
 
 /// A solved contact of half length A (half-thicknesses), dimensionless: tractions times 2 R N/b, displacements times
-/// 2 R/b^2, slopes times 2 R/b, with N at once. x is the way behind the leading end. In the contact
+/// 2 R/b^2, slopes times 2 R/b, with N at once. x is the distance behind the leading end. In the contact
 /// u = edge_displacement + x (2A - x) + 2 offset x.
 class NipSolution {
  public:
   virtual ~NipSolution() = default;
   NipSolution(const NipSolution&) = delete;
   NipSolution& operator=(const NipSolution&) = delete;
-  /// How many this program has solved so far: nearly all of the work.
+  /// The number of contacts solved so far in this program. Solving takes nearly all of its time.
   static long solved();
 
   [[nodiscard]] const Float& half_length() const { return tractions_.half_length(); }
-  /// Of the middle of the contact from the line through the rollers' centres, towards the leading side.
+  /// Distance of the contact's middle from the line through the rollers' centres, positive towards the leading side.
   [[nodiscard]] const Float& offset() const { return offset_; }
   [[nodiscard]] const Float& edge_displacement() const { return edge_displacement_; }
   [[nodiscard]] const Float& load() const { return load_; }
-  /// Of the resultant from the line through the centres.
+  /// Distance of the resultant from the line through the rollers' centres, with the same sign.
   [[nodiscard]] Float lever() const { return offset_ + moment_ / load_; }
   [[nodiscard]] const std::vector<TractionPanel>& panels() const { return tractions_.panels(); }
-  /// Load, length, displacement, offset and tractions at places between the ends, over the scales of their kinds;
-  /// logarithms of the first two. They differ by what solutions differ by, relative to the scales.
+  /// Numbers by which two solutions are compared: the logarithms of load and length, and displacement, offset and
+  /// tractions between the ends over the scales of their kinds.
   [[nodiscard]] std::vector<Float> signature() const;
 
   [[nodiscard]] PressureAndShear tractions(const Float& x) const;  ///< 0 outside the contact
-  /// The same between the ends, by the distances from both.
+  /// The tractions between the ends, from the distances from both ends.
   [[nodiscard]] PressureAndShear tractions(const Float& from_leading, const Float& from_trailing) const;
 
-  /// d ln W/d ln A: dW/dA goes with the square of how the tractions' derivatives grow at the ends.
+  /// d ln W/d ln A, from the coefficients of the powers with which the tractions vanish at the ends.
   [[nodiscard]] virtual Float growth() const = 0;
   [[nodiscard]] virtual Float normal(const Float& x) const = 0;
-  /// Upstream, up to a constant, which is 0 in the middle of a contact without memory; and its slope upstream.
+  /// The displacement upstream up to a constant, 0 in the middle of a contact without memory; strain() is its slope.
   [[nodiscard]] virtual Float tangential(const Float& x) const = 0;
   [[nodiscard]] virtual Float strain(const Float& x) const = 0;
 
@@ -70,7 +70,7 @@ class NipSolution {
 
   Tractions tractions_;
   SheetKernels& kernels_;
-  /// Coefficients of the tractions on both halves, by the distance from their ends.
+  /// Coefficients of the tractions on each half as functions of the distance from its end.
   Vector leading_, trailing_;
   Float edge_displacement_, load_, offset_ = 0, moment_ = 0;
 };
@@ -80,20 +80,20 @@ class NipSheet {
  public:
   virtual ~NipSheet() = default;
   [[nodiscard]] virtual Resolution resolution() const = 0;
-  /// Of a contact of which each half has so many terms.
+  /// The number of unknowns of a contact with `terms` terms on each half.
   [[nodiscard]] virtual int unknowns(int terms) const = 0;
-  /// Digits that are lost as parts of the solution cancel.
+  /// Digits that the solution loses by cancellation.
   [[nodiscard]] virtual int lost_digits() const { return 0; }
-  /// BadInput for half lengths (half-thicknesses) of which the sheet is not solved.
+  /// BadInput for a half length (half-thicknesses) for which the sheet is not solved.
   virtual void check(double /*half_length*/) const {}
-  /// Integrals are good to about e^-nats. The solution refers to the sheet and the kernels.
+  /// Integrals are good to about e^-nats. The solution keeps references to the sheet and the kernels.
   [[nodiscard]] virtual std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                             std::vector<TractionPanel> panels, double nats,
                                                             SheetKernels& kernels) const = 0;
   [[nodiscard]] virtual bool grips() const = 0;
   /// Whether both halves of a contact are alike.
   [[nodiscard]] virtual bool is_symmetric() const = 0;
-  /// Of theta2 at once over N.
+  /// theta2/N, both at once.
   [[nodiscard]] virtual const Float& beta() const = 0;
 };
 
@@ -110,7 +110,8 @@ class ElasticSheet : public NipSheet {
   [[nodiscard]] bool grips() const override { return grips_; }
   [[nodiscard]] bool is_symmetric() const override { return true; }
   [[nodiscard]] const Float& beta() const override { return beta_; }
-  /// Of the power 1/2 - i epsilon with which the tractions vanish at the ends: atanh(beta)/pi with full friction.
+  /// The tractions vanish at the ends as the power 1/2 - i epsilon, with epsilon = 0 without friction, else
+  /// atanh(beta)/pi.
   [[nodiscard]] Float epsilon() const;
 
  private:
@@ -118,8 +119,8 @@ class ElasticSheet : public NipSheet {
   Float beta_;
 };
 
-/// A contact solved twice, with other panels, other numbers of terms and other nodes, and again with more of them until both
-/// agree to the digits asked for. The result of a functional is that of the finer solution, with an error that is estimated:
+/// A contact solved twice, with different panels, numbers of terms and nodes. Both solutions are refined until they
+/// agree to the requested digits. The result of a functional is that of the finer solution, with an error estimate:
 /// ref/nip/README.md, Two solutions.
 class SolvedNip {
  public:
@@ -129,15 +130,15 @@ class SolvedNip {
   using Sheet = std::shared_ptr<const NipSheet>;
 
   static SolvedNip of_half_length(const Sheet& sheet, const Float& half_length, int digits);
-  /// Of the load, by a search that begins at the half length `guess`, which may be wrong by a factor.
+  /// The contact that carries the load. The search begins at the half length `guess`, which may be wrong by a factor.
   static SolvedNip of_load(const Sheet& sheet, const Float& load, double guess, int digits,
                            const Check& check);
 
-  /// The unknowns of the finer of the first two solutions; BadInput if these are more than are tried.
+  /// The number of unknowns of the finer of the first two solutions; BadInput if it is above the limit.
   static int first_unknowns(const NipSheet& sheet, const Float& half_length, int digits);
   static constexpr int working_digits(int digits, int lost_digits) { return digits + 14 + lost_digits; }
-  /// The part of its kind's scale that a small result, which is measured by itself, is measured by at least: the kernels'
-  /// errors are smaller than a hundredth of the last digit by that factor.
+  /// The error of a small result is measured by its own size, but at least by this share of its kind's scale: at that
+  /// size the kernels' errors are as large as a hundredth of its last digit.
   static Float kernel_share();
 
   [[nodiscard]] const NipSolution& fine() const { return *fine_; }
@@ -152,7 +153,7 @@ class SolvedNip {
 
   [[nodiscard]] std::unique_ptr<NipSolution> solution(const Float& half_length,
                                                       const Fineness& fineness) const;
-  /// By solve_at(fineness).
+  /// Refines the two solutions that solve_at(fineness) returns until they agree.
   void solve(const std::function<std::unique_ptr<NipSolution>(const Fineness&)>& solve_at);
   void measure();
 

@@ -9,7 +9,7 @@
 namespace nipref::ref {
 namespace {
 
-/// A sinh(tau) that makes C e^{-2n tau} smallest, or nearly so.
+/// The A sinh(tau) for which C e^{-2n tau} is smallest, or nearly so.
 double strip_height(double half_length, int size) { return std::max(1.0, 2 - half_length / size); }
 
 }  // namespace
@@ -30,8 +30,8 @@ Interval frictionless_stiffness(const Interval& x) {
   return (cosh(twice) - 1) / (sinh(twice) + twice);
 }
 
-/// The least eigenvalue is at least the determinant over the trace, (1 - beta)(r + beta) with r = (sinh 2x - 2x)/S, which
-/// rises, times S/(2 cosh 2x), which rises and then falls to 1/2.
+/// The least eigenvalue is at least the determinant over the trace: (1 - beta)(r + beta) times S/(2 cosh 2x). Here
+/// r = (sinh 2x - 2x)/S rises, and S/(2 cosh 2x) rises and then falls to 1/2.
 Interval gripped_stiffness(const Interval& x, const Interval& beta) {
   const Interval twice = 2 * x, S = sinh(twice) + twice;
   const Interval over_trace = S / (2 * cosh(twice));
@@ -78,7 +78,7 @@ namespace {
 bool is_inside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.lower()) >= 0; }
 bool is_outside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.upper()) < 0; }
 
-/// x cut off at 0, on one side.
+/// x without its part below 0.
 Interval not_below_zero(const Interval& x) {
   Interval result = x;
   if (mpfr_sgn(result.lower()) < 0) mpfr_set_zero(&result.get()->left, 1);
@@ -86,7 +86,7 @@ Interval not_below_zero(const Interval& x) {
 }
 Interval not_above_zero(const Interval& x) { return -not_below_zero(-x); }
 
-/// `inside` or `outside`, or both where the place may be either.
+/// `inside` or `outside`, or the hull of both if the place may be either.
 template <class Inside, class Outside>
 Interval by_side(const SurfacePoint& place, const Inside& inside, const Outside& outside) {
   if (is_inside(place)) return inside(place);
@@ -108,7 +108,7 @@ Interval image_ratio(const SurfacePoint& place) {
   return 1 / (t + sqrt(-place.before_end * (2 - place.before_end)));
 }
 
-/// I3 on all of an interval; |I3'| <= int 2x/S dx <= 2.
+/// Encloses I3 on an interval, as |I3'| <= int 2x/S dx <= 2.
 Interval I3_over(const Interval& alpha, double nats) {
   const Float near = middle_of(alpha);
   const Interval value = near == 0 ? Interval(working_bits()) : I3_interval(to_exact(near), nats);
@@ -166,7 +166,7 @@ Interval ProvenContact::pressure(const SurfacePoint& place) const {
       [&](const SurfacePoint&) { return Interval(working_bits()); });
 }
 
-/// |dp|/(2A) <= sum |dc_m sin(m theta)| <= sin(theta) radius. From the other end even m change their sign.
+/// |dp|/(2A) <= sum |dc_m sin(m theta)| <= sin(theta) radius. From the trailing end terms of even m change their sign.
 Interval ProvenContact::pressure_between(const SurfacePoint& place) const {
   const Interval theta = angle(place);
   const auto& c = expansion_.coefficients;
@@ -180,7 +180,7 @@ Interval ProvenContact::pressure_between(const SurfacePoint& place) const {
   return 2 * (half_length() * sum.widened(sine * expansion_.radius));
 }
 
-/// p(s)/(2A) is off by at most radius sqrt(1 - s^2), whose integral is pi/2 of radius.
+/// The error of p(s)/(2A) is at most radius sqrt(1 - s^2), whose integral is pi/2 times radius.
 template <class Kernel>
 Interval ProvenContact::smooth_integral(const SurfacePoint& place, const Kernel& kernel,
                                         const Interval& largest) const {
@@ -195,8 +195,8 @@ Interval ProvenContact::smooth_integral(const SurfacePoint& place, const Kernel&
       .widened(expansion_.quadrature_error + pi * magnitude_of(largest) * expansion_.radius / 2);
 }
 
-/// u pi/(2 A^2): -ln|t - s| acts on sin(mu theta) in closed form, cosines inside, powers outside. On what the
-/// coefficients miss it is at most int |ln|t - s|| ds <= 3 + 2t, and |J| <= 1 + 2|alpha|.
+/// Returns u pi/(2 A^2). -ln|t - s| acts on sin(mu theta) in closed form: by cosines inside, by powers outside. The
+/// errors of the coefficients are multiplied by at most int |ln|t - s|| ds <= 3 + 2t and by |J| <= 1 + 2|alpha|.
 Interval ProvenContact::normal_by_pressure(const SurfacePoint& place) const {
   const mpfr_prec_t precision = working_bits();
   const Interval& A = half_length();
@@ -222,13 +222,12 @@ Interval ProvenContact::normal_by_pressure(const SurfacePoint& place) const {
   return sum.widened(missed) + smooth;
 }
 
-/// v pi/(2 A^2).
+/// Returns v pi/(2 A^2).
 Interval ProvenContact::tangential_by_pressure(const SurfacePoint& place) const {
   const mpfr_prec_t precision = working_bits();
   const Interval pi = Interval::pi(precision);
   const bool inside = is_inside(place);
-  // Half of what the load is between 0 and t, by sin(mu theta) sin(theta) = [cos(2m theta) - cos((2m + 2)
-  // theta)]/2.
+  // int_0^t p(s)/(2A) ds, by sin(mu theta) sin(theta) = [cos(2m theta) - cos((2m + 2) theta)]/2.
   Interval between = pi * odd(0) / 4;
   if (inside) {
     const Interval theta = angle(place);
@@ -296,7 +295,7 @@ std::optional<Interval> ProvenContact::strain(const SurfacePoint& place) const {
   return 2 * half_length() * by_parts / pi - beta_ * pressure(place);
 }
 
-/// By theta, with d theta: |dp|/(2A) and the difference of its slope are at most sum m |dc_m|.
+/// As functions of theta, p/(2A) and its slope have errors of at most sum m |dc_m|.
 std::optional<LargestValue> ProvenContact::peak() const {
   const auto& c = expansion_.coefficients;
   const auto pressure = [&](const Interval& theta) {
@@ -324,7 +323,7 @@ std::optional<Interval> ProvenContact::peak_pressure_position() const {
   if (!found) return std::nullopt;
   const Interval from_middle = half_length() * cos(found->place);
   return remembers() ? offset_ + from_middle
-                     : either_side(magnitude_of(from_middle));  // the mirror image is one, too
+                     : either_side(magnitude_of(from_middle));  // the mirror image is a peak, too
 }
 
 bool ProvenContact::is_good_to(int digits) const {

@@ -21,7 +21,7 @@ StressIntervals widened(const StressIntervals& x, const Interval& error) {
 
 Interval zero() { return Interval(working_bits()); }
 
-/// The root in the first quadrant, of a number above the real axis.
+/// The square root, in the first quadrant, of a number in the upper half-plane.
 ComplexInterval root_of(const ComplexInterval& x) {
   const Interval size = abs(x);
   if (mpfr_sgn(x.re.lower()) >= 0) {
@@ -32,7 +32,7 @@ ComplexInterval root_of(const ComplexInterval& x) {
   return {x.im / (2 * imag), imag};
 }
 
-/// Of the half-plane of one face (1 or -1) under P = sum c_m sin(m theta), at z = 1 - before_end + i y; over 2A.
+/// The stresses over 2A of the half-plane of a face, 1 or -1, under sum c_m sin(m theta) at z = 1 - before_end + i y.
 StressIntervals of_half_plane(const std::vector<Interval>& c, const Interval& before_end, const Interval& y,
                               int face) {
   const ComplexInterval root = root_of({-before_end, y}) * root_of({2 - before_end, y});
@@ -46,19 +46,19 @@ StressIntervals of_half_plane(const std::vector<Interval>& c, const Interval& be
     sum = sum + term;
     slope = slope - Interval(m, working_bits()) * term;
   }
-  // On a face itself the slope does not count.
+  // On the face itself y = 0, and the term of the slope is 0.
   slope = mpfr_zero_p(y.upper()) != 0 ? ComplexInterval{zero(), zero()} : y * (slope * inverse(root));
   return {sum.im - slope.re, sum.im + slope.re, face * slope.im};
 }
 
-/// The same of a load of one, at the distance alpha from it.
+/// The stresses of the half-plane of a face under a unit line load, at the distance alpha from the load.
 StressIntervals of_half_plane(const Exact& alpha, const Exact& distance, int face) {
   const Interval u(alpha, working_bits()), d(distance, working_bits()), squares = square(u) + square(d);
   const Interval part = -(2 * d / (Interval::pi(working_bits()) * square(squares)));
   return {part * square(d), part * square(u), -face * (part * d * u)};
 }
 
-/// The field of a load of one, less those of both half-planes.
+/// The field of a unit line load less those of both half-planes.
 StressIntervals rest_of(const Exact& alpha, const Exact& depth, int digits) {
   const auto of = [&](const auto& field) {
     return interval_of(field(alpha, depth, data::SheetLoad::normal, digits));
@@ -94,7 +94,7 @@ std::optional<StressIntervals> proven_stresses(const ProvenExpansion& pressure, 
     const Interval distance(Exact(mpq_class(1 - face * depth.value())), working_bits());
     sum = sum + two_A * of_half_plane(c, place.before_end, distance / A, face);
   }
-  // The rest by Gauss and Chebyshev's rule, at places that are rounded.
+  // The rest, by Gauss and Chebyshev's rule at rounded nodes.
   const auto N = static_cast<long>(c.size());
   const Cosines cosines(N, working_bits());
   const Interval from_middle = A * (1 - place.before_end);
@@ -105,12 +105,12 @@ std::optional<StressIntervals> proven_stresses(const ProvenExpansion& pressure, 
     const Interval exactly = from_middle - A * cosines(2 * i + 1);
     Float apart = middle_of(exactly);
     if (apart == 0)
-      apart = ldexp(Float(1), -working_bits());  // a field on a face is not asked for at its load
+      apart = ldexp(Float(1), -working_bits());  // the field on a face is refused at the load itself
     const StressIntervals rest =
         widened(rest_of(to_exact(apart), depth, digits), sheet_rest_slope * distance_from(apart, exactly));
     sum = sum + two_A * A * pi / N * traction * cosines(2 * i + 1 - N) * rest;
   }
-  // What the rule and the coefficients miss.
+  // The truncation error of the rule, and the error of the coefficients.
   const EntryBounds decay = entry_bounds(A, static_cast<int>(N / 2));
   const Interval height = interval_of(upper_end(A)) * sinh(decay.rate), left = decay.power(N);
   const Interval missed = 4 * pi * square(A) * sheet_rest(height) * sum_of_magnitudes(c) * left / (1 - left) +

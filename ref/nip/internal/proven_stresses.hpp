@@ -6,19 +6,19 @@
 
 namespace nipref::ref {
 
-/// What contains the stresses at a place inside, tension positive.
+/// Intervals that contain the stresses at a point inside the sheet, tension positive.
 struct StressIntervals {
   Interval across, along, shear;
 };
 
-/// The stresses under the pressure of a contact without friction on both faces, in its units, at a place along the sheet and
-/// a depth, -1 <= depth <= 1, from fields of line loads that are known to so many digits. Nothing where the place may be an
-/// end on a face. (ref/nip/README.md, Stresses inside)
+/// The stresses, in the pressure's units, under the pressure of a frictionless contact on both faces at a place along
+/// the sheet and a depth, -1 <= depth <= 1. `digits` are those of the fields of line loads. Nothing if the place may be
+/// an end of the contact on a face. (ref/nip/README.md, Stresses inside)
 std::optional<StressIntervals> proven_stresses(const ProvenExpansion& pressure, const SurfacePoint& place,
                                                const Exact& depth, int digits);
 
-/// What bounds the field of a line load less those of both half-planes at |Im alpha| <= height < 2; and, at real alpha, its
-/// slope.
+/// Bounds of the field of a line load less those of both half-planes: of the field for |Im alpha| <= height < 2, and of
+/// its slope for real alpha.
 Interval sheet_rest(const Interval& height);
 inline constexpr long sheet_rest_slope = 4;
 

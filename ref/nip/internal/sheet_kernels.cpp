@@ -8,7 +8,7 @@
 namespace nipref::ref {
 namespace {
 
-/// What the slope of an interpolation loses of its values' digits, see SmoothKernel::slope().
+/// Digits that the slope of an interpolation loses against its values, see SmoothKernel::slope().
 constexpr int digits_of_slope = 4;
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 namespace nipref::ref {
 
-/// The integral of I3 from 0, with the sign changed, up to a constant: what I6 has of alpha beside I1.
+/// -int_0^alpha I3 up to a constant: the part of I6 that depends on alpha, without I1.
 Interval stretch_interval(const Exact& alpha, double nats);
 
-/// What the kernels of a nip are taken from: ref's own, except in tests.
+/// The functions that compute the kernels of a nip: ref's own, except in tests.
 struct GrippedKernels {
   NormalKernel normal = I1_interval, coupling = I3_interval, stretch = stretch_interval;
 };
@@ -29,10 +29,10 @@ class SheetKernels {
   /// Slope of I1(alpha) + ln|alpha|.
   [[nodiscard]] Float smooth_normal_slope(const Float& alpha);
 
-  /// From here on I1 is 0 and I3 its limit to the digits of the kernels: they approach these like e^(-2.1 |alpha|).
+  /// The distance from which on I1 is 0 and I3 its limit to the kernels' digits. Both converge like e^(-2.1 |alpha|).
   [[nodiscard]] const Float& far() const { return far_; }
   [[nodiscard]] double nats() const { return nats_; }
-  /// Of the three smooth parts together, so far.
+  /// The sum of the errors of the three smooth parts, so far.
   [[nodiscard]] Interval error() const {
     return interval_of(normal_.error()) + interval_of(coupling_.error()) + interval_of(stretch_.error());
   }

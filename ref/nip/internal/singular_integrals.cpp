@@ -13,7 +13,7 @@ ComplexFloat power(const Float& t, const ComplexFloat& m) {
   return t == 0 ? ComplexFloat() : exp(m * log(t));
 }
 
-/// Integrals of t^m T_k f from the first three of t^(m+j) f and from those of (t^{m+1} P_k)' f.
+/// The integrals of t^m T_k f from those of t^(m+j) f, j < 3, and of (t^{m+1} P_k)' f.
 template <class OfDerivative>
 Sequence continued(const ComplexFloat& m, const ComplexFloat (&powers)[3], int count,
                    const OfDerivative& of_derivative) {
@@ -28,7 +28,7 @@ Sequence continued(const ComplexFloat& m, const ComplexFloat (&powers)[3], int c
   return result;
 }
 
-/// P_k at t by the values of T.
+/// P_k at t from the values of all T_k there.
 Float end_polynomial(const std::vector<Float>& chebyshev, int k) {
   const auto at = static_cast<std::size_t>(k);
   return chebyshev[at + 1] / (k + 1) - chebyshev[at - 1] / (k - 1);
@@ -65,12 +65,13 @@ ComplexFloat fading_sum(const Float& x, const ComplexFloat& shift) {
 ComplexFloat inverse_integral(const ComplexFloat& m, const Float& x) {
   if (abs(m) == 0) return Float(log(abs(x / (x - 1))));
   if (x < Float(1) / 2) {
-    // int_0^inf t^{m-1}/(t - x) dt = -pi x^{m-1} cot(pi m), for x < 0 with 1/sin for cot and |x|; less what is from 1 on.
+    // int_0^inf t^{m-1}/(t - x) dt is -pi x^{m-1} cot(pi m) for x > 0, pi |x|^{m-1}/sin(pi m) for x < 0. The part
+    // beyond 1 is subtracted.
     const ComplexFloat angle = m * pi(), up = x > 0 ? cos(angle) : ComplexFloat(1);
     const ComplexFloat whole = up / sin(angle) * pi() * power(Float(abs(x)), m);
     return whole + fading_sum(x, -m) - ComplexFloat(1) / m;
   }
-  // Up to a place before x by powers of t/x, from there to 1 by those of 1 - t.
+  // From 0 to `border` in powers of t/x, from there to 1 in powers of 1 - t.
   const Float border = x < 1 ? Float(x / 2) : Float(1) / 2, rest = 1 - border, beyond = x - 1;
   ComplexFloat sum = power(border, m) * fading_sum(border / x, m);
   const Float least = ldexp(Float(1), -working_bits() - 4);
@@ -86,13 +87,13 @@ ComplexFloat inverse_integral(const ComplexFloat& m, const Float& x) {
   return sum;
 }
 
-/// Digits that the recurrence of 1/(x - t) loses.
+/// Digits that the recurrence for 1/(x - t) loses.
 int lost_digits(const Float& x, int count) {
   const double size = std::fabs(2 * static_cast<double>(x) - 1);
   return size > 1 ? static_cast<int>(2 * count * std::log10(size + std::sqrt(size * size - 1))) + 2 : 0;
 }
 
-/// To the working precision.
+/// A row for each k with the real and the imaginary part, rounded to the working precision.
 Matrix rows_of(const Sequence& sequence, int count) {
   Matrix rows(count, 2);
   for (int k = 0; k < count; ++k) {
@@ -118,7 +119,7 @@ SingularIntegrals singular_integrals(const ComplexFloat& m, const Float& x, int 
     inverse.push_back((inverse[0] * x - plain[0]) * Float(2) - inverse[0]);
     for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k)
       inverse.push_back(inverse[k] * turn - inverse[k - 1] - plain[k] * Float(4));
-    // Of t^{m+1} T_k/(x - t).
+    // The integral of t^{m+1} T_k/(x - t).
     const auto shifted = [&](int k) -> ComplexFloat {
       return inverse[static_cast<std::size_t>(k)] * x - plain[static_cast<std::size_t>(k)];
     };

@@ -69,7 +69,7 @@ bool is_same(const Interval& x, const Interval& y) {
   return mpfr_equal_p(x.lower(), y.lower()) != 0 && mpfr_equal_p(x.upper(), y.upper()) != 0;
 }
 
-/// That the intervals do not decide what the creep is.
+/// Thrown if the intervals do not decide what the creep is.
 struct Undecided {};
 
 int decided_sign(const Interval& x) {
@@ -78,7 +78,7 @@ int decided_sign(const Interval& x) {
   return sign;
 }
 
-/// Those of a condition; Undecided if the intervals do not tell how many there are.
+/// The roots of a condition; Undecided if the intervals do not tell how many there are.
 std::vector<Interval> roots_of(const Quadratic& f) {
   if (mpfi_is_zero(f.square.get()) > 0) {
     (void)decided_sign(f.linear);
@@ -92,7 +92,7 @@ std::vector<Interval> roots_of(const Quadratic& f) {
   return {q / f.square, f.constant / q};
 }
 
-/// A number at which the condition of that number is 0.
+/// A creep `place` at which condition number `of` is 0.
 struct Root {
   Interval place;
   std::size_t of;
@@ -121,7 +121,7 @@ class Conditions {
     }
   }
 
-  /// The creep of least magnitude, or none if there is none.
+  /// The creep of least magnitude that meets all conditions, if there is one.
   [[nodiscard]] std::optional<Interval> least() const {
     const Interval zero(all_.front().constant.precision());
     if (is_met(zero, all_.size())) return zero;
@@ -131,8 +131,8 @@ class Conditions {
     return best;
   }
 
-  /// The range around `chosen`, which is least(). It ends at the nearest roots on both sides, since all roots are simple. If
-  /// `chosen` is a root itself, the range begins there.
+  /// The range around `chosen`, which is least(). It ends at the nearest roots on both sides, since all roots are
+  /// simple. If `chosen` is a root itself, the range begins there.
   [[nodiscard]] ThesisCreep around(const Interval& chosen) const try {
     ThesisCreep result{chosen};
     for (const auto& [root, of] : roots()) {
@@ -176,7 +176,7 @@ class Conditions {
 
 }  // namespace
 
-/// By the sign of the shear loads whose creep is nearer to 0.
+/// Takes the direction of the shear loads, inwards or outwards, whose creep is nearer to 0.
 std::optional<ThesisCreep> thesis_creep(const std::vector<Interval>& at_zero,
                                         const std::vector<Interval>& per_creep) try {
   const Conditions inwards(at_zero, per_creep, -1), outwards(at_zero, per_creep, 1);

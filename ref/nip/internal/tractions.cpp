@@ -11,15 +11,15 @@ namespace {
 
 using Index = Matrix::Index;
 
-/// Half-thicknesses. The kernels' analytic parts are singular at a distance of 2 beside the real axis.
+/// In half-thicknesses. The kernels' analytic parts are singular at a distance of 2 from the real axis.
 constexpr double longest_piece = 2.5;
-/// Distance of a place from a piece over the piece's width: farther away its nodes integrate the kernels as they are.
+/// Distance of a place from a piece, over its width, from which on the piece's nodes integrate the singular kernels.
 constexpr double near = 0.5;
-/// Logarithm of the factor by which the coefficients of a kernel on a piece fall with each degree, where its singularity is
-/// no nearer than that or 2 beside.
+/// Logarithm of the factor by which the coefficients of a kernel on a piece fall with each degree, if its singularities
+/// are at least `near` widths from the piece or 2 from the real axis.
 constexpr double nats_of_degree = 1.25;
 
-/// The values of T_k(2x - 1), k < terms, a row a place.
+/// The values of T_k(2x - 1), k < terms, with a row for each place.
 Matrix chebyshev_at(const std::vector<Float>& places, int terms) {
   Matrix values(static_cast<Index>(places.size()), terms);
   std::vector<Float> here(static_cast<std::size_t>(terms));
@@ -30,7 +30,7 @@ Matrix chebyshev_at(const std::vector<Float>& places, int terms) {
   return values;
 }
 
-/// The coefficients of the polynomials that are 1 at one of Chebyshev's points of 0 .. 1, a row a point.
+/// The coefficients of the polynomials that are 1 at one of Chebyshev's points of 0 .. 1, with a row for each point.
 Matrix coefficients_by(const std::vector<Float>& points) {
   const int count = static_cast<int>(points.size());
   Matrix coefficients = chebyshev_at(points, count);
@@ -57,7 +57,7 @@ LineFunctional& LineFunctional::shear(Influence kind, const Float& factor) {
   return *this;
 }
 
-/// The load on this half, or its mirror image: alpha = side (e - place) of a line load at e.
+/// A place relative to the loads of this half, or to their mirror images: a load at e has alpha = side (e - place).
 struct Tractions::Image {
   Float place;
   int side;  ///< 1 or -1
@@ -169,7 +169,7 @@ Vector Tractions::at_nodes(const Piece& piece, const Image& image, Influence kin
   return values;
 }
 
-/// Adds what the analytic parts of the kernels lack on a piece near the place.
+/// Adds the integrals of the singular parts of the kernels over a piece near the place.
 void Tractions::add_singular(const Piece& piece, const Image& image,
                              const std::vector<LineFunctional>& functionals,
                              std::vector<Vector>& rows) const {
@@ -198,7 +198,7 @@ void Tractions::add_singular(const Piece& piece, const Image& image,
   add(Influence::normal_slope, image.side, own.inverse);
 }
 
-/// Adds a piece that only the sign and its integrals reach: on each side of the place these are lines, constant + slope e.
+/// Adds a piece so far from the place that I1 is 0 and the other kernels are lines, constant + slope e.
 void Tractions::add_far(const Piece& piece, const Image& image,
                         const std::vector<LineFunctional>& functionals, const Float& level,
                         std::vector<Vector>& rows) const {
@@ -256,12 +256,12 @@ std::vector<Vector> Tractions::rows(const Float& e, const std::vector<LineFuncti
                                     SheetKernels& kernels) const {
   std::vector<Vector> rows(functionals.size(), Vector(columns()));
   const std::array<Image, 2> images{Image{e, 1}, Image{2 * half_length_ - e, -1}};
-  // Of what the stretch is far away.
+  // The constant of the line that -int I3 is far away.
   const Float level = any_has(functionals, Influence::stretch)
                           ? Float(kernels.stretch(kernels.far()) + pi() / 4 * kernels.far())
                           : Float(0);
   for (const Piece& piece : pieces_) {
-    // Those that the kernels reach, which on the panel at the end are all.
+    // The images near enough for the kernels not to be lines; for the panel at the end, all images.
     std::vector<Image> here;
     for (const Image& image : images) {
       const Float gap =

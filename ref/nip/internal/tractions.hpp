@@ -14,14 +14,14 @@ struct PressureAndShear {
   Float pressure, shear;
 };
 
-/// A part of half a contact, left <= e <= left + width, e the distance from the end.
+/// A part of half a contact, left <= e <= left + width, where e is the distance from the end.
 struct TractionPanel {
   Float left, width;
-  int terms;  ///< of each component
+  int terms;  ///< number of terms of the pressure, and as many of the shear
 };
 
-/// What a functional of the tractions is composed of, alpha = y - y' from the line load at y' to the place y:
-/// I1, sign(alpha), I3, -int I3, I1', I3'.
+/// The kernels of a functional of the tractions, I1, sign, I3, -int I3, I1' and I3' of alpha = y - y', from the line
+/// load at y' to the place y.
 enum class Influence { normal, sign, coupling, stretch, normal_slope, coupling_slope };
 inline constexpr int influences = 6;
 
@@ -40,10 +40,10 @@ struct LineFunctional {
 ///
 ///     g = w sum_k (a_k + i b_k) T_k(2x - 1),   x = (e - left)/width,   w = x^(1/2 - i epsilon) at the end, else 1,
 ///
-/// without friction epsilon = 0 and b = 0. What the other half has follows by parity.
+/// Without friction epsilon = 0 and b = 0. The tractions on the other half follow by parity.
 ///
-/// Functionals are sums over nodes of pieces of the panels; next to a place what is singular is in closed form:
-/// ref/nip/README.md, Tractions on panels.
+/// Functionals are sums over the nodes of pieces of the panels. Near the place of the functional the singular parts of
+/// the kernels are integrated in closed form: ref/nip/README.md, Tractions on panels.
 class Tractions {
  public:
   /// Integrals are good to about e^-nats.
@@ -53,13 +53,13 @@ class Tractions {
   [[nodiscard]] const std::vector<TractionPanel>& panels() const { return panels_; }
   /// Coefficients: for each panel its a_k, then its b_k.
   [[nodiscard]] int columns() const { return first_columns_.back(); }
-  /// Of each panel as many as it has terms, and one more at the end; as e, rising.
+  /// The collocation points e, rising: on each panel as many as it has terms, on the panel at the end one more.
   [[nodiscard]] std::vector<Float> matching_points() const;
-  /// At 0 <= e <= A.
+  /// The tractions at 0 <= e <= A.
   [[nodiscard]] PressureAndShear at(const Float& e, const Vector& coefficients) const;
   /// a and b of g/w at the end itself.
   [[nodiscard]] PressureAndShear at_root(const Vector& coefficients) const;
-  /// A row of columns for each functional, at e <= A; negative e are outside of the contact.
+  /// For each functional its row, a number for each coefficient, at e <= A; negative e are outside the contact.
   [[nodiscard]] std::vector<Vector> rows(const Float& e, const std::vector<LineFunctional>& functionals,
                                          SheetKernels& kernels) const;
   /// int_0^A p de and int_0^A y p de as rows.
@@ -67,7 +67,7 @@ class Tractions {
   [[nodiscard]] Vector moment() const;
 
  private:
-  /// Nodes e, and w T_k times the weight: a column a node; imaginary parts where w is not real.
+  /// The nodes e, and w T_k times the weight with a column for each node; imaginary parts only if w is not real.
   struct Nodes {
     std::vector<Float> places;
     Matrix real, imaginary;
@@ -77,8 +77,8 @@ class Tractions {
     std::size_t panel;
     Float from, width;
     Nodes nodes;
-    Matrix own;   ///< T_k in those of the piece's own variable, a row each; nothing where they are these
-    Vector sums;  ///< of a panel without w: the integrals of T_k, then those of e T_k
+    Matrix own;   ///< row k: the panel's T_k as a sum of those of the piece; empty if both are the same
+    Vector sums;  ///< where w is 1: the integrals of T_k over the piece, then those of e T_k
   };
   struct Image;
 
@@ -94,11 +94,11 @@ class Tractions {
   [[nodiscard]] Vector weighted(const std::function<Float(const Float& e)>& factor) const;
   void add_far(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
                const Float& level, std::vector<Vector>& rows) const;
-  /// Whether the nodes of a piece do not integrate what is singular at the place.
+  /// Whether the place is too near for the nodes of the piece to integrate the singular kernels.
   [[nodiscard]] static bool is_near(const Piece& piece, const Image& image);
   void add_singular(const Piece& piece, const Image& image, const std::vector<LineFunctional>& functionals,
                     std::vector<Vector>& rows) const;
-  /// Of w on a panel.
+  /// The exponent of w on a panel.
   [[nodiscard]] ComplexFloat exponent(std::size_t panel) const {
     return panel > 0 ? ComplexFloat() : ComplexFloat(Float(1) / 2, -epsilon_);
   }
@@ -107,8 +107,8 @@ class Tractions {
   std::vector<TractionPanel> panels_;
   bool has_shear_;
   std::vector<int> first_columns_;
-  UnitRule rule_;                  ///< of all pieces, but on the panel at the end
-  std::vector<Float> end_points_;  ///< Chebyshev's points of 0 .. 1, its nodes
+  UnitRule rule_;                  ///< Gauss rule of all pieces except the panel at the end
+  std::vector<Float> end_points_;  ///< Chebyshev points of 0 .. 1, the nodes of the panel at the end
   std::vector<Piece> pieces_;
 };
 
