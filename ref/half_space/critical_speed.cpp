@@ -22,7 +22,7 @@ namespace {
 
 mpfr_prec_t inertia_bits(double nats) { return static_cast<mpfr_prec_t>(nats / std::numbers::ln2) + 16; }
 
-/// The speed of a load that has this inertia along psi.
+/// The speed of a load whose phase speed on a line has this inertia. `cosine` is that between motion and line.
 Interval load_speed(const ExactStiffness& solid, const Interval& inertia, const Interval& cosine) {
   const Exact squared_unit(mpq_class(solid.voigt[2][2] / solid.density));
   return abs(sqrt(inertia * Interval(squared_unit, inertia.precision())) / cosine);
@@ -68,8 +68,7 @@ bool is_subcritical(const ExactStiffness& solid, const Exact& speed, const Surfa
   });
 }
 
-/// A direction in degrees and the smallest speed at which its lines are critical, over sqrt(C33/density), to some 12
-/// digits.
+/// A direction in degrees and the critical speed of its lines over sqrt(C33/density), to about 12 digits.
 struct CriticalLine {
   double psi, speed;
 };
@@ -80,14 +79,13 @@ constexpr double radian = std::numbers::pi / 180;
   throw data::BadInput("solid", "(as given)", "must have moduli nearer to each other to search its lines");
 }
 
-/// A line, its critical speed along the motion, and the share of that speed at which it is proven to be subcritical.
+/// A line, its critical phase speed and speed, and the fraction of them at which it is proven to be subcritical.
 struct Line {
   double psi, phase_speed, speed, proven;
 };
 
-/// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
-/// given step.
-/// Proof: ref/half_space/README.md, Critical speeds.
+/// Lines so close to each other that no line between them has a critical speed that is lower than the lowest found by
+/// more than a given step. Proof: ref/half_space/README.md, Critical speeds.
 class Landscape {
  public:
   Landscape(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {
@@ -118,8 +116,8 @@ class Landscape {
   }
 
  private:
-  /// Limits of lines: the second for the first step, the first for all others, so that only the first step can end in a
-  /// refusal.
+  /// The largest numbers of lines: most_lines for the first step, enough_lines for the others. Only the first step
+  /// refuses a solid for which most_lines do not suffice.
   static constexpr std::size_t enough_lines = 200, most_lines = 800;
 
   [[nodiscard]] double cosine(const SurfaceDirection& psi) const {
@@ -155,7 +153,7 @@ class Landscape {
     return (1 + rounding) * std::sqrt(largest);
   }
 
-  /// The reserve g for a unit wave vector.
+  /// The reserve g of the proof for a unit wave vector and a load of this speed.
   static double reserve(const Line& line, double speed) {
     const double share = speed / (line.proven * line.speed);
     return line.proven * line.phase_speed * std::sqrt((1 - share) * (1 + share));
@@ -168,7 +166,7 @@ class Landscape {
     return reserve(left, speed) + reserve(right, speed) >= apart * wave_bound(middle + 90);
   }
 
-  /// Halves the intervals that are not clear; false if there are none.
+  /// Halves the intervals between lines that are not clear; returns false if all are clear.
   bool refine(double speed) {
     std::vector<Line> finer{lines_.front()};
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
@@ -182,7 +180,7 @@ class Landscape {
     return is_finer;
   }
 
-  /// The minimum in a valley, by Brent's search over its width.
+  /// The minimum between `left` and `right`, by Brent's method.
   [[nodiscard]] CriticalLine bottom(double left, const Line& lowest, double right) const {
     constexpr int bits = 20;
     const auto psi_at = [&](double share) {
@@ -204,17 +202,17 @@ class Landscape {
 };
 
 /// The local minima that may be the lowest. Apart from rounding in double it is proven that no line is lower by more
-/// than 1e-3, 1e-6 or 1e-9 of the lowest: the smallest of these for which 200 lines suffice and to which the lines'
-/// own speeds are proven. BadInput "solid" where the fastest wave along the surface is 3000 times as fast, where 800
-/// lines do not suffice, or where no proof for a line is found.
+/// than 1e-3, 1e-6 or 1e-9 of the lowest. The smallest of these steps is taken for which 200 lines suffice and to which
+/// the speeds of the lines are proven. BadInput "solid" if the fastest wave along the surface is 3000 times as fast, if
+/// 800 lines do not suffice for the step 1e-3, or if no proof is found for a line.
 std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
   return Landscape(solid, motion).bottoms();
 }
 
 /// The smooth minimum next to psi.
 CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion, Float psi, int digits) {
-  // A parabola of width h has an error of the order of h^2 in psi and h^4 in the speed. It is repeated about its vertex
-  // where that was too far away.
+  // A parabola of width h has an error of the order of h^2 in psi and h^4 in the speed. If its vertex is too far from
+  // its middle point, a new parabola is taken about the vertex.
   for (int width_digits = 4;; width_digits *= 2) {
     const int working_digits = std::max(digits, 4 * width_digits) + 8;
     const WorkingDigits working(working_digits + 16);
@@ -279,7 +277,7 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
 Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, int digits) {
   const auto line = SurfaceDirection::of_degrees(Exact(0.0));
   return enclose(digits, 0, [&](double nats) {
-    // Close to the speed of the wave the angle is proportional to the square root of the difference of the speeds.
+    // Close to the speed of the wave, the angle is proportional to the square root of the difference of the speeds.
     const auto inertia = surface_wave_inertia(solid, line, inertia_bits(2 * nats));
     if (!inertia) refuse_proof(line, surface_wave);
     const Interval wave = load_speed(solid, *inertia, Interval(1L, inertia->precision()));
@@ -344,7 +342,7 @@ Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& di
   const Float modulus = to_float(solid.voigt[2][2]);
   const Float density = to_float(solid.density);
   const Float speed = sqrt(eigenvalue * modulus / density);
-  // The speed has half the relative error of the eigenvalue, rounding included.
+  // The relative error of the speed is half that of the eigenvalue; the other half is a margin.
   const Float rounding = matrix.norm() * pow(Float(2), 16 - static_cast<long>(precision));
   const Float error = speed * (residual + rounding) / eigenvalue;
   return {speed, error, digits};

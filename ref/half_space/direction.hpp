@@ -20,7 +20,7 @@ class SurfaceDirection {
     return {cos(angle), sin(angle)};
   }
 
-  /// To rounding, from -180 to 180.
+  /// The angle to rounding, from -180 to 180.
   [[nodiscard]] double degrees() const { return std::remainder(degrees_.approximate(), 360); }
 
  private:

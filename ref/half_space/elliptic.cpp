@@ -14,8 +14,8 @@ namespace {
 
 using Lines = std::vector<DirectionValue>;
 
-/// An ellipse with a/b = exp(eta) and its major axis at the angle alpha from the motion, by (p, q) = eta (cos 2 alpha,
-/// sin 2 alpha). In these variables the equations are nearly linear for however slender an ellipse.
+/// An ellipse with a/b = exp(eta) and its major axis at the angle alpha from the motion, in the variables (p, q) =
+/// eta (cos 2 alpha, sin 2 alpha). In these variables the equations are nearly linear, however slender the ellipse is.
 struct Ellipse {
   Float p = 0, q = 0;
 
@@ -23,8 +23,8 @@ struct Ellipse {
   [[nodiscard]] Float alpha() const { return atan2(q, p) / 2; }
 };
 
-/// The square of the half-width along a line over a b, which is e^eta C^2 + e^-eta S^2 with C and S the cosine and
-/// sine of the angle from the major axis.
+/// w^2/(a b) = e^eta C^2 + e^-eta S^2, where w is the half-width of the ellipse in the direction of a line, and C and S
+/// are the cosine and sine of the angle between the major axis and the line.
 class SquaredWidth {
  public:
   explicit SquaredWidth(const Ellipse& ellipse)
@@ -42,8 +42,9 @@ class SquaredWidth {
   Float wide_, narrow_, cosine_, sine_;
 };
 
-/// What is 0 if m = int K n n/w^3 dpsi is proportional to the curvatures: ln(m11/m22) less the logarithm of their ratio, and
-/// m12 over the mean of the others. By the trapezoidal sums.
+/// The two residuals of the condition that m = int K n n/w^3 dpsi, by the trapezoidal rule, is proportional to the
+/// curvatures: ln(m11/m22) minus the logarithm of the curvatures' ratio, and m12 over the geometric mean of m11 and
+/// m22.
 struct Mismatch {
   Float ratio, turn;
 
@@ -61,8 +62,8 @@ struct Mismatch {
   }
 };
 
-/// The ellipse without mismatch, by Newton's method with differences over so little that each step about doubles the digits;
-/// nothing if it does not converge.
+/// The ellipse whose residuals are 0, by Newton's method. The derivatives are differences over so small a distance that
+/// each step about doubles the digits. Nothing if the method does not converge.
 std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_ratio, Ellipse ellipse) {
   const Float little = sqrt(std::numeric_limits<Float>::epsilon());
   for (int step = 0; step < 60; ++step) {
@@ -90,17 +91,17 @@ constexpr double slenderest = 1e-12;
 /// The first approximation: Hertz's axis ratio to within a few per cent, with axes along and across the motion.
 Ellipse first_ellipse(const Float& curvature_ratio) { return {Float(0.62) * log(curvature_ratio), 0}; }
 
-/// Directions for that ellipse, with a margin: a peak of the compliance makes it longer, by up to the inverse of the
-/// peak's width.
+/// Directions for first_ellipse(), with a margin, because a peak of the compliance makes the ellipse longer, by up to
+/// the inverse of the peak's width.
 CrowdedDirections directions_for(const SurfaceAnswer& surface, double curvature_ratio) {
   const auto [degrees, width] = peak_of_compliance(surface);
   const double slenderness = std::exp(-0.7 * std::fabs(std::log(curvature_ratio)));
-  const bool is_along = curvature_ratio >= 1;  // then the singularities are at |tan| = 1/slenderness
+  const bool is_along = curvature_ratio >= 1;  // If so, singularities are at |tan| = 1/slenderness.
   const double smallest = is_along ? width : std::min(width, slenderness);
   return {Exact(degrees), smallest, 1 / (is_along ? std::min(width, slenderness) : width)};
 }
 
-/// The solution on one set of lines: the ellipse whose half-axes have the product 1, and its integrals.
+/// The solution for one set of lines: the ellipse, scaled so that a b = 1, and its integrals.
 struct Level {
   Ellipse ellipse;
   Float first;   ///< int K/w dpsi
@@ -133,8 +134,8 @@ struct TwoLevels {
   Level coarse, fine;
 };
 
-/// Doubles the number of lines until ellipse and integrals have converged. The curvature ratio has been checked, and
-/// `lines` has the working digits.
+/// Doubles the number of lines until the ellipse and its integrals have converged. The caller has checked the curvature
+/// ratio; `lines` is `surface` at the working digits.
 TwoLevels solve_levels(const SurfaceAnswer& surface, const WorkingSurface& lines,
                        const Exact& curvature_ratio, int digits) {
   const Float curvatures = to_float(curvature_ratio);
@@ -188,7 +189,7 @@ Estimate elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature
   return of_ellipse(surface, curvature_ratio, digits, &Level::stiffness);
 }
 
-// On the ellipse multiplied by s, a pressure p0 sqrt(1 - ...) causes the displacement
+// The contact is the ellipse of a Level multiplied by s. In it the pressure p0 sqrt(1 - ...) causes the displacement
 // (p0 s^2/4) int K (1 - (n.x)^2/w^2)/w. With the curvature C along the motion it follows that p0 = 2 s C/moment,
 // F = (2 pi/3) p0 s^2 and approach = p0 s first/4.
 struct EllipticContact::Implementation {
@@ -235,7 +236,7 @@ Estimate EllipticContact::orientation() const {
   const auto& [coarse, fine] = implementation_->levels;
   const auto degrees = [](const Ellipse& ellipse) { return Float(180 * ellipse.alpha() / pi()); };
   const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
-  // The error of twice the angle, in radians; if it is not small, any angle is possible.
+  // The error of twice the angle, in radians. If it is not small, any angle is possible.
   const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
   const Float error = turn < Float(0.25) ? Float(90 * turn) : Float(90);
   return {degrees(fine.ellipse), error, implementation_->digits};
@@ -299,8 +300,8 @@ EllipticContact::Displacement EllipticContact::displacement(const SurfaceAnswer&
     const Float psi = to_float(degrees) * pi() / 180;
     const Displaced found = displacement_under({fine, coarse}, *lines, {psi, to_float(x), to_float(depth)},
                                                *nodes, contact->digits);
-    // The rounding, what is left out as it is narrower than a rounding of the angle, and a tenth as much by the polynomials:
-    // of the size of all lines together.
+    // The rounding error, the stretches that are left out because they are shorter than the rounding error of an angle,
+    // and the error of the polynomials, which is a tenth of this. All are relative to the size of all lines together.
     const Float rounding = tolerance(contact->digits + 6) * fine.peak * fine.a * largest;
     const auto estimate = [&](std::size_t i) -> Estimate {
       return {found.value[i], found.error[i] + rounding, contact->digits};

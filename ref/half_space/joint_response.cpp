@@ -92,7 +92,7 @@ Estimate JointResponse::critical(const Surface& surface) const {
 
 Estimate JointResponse::critical_speed() const {
   Estimate slowest = critical(half_space_);
-  // A patch that does not move in the body is never critical there.
+  // A contact that does not move over the body is never critical for the body.
   if (body_ && body_->moves) {
     Estimate of_body = critical(*body_);
     const bool proven = slowest.proven && of_body.proven;

@@ -9,29 +9,30 @@
 
 namespace nipref::ref {
 
-/// The joint response of the body and the half-space of a problem on the line at an angle from the motion, for exactly
-/// the problem's doubles. It counts its own evaluations.
+/// The joint response of the body and the half-space of a problem along lines, which are given by their angles from the
+/// motion. The doubles of the problem are taken as exact numbers. The evaluations are counted.
 class JointResponse {
  public:
-  /// The relative accuracy of what it computes is 10^-digits.
+  /// Results have a relative accuracy of 10^-digits.
   JointResponse(const data::HalfSpaceProblem& problem, int digits);
 
-  /// BadInput "speed" unless the speed is subcritical on every line. Where the slowest line is not known in advance, all
-  /// lines are scanned, which takes seconds.
+  /// Throws BadInput "speed" unless the speed is subcritical on every line. If not all lines are alike, all lines are
+  /// searched, which takes seconds.
   void check_subcritical() const;
 
-  // To as many digits as they are asked for: of both bodies, and of the half-space alone, with its decay if the depth is not 0.
+  /// The joint response, to the digits that the caller of the answer asks for.
   [[nodiscard]] SurfaceAnswer answer() const;
+  /// The same for the half-space alone, with the decay if the depth is not 0.
   [[nodiscard]] SurfaceAnswer of_half_space(const Exact& depth = Exact(0.0)) const;
-  /// The error bounds are proven.
+  /// The joint compliance and coupling; the error bounds are proven.
   [[nodiscard]] Enclosure compliance(double degrees) const {
     return joint(degrees, &LineResponse::compliance, 1);
   }
   [[nodiscard]] Enclosure coupling(double degrees) const {
     return joint(degrees, &LineResponse::coupling, -1);
   }
-  /// The smallest critical speed of this motion, unit of speed. Its error is proven where all lines are alike;
-  /// otherwise it is estimated, and the computation takes seconds.
+  /// The smallest critical speed of this motion, unit of speed. If all lines are alike, its error is a proven bound.
+  /// Otherwise it is an estimate, and the computation takes seconds.
   [[nodiscard]] Estimate critical_speed() const;
   [[nodiscard]] bool all_lines_are_alike() const { return half_space_.is_alike; }
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
@@ -47,7 +48,7 @@ class JointResponse {
   struct SurfaceOf;
   [[nodiscard]] LineResponse along(const Surface& surface, const Exact& degrees, int digits,
                                    bool with_decay = false) const;
-  /// Of the half-space, plus `sign` times that of the body.
+  /// A component of the half-space's response plus `sign` times that of the body's.
   [[nodiscard]] Enclosure joint(double degrees, Enclosure LineResponse::*of, long sign) const;
   [[nodiscard]] Estimate critical(const Surface& surface) const;
 

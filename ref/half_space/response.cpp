@@ -31,7 +31,7 @@ Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& 
   return result;
 }
 
-/// t^-1 (M + i r^T), turned to the axes of the line.
+/// G = t^-1 (M + i r^T) in the axes of the line.
 Decay decay_of(const AcousticMatrices& matrices, const IntervalMatrix& impedance,
                const SurfaceDirection::Cosines& n) {
   const Interval zero(0L, impedance.precision()), one(1L, impedance.precision());

@@ -11,7 +11,8 @@
 
 namespace nipref::ref {
 
-/// G: a wave e^{ikx} along a line, k > 0, falls with depth as e^{-Gkz}. In the axes n, t and e3 below, by rows.
+/// The matrix G: a wave e^{ikx}, k > 0, along a line decays with the depth z like e^{-Gkz}. The entries are in the axes
+/// n, t and e3 of LineResponse, row by row.
 struct Decay {
   std::array<Float, 9> re, im;
 };
@@ -24,24 +25,24 @@ struct Decay {
 ///              - shear_compliance H[tau] - shear_compliance_across H[tau'],
 ///     dun/dx = -in_line H[tau] + ...,   dut/dx = -across H[tau'] + ...
 ///
-/// all in 1/stress. The two shear compliances vanish where x3 = const is a plane of symmetry of the solid; in
-/// terms of the inverse Y of the impedance compliance = Y33, shear_compliance = Re Y3n, coupling = -Im Y3n.
+/// all in 1/stress. The two shear compliances vanish if x3 = const is a plane of symmetry of the solid. With the
+/// inverse Y of the impedance, compliance = Y33, shear_compliance = Re Y3n, coupling = -Im Y3n.
 struct LineResponse {
   Enclosure compliance;
   Enclosure coupling, coupling_across;
   Enclosure shear_compliance, shear_compliance_across;
   Enclosure in_line, across;
-  std::optional<Decay> decay =
-      {};  ///< if asked for, with an error of about 10^-digits of its norm, which is not proven
+  std::optional<Decay> decay = {};  ///< if asked for; error estimate: 10^-digits of its norm
 };
 
-/// The response along lines of the direction `psi` to loads that move at `speed` (unit sqrt(modulus/density), its sign
-/// does not matter) in the direction `motion`, which is speed cos(psi - theta) along the lines.
+/// The response along lines of the direction `psi` to loads that move at `speed`, unit sqrt(modulus/density), in the
+/// direction `motion` at the angle theta. The phase speed along the lines is speed cos(psi - theta); signs do not
+/// matter.
 ///
-/// All error bounds are proven (interval arithmetic, see impedance.hpp). The bound of the compliance keeps the
-/// promise of Enclosure. The bounds of the other components, some of which are exactly 0 for symmetric solids, are at
-/// most 10^-digits max(compliance, in_line, across). Beyond the surface wave's speed, where the compliance is
-/// negative, results are still the solution of the equations that decays with depth.
+/// All error bounds are proven (interval arithmetic, see impedance.hpp). The compliance has the relative accuracy of an
+/// Enclosure. The error bounds of the other components, some of which are exactly 0 for symmetric solids, are at most
+/// 10^-digits max(compliance, in_line, across). Beyond the surface wave's speed the compliance is negative; the results
+/// are still the solution of the equations that decays with depth.
 ///
 /// BadInput "speed" unless speed |cos(psi - theta)| is below the limiting speed of psi by at least about 1e-16 of
 /// itself; "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
@@ -51,8 +52,8 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
 /// The components of the response that contacts need, from line_response() or from elsewhere.
 struct LineAnswer {
   Float compliance, coupling, coupling_across, in_line;
-  Float shear_compliance = zero_of_bits(64), shear_compliance_across = zero_of_bits(64);  ///< 0
-  std::optional<Decay> decay = {};  ///< needed below the surface
+  Float shear_compliance = zero_of_bits(64), shear_compliance_across = zero_of_bits(64);
+  std::optional<Decay> decay = {};  ///< needed only for displacements below the surface
 };
 
 /// The response along lines at an angle from the motion in degrees, with relative error 10^-digits.

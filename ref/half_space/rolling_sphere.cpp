@@ -9,7 +9,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Digits that K K_nn - S^2 may lose to cancellation, as it vanishes at the critical speed.
+/// Digits that K K_nn - S^2, which vanishes at the critical speed, may lose to cancellation.
 constexpr int cancelled_digits = 32;
 
 /// One line of a rolling contact.
@@ -27,7 +27,7 @@ struct RollingLine {
   }
 };
 
-/// B = sqrt(wS/wD) - P L/(2 r0) > 0 of a line whose span is L. (brock2012 49)
+/// B = sqrt(wS/wD) - P L/(2 r0) of a line of span L; BadInput unless B > 0. (brock2012 49)
 Float lean_of(const RollingLine& line, const Float& span_over_radius) {
   const Float lean = line.slowness - line.index * span_over_radius / 2;
   if (!(lean > Float(0)))
@@ -135,8 +135,8 @@ struct RollingSphere::Implementation final : ScaledContact {
                            "must be farther below it: here the tractions pull");
     return {unit * fine, unit * coarse};
   }
-  /// The traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the amplitude. An error of
-  /// the ends changes the root in the amplitude and the phase.
+  /// The traction at x: the amplitude times wave(line, sin phi, cos phi, tan Phi), where phi = P ln((L - 2x)/(L + 2x))
+  /// and tan Phi = x/(2 r0 B). Errors of the contact's ends act on the square root in the amplitude and on phi.
   template <class Wave>
   [[nodiscard]] Estimate traction(const Exact& degrees, const Exact& x, const Wave& wave) const {
     const WorkingDigits scope(working);

@@ -32,13 +32,12 @@ void check_friction(const Exact& friction) {
 /// The angle of (x, y), y > 0, in half turns; the relative error is small even for the smallest angles.
 Float half_turns(const Float& y, const Float& x) { return atan2(y, x) / pi(); }
 
-/// One line of a sliding contact. Both shares of the span have a small relative error, however small they are.
+/// One line of a sliding contact. `ahead` and `behind` have small relative errors, however small they are.
 struct SlidingLine {
-  Float ahead;         ///< -Omega
-  Float behind;        ///< 1 + Omega
+  Float ahead;         ///< -Omega, the part of the span ahead of x = 0
+  Float behind;        ///< 1 + Omega, the part of the span behind x = 0
   Float shear_over_K;  ///< friction (cos(psi) S - sin(psi) S')/K
-  Float
-      h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2), K with what friction adds of shear compliances
+  Float h;             ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2)
 
   SlidingLine(const WorkingSurface& surface, const Exact& friction, const Exact& degrees) {
     const LineAnswer answer = surface.at(degrees);
@@ -57,7 +56,7 @@ struct SlidingLine {
     behind = half_turns(compliance, -shear);
     h = sqrt(compliance * compliance + shear * shear);
   }
-  /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega), the peak pressure over curvature span/h.
+  /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega). The peak pressure is Q curvature span/h.
   [[nodiscard]] Float Q() const { return pow(behind, behind) * pow(ahead, ahead); }
 };
 
@@ -65,8 +64,8 @@ struct SlidingLine {
 struct LineMoment {
   Float front, back;
 };
-/// The part over x > 0, with x = ahead (1 - w) and the power series of (x + behind)^ahead = (1 - ahead w)^ahead, whose
-/// terms decrease like ahead^n. The part over x < 0 is the same with both shares exchanged.
+/// The moment of x > 0, with x = ahead (1 - w) and the power series of (x + behind)^ahead = (1 - ahead w)^ahead, whose
+/// terms decrease like ahead^n. The moment of x < 0 is the same with `ahead` and `behind` exchanged.
 Float moment_ahead(const Float& ahead, const Float& behind, int power) {
   Float sum = 0, coefficient = 1, term = 1;
   for (long n = 0; abs(term) > std::numeric_limits<Float>::epsilon() * sum; ++n) {
@@ -80,7 +79,8 @@ Float moment_ahead(const Float& ahead, const Float& behind, int power) {
   return sum * pow(ahead, power + 1 + behind);
 }
 
-/// The part of the shorter side; the other is the rest of int x^power v^a (1 - v)^b dv with v = x + b, by Euler's integral.
+/// The series gives the moment of the shorter side. The moment of the longer side is the rest of Euler's beta integral
+/// int x^power v^a (1 - v)^b dv over 0 < v < 1, v = x + b.
 LineMoment line_moment(const SlidingLine& line, int power) {
   const bool leads = line.ahead > line.behind;
   const Float &a = leads ? line.ahead : line.behind, &b = leads ? line.behind : line.ahead;
@@ -150,9 +150,9 @@ struct SlidingContact::Implementation final : ScaledContact {
     return pressure_integral(
         1, [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
   }
-  /// The coordinate of the centre of pressure in the direction that has these components along the lines. The moment is the
-  /// difference of its sum with the integral of pressure |x|, which unlike itself does not vanish, so that it can be
-  /// integrated to a relative error, and that integral.
+  /// A coordinate of the centre of pressure. component(degrees) is the component along a line of the coordinate's
+  /// direction. The moment may vanish, so that it cannot be integrated to a relative error. It is therefore the
+  /// difference of two integrals that do not vanish: of pressure |x| plus the moment, and of pressure |x|.
   [[nodiscard]] Estimate centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
     const auto integral = [&](bool with_moment) {
@@ -163,7 +163,7 @@ struct SlidingContact::Implementation final : ScaledContact {
     };
     const Levels both = integral(true), size = integral(false);
     const Float fine = both.fine - size.fine, coarse = both.coarse - size.coarse;
-    // The two integrals may have been doubled a different number of times, so that their errors add.
+    // The integrals may have different numbers of directions, so that their errors add.
     const Float apart = abs(both.fine - both.coarse) + abs(size.fine - size.coarse);
     Estimate result = function_of_factor(
         [&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
@@ -175,8 +175,8 @@ struct SlidingContact::Implementation final : ScaledContact {
   }
 
  private:
-  /// There are singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to tan = i friction
-  /// S/K. They are found when they are first needed.
+  /// The directions for the singularities of the integrand, computed at the first call. The singularities are where the
+  /// curvature is 0, tan = i sqrt(along/across), and where h is 0, close to tan = i friction S/K.
   [[nodiscard]] const CrowdedDirections& directions(const SlidingLine& along) const {
     if (!directions_) {
       const auto [peak, width] = peak_of_compliance(surface);
@@ -188,9 +188,9 @@ struct SlidingContact::Implementation final : ScaledContact {
   }
 
   using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
-  /// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
-  /// L(psi)/L(0): a factor of span^(power + 2). The moments are for span 1; on a line of span L
-  /// and curvature C the pressure is (C/h) L times theirs.
+  /// The integral over the lines of (C/h) (L(psi)/L(0))^(power + 2) weight(moments of |x|^power) with the curvature C
+  /// of a line, which the caller multiplies by L(0)^(power + 2). The moments are those of LineMoment, for span 1; on a
+  /// line of span L the pressure is (C/h) L times the pressure there.
   [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
     const SlidingLine along = line_at(Exact(0.0));
     // Without friction the moment is the same on all lines.
@@ -212,7 +212,7 @@ SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, cons
   implementation_ =
       std::make_shared<const Implementation>(std::move(surface), body, friction, load, digits, rule);
   const WorkingDigits scope(implementation_->working);
-  (void)implementation_->line_at(Exact(0.0));  // which refuses too large a friction
+  (void)implementation_->line_at(Exact(0.0));  // Throws BadInput if the friction is too large.
 }
 
 Estimate SlidingContact::span_ratio(const Exact& degrees) const {

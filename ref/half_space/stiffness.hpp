@@ -10,12 +10,12 @@
 
 namespace nipref::ref {
 
-/// data::TransverselyIsotropicSolid with exact constants. Moduli that follow from others (C12 = C11 - 2 C66, or
-/// Lame's from Poisson's ratio) are computed without rounding, so that an isotropic solid is exactly isotropic.
+/// data::TransverselyIsotropicSolid with exact constants. Dependent moduli (C12 = C11 - 2 C66, or Lame's constant from
+/// Poisson's ratio) are computed without rounding, so that an isotropic solid is exactly isotropic.
 struct ExactTransverse {
   mpq_class c11, c33, c13, c44, c66, density;
 
-  /// BadInput, naming the constant, where the nearest doubles are refused by data's check().
+  /// BadInput, naming the constant, if data's check() refuses the nearest doubles.
   ExactTransverse(const Exact& the_c11, const Exact& the_c33, const Exact& the_c13, const Exact& the_c44,
                   const Exact& the_c66, const Exact& the_density);
   ExactTransverse(const data::TransverselyIsotropicSolid& solid);
@@ -35,18 +35,17 @@ struct ExactStiffness {
   mpq_class density;
 };
 
-/// The same doubles as exact numbers; BadInput as thrown by check().
+/// The stiffness whose constants are the exact values of the doubles; BadInput if data's check() refuses them.
 ExactStiffness exact_stiffness(const data::Stiffness& solid);
 ExactStiffness exact_stiffness(const ExactTransverse& solid, data::SymmetryAxis axis);
 
-/// For axis `normal`: a solid with the same motion in the sagittal plane of every line, in which c66 (and with it
-/// c12) is raised to c11. Sagittal motion does not depend on c66. Where c66 < c44, horizontally polarised waves would
-/// otherwise set the limiting speed, although they do not contribute to the normal response. `across` of its response
-/// is not that of the solid, and its strain energy may be indefinite. (brock2013 sec. 3)
+/// The solid with the axis `normal`, but with c66 (and with it c12) raised to c11. Motion in the sagittal plane of any
+/// line does not depend on c66 and is therefore the same. If c66 < c44, horizontally polarised waves of the original
+/// solid set its limiting speed, although they do not contribute to the normal response. The component `across` of the
+/// response differs from that of the original solid, and the strain energy may be indefinite. (brock2013 sec. 3)
 ExactStiffness sagittal_stiffness(const ExactTransverse& solid);
 
-/// A smooth rigid body at the point where it touches the plane, known exactly: its curvatures along the motion
-/// and across it, 1/length, > 0.
+/// The curvatures > 0 of a smooth rigid body along the motion and across it, 1/length, where it touches the plane.
 struct Indenter {
   Exact along, across;
 

@@ -12,14 +12,14 @@
 namespace nipref::ref {
 namespace {
 
-/// K for the complementary modulus.
+/// The complete elliptic integral K(k) for the complementary modulus k'.
 Float quarter_period(const Float& complement) {
   Float mean;
   mpfr_agm(raw(mean), raw(Float(1)), raw(complement), MPFR_RNDN);
   return pi() / (2 * mean);
 }
 
-/// k' is kept below 1, for which K(k') is infinite.
+/// k', kept below 1, because K(k') is infinite for k' = 1.
 Float apart(const Float& complement) { return std::min(complement, Float(0.75)); }
 
 double reciprocal(const SurfaceAnswer& surface, double degrees) {
@@ -36,11 +36,11 @@ CrowdedDirections::CrowdedDirections(const Exact& centre, const Float& smallest,
       quarter_(quarter_period(complement_)),
       conjugate_(quarter_period(sqrt((1 - complement_) * (1 + complement_)))) {}
 
-// The Fourier series of sn on the imaginary axis, whose terms are all positive.
+// The Fourier series of sn on the imaginary axis. All its terms are positive.
 Float CrowdedDirections::sc(const Float& u) const {
   const Float nome = exp(-pi() * quarter_ / conjugate_), growth = exp(pi() * u / (2 * conjugate_));
   const Float square = growth * growth;
-  Float sum = 0, up = growth, down = 1 / growth, power = sqrt(nome);  // of 2n + 1, -(2n + 1), n + 1/2
+  Float sum = 0, up = growth, down = 1 / growth, power = sqrt(nome);  // exponents 2n + 1, -2n - 1, n + 1/2
   for (;;) {
     const Float term = power / (1 - power * power) * (up - down) / 2;
     sum += term;
@@ -55,7 +55,7 @@ Float CrowdedDirections::sc(const Float& u) const {
 CrowdedDirections::Direction CrowdedDirections::at(long i, long count) const {
   const Float share = Float(2 * i) / count - 1;  // u/K
   const Float magnitude = abs(share), near = std::min(magnitude, Float(1 - magnitude));
-  // T or its reciprocal, from sc(u) or its reciprocal, whichever is small.
+  // T from sc(u) near the centre, otherwise 1/T from 1/sc(u) = k' sc(K - u).
   const bool is_near_centre = magnitude <= Float(0.5);
   const Float x = is_near_centre ? sc(near * quarter_) : Float(complement_ * sc(near * quarter_));
   const Float k2 = complement_ * complement_, x2 = x * x, s2 = smallest_ * smallest_;
@@ -123,7 +123,7 @@ Float number(const Float& real) {
 
 std::vector<UnitPoint> unit_nodes(int digits) {
   const Float step = Float(1) / (digits + 20) * 2;
-  // The last node: from here on the weights are below 10^-digits even times an algebraic singularity at the end.
+  // Beyond the last node, weights are below 10^-digits even when multiplied by an algebraic singularity at the end.
   const int last =
       static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
   std::vector<UnitPoint> nodes;
@@ -152,7 +152,7 @@ int working_digits(int digits, int cancelled) {
 }
 
 Estimate estimated(const Float& value, const Float& error, int digits) {
-  // Two results may agree to the last bit; then the error is that of rounding and of the surface's digits.
+  // Two results may agree to the last bit. The error is then that of rounding and of the surface's digits.
   const Float sum = error + tolerance(digits + guard_digits / 2) * at_most_1(value);
   if (!(sum <= tolerance(digits) * at_most_1(value))) refuse_digits(digits);
   return {value, sum, digits};
@@ -232,7 +232,7 @@ Levels half_turn_integral(int digits, const CrowdedDirections& directions,
     const auto count = static_cast<long>(values.size());
     levels.fine = total / count;
     const Float change = abs(levels.fine - levels.coarse);
-    // Once the sums converge, each doubling doubles their digits. If the digits will not suffice, no more are computed.
+    // Once the sums converge, each doubling doubles their digits. The loop ends early if the digits cannot suffice.
     const double known = -std::log10(std::max(static_cast<double>(change / levels.fine), 1e-300));
     if (count >= 256 && 1.25 * known * static_cast<double>(most_directions / count) < digits)
       refuse_digits(digits);

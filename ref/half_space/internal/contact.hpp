@@ -12,10 +12,10 @@
 
 namespace nipref::ref {
 
-/// Directions over half a turn for the trapezoidal rule, in a variable u for integrands that are functions of T =
-/// tan(psi - centre) with singularities at T = i y, smallest <= |y| <= largest: T = smallest sc(u, k), k' =
-/// smallest/largest. All these singularities have |Im u| = K(k') >= pi/2. The period 2 K(k) grows only with the
-/// logarithm of k', so that the number of directions does, too, near critical lines and for slender ellipses.
+/// Directions over half a turn for the trapezoidal rule. The integrands are functions of T = tan(psi - centre) with
+/// singularities at T = i y, smallest <= |y| <= largest. The rule is applied in the variable u, T = smallest sc(u, k),
+/// with k' = smallest/largest. In u all these singularities have |Im u| = K(k') >= pi/2. The period 2 K(k), and with it
+/// the number of directions near critical lines and for slender ellipses, grows only with the logarithm of k'.
 class CrowdedDirections {
  public:
   /// 0 < smallest <= 1 <= largest; the centre in degrees.
@@ -24,32 +24,32 @@ class CrowdedDirections {
   struct Direction {
     Exact degrees;
     Float cosine, sine;
-    Float weight;  ///< dpsi/du times the period: its mean over the directions is int dpsi
+    Float weight;  ///< dpsi/du times the period; its mean over the directions is int dpsi
   };
-  /// The i-th of `count` directions; it is the 2 i-th of 2 count directions.
+  /// Direction i of `count` directions, which is direction 2 i of 2 count directions.
   [[nodiscard]] Direction at(long i, long count) const;
 
  private:
-  [[nodiscard]] Float sc(const Float& u) const;  ///< 0 <= u <= K/2, to rounding
+  [[nodiscard]] Float sc(const Float& u) const;  ///< sc(u, k) to rounding, 0 <= u <= K(k)/2
 
   Exact centre_;
   Float smallest_, complement_;  ///< k'
   Float quarter_, conjugate_;    ///< K(k), K(k')
 };
 
-/// The direction, in degrees, in which the compliance is largest, and the half width of this peak at half its height,
-/// in radians and at most 1, which is about the distance of the nearest singularity. By parabolas from a scan of 1/K, which
-/// is smooth even close to the critical speed.
+/// The direction, in degrees, in which the compliance K is largest, and the half width of this peak at half its height,
+/// in radians and at most 1. This width is about the distance to the nearest singularity. A scan of 1/K, which is
+/// smooth even close to the critical speed, and then parabolas find the peak.
 struct PeakOfCompliance {
   double degrees, width;
 };
 PeakOfCompliance peak_of_compliance(const SurfaceAnswer& surface);
 
-// The common part of the contacts of smooth rigid bodies with half-spaces. Integrals over a line use a
-// double-exponential rule, those over the directions the trapezoidal rule, with twice as many points until two
-// results agree. The error is the difference of these results; it is estimated, not proven.
+// The common part of the contacts of smooth rigid bodies with half-spaces. Integrals over a line use the double
+// exponential rule. Integrals over the directions use the trapezoidal rule; the number of points is doubled until two
+// results agree. The difference of these results is the error estimate.
 
-/// The surface at working digits.
+/// The response of the surface, to the working digits.
 class WorkingSurface {
  public:
   WorkingSurface(const SurfaceAnswer& answer, int digits) : answer_(answer), digits_(digits) {}
@@ -65,21 +65,21 @@ class WorkingSurface {
 /// 10^-digits.
 Float tolerance(int digits);
 
-/// The working digits for a result that has `digits` correct digits, if `cancelled` digits are lost by cancellation. The guard
-/// digits are for the roundings of thousands of terms and for small factors of results that are computed from the integrals.
-/// BadInput unless 16 <= digits <= 100.
+/// The working digits for a result with `digits` correct digits, if cancellation loses `cancelled` digits. They include
+/// guard digits for the rounding errors of thousands of terms and for small factors of results that are computed from
+/// the integrals. BadInput unless 16 <= digits <= 100.
 int working_digits(int digits, int cancelled = 0);
 
-/// The value with its error, to which the errors by rounding and by the surface's digits are added; BadInput "digits"
-/// where the sum exceeds 10^-digits min(1, |value|).
+/// The value with its error, to which the errors by rounding and by the surface's digits are added. BadInput "digits"
+/// if the sum exceeds 10^-digits min(1, |value|).
 Estimate estimated(const Float& value, const Float& error, int digits);
 
-/// The finer of two levels of a quadrature. The error is their difference, plus the errors by rounding and by the
-/// surface's digits; it may be of any size.
+/// The finer of two levels of a quadrature. The error, of any size, is the difference of the levels, plus the errors by
+/// rounding and by the surface's digits.
 Estimate of_levels(const Float& fine, const Float& coarse, int digits);
 
-/// A number of the lines that takes no quadrature, of(surface at working digits): the error is that of rounding and of the
-/// surface's digits.
+/// of(surface at working digits), a function of the response that takes no quadrature. The error is that of rounding
+/// and of the surface's digits.
 template <class Of>
 Estimate of_lines(const SurfaceAnswer& surface, int digits, const Of& of, int cancelled = 0) {
   const int working = working_digits(digits, cancelled);
@@ -87,8 +87,8 @@ Estimate of_lines(const SurfaceAnswer& surface, int digits, const Of& of, int ca
   return estimated(of(WorkingSurface(surface, working)), 0, digits);
 }
 
-/// A traction on a line, whose error includes that of the line's ends, which dominates close to them. at(change of both ends
-/// over the line's span) goes up or down with it.
+/// A traction on a line. Its error includes the effect of errors of the contact's ends, which dominates near the ends.
+/// at(change), monotonic in `change`, is the traction if both ends move outwards by about `change` times the span.
 Estimate with_shifted_ends(int digits, const std::function<Estimate(const Float& change)>& at);
 
 /// The contact's span along the motion under a load, where force = factor span^3.
@@ -103,15 +103,16 @@ struct DirectionValue {
   Float value;
 };
 
-/// An integral over the lines of half a turn, by the last two levels. Each level has twice as many directions, until
-/// two levels agree to 10^-digits; BadInput as for double_directions().
+/// An integral over the lines of half a turn on the last two levels. Each level has twice as many directions as the one
+/// before, until two levels agree to 10^-digits; BadInput as for double_directions().
 struct Levels {
   Float fine, coarse;
 };
 Levels half_turn_integral(int digits, const CrowdedDirections& directions,
                           const std::function<Float(const Exact& degrees)>& value);
 
-/// A contact by the papers' rule, whose spans and force follow from an integral over the lines: force = factor span^3.
+/// A contact by the rules of brock2012 and brock2013: force = factor span^3, with a factor that an integral over the
+/// lines gives.
 class ScaledContact {
  public:
   ScaledContact(SurfaceAnswer surface, const HalfSpaceLoad& load, int digits, int cancelled);
@@ -124,7 +125,7 @@ class ScaledContact {
   [[nodiscard]] WorkingSurface lines() const { return {surface, working}; }
   /// L(psi)/L(0) at the working precision.
   [[nodiscard]] virtual Float ratio(const Exact& degrees) const = 0;
-  /// The factor, when it is first asked for.
+  /// The factor, computed at the first call.
   [[nodiscard]] const Levels& factor() const;
 
   using Function = std::function<Float(const Float&)>;
@@ -142,11 +143,11 @@ class ScaledContact {
   mutable std::optional<Levels> factor_;
 };
 
-/// The nodes of the double exponential rule on (0, 1) for integrands with algebraic singularities at the ends. Slopes are
-/// times the step: weights.
+/// The nodes of the double exponential rule on (0, 1) for integrands with algebraic singularities at the ends. The
+/// slopes are multiplied by the step, and so are the weights of the rule.
 std::vector<UnitPoint> unit_nodes(int digits);
 
-/// Evaluates at 8, 16, 32 ... directions until `settled` returns true; BadInput "digits" where 4096 are not enough.
+/// Evaluates `value` in 8, 16, 32 ... directions until `settled` is true; BadInput "digits" if 4096 do not suffice.
 void double_directions(int digits, const CrowdedDirections& directions,
                        const std::function<Float(const Exact& degrees)>& value,
                        const std::function<bool(const std::vector<DirectionValue>& values)>& settled);

@@ -10,7 +10,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Along the motion, across it and into the half-space, or along a line, across it and into the half-space.
+/// A displacement: along the motion or along a line, across it, and into the half-space.
 using Moved = std::array<Float, 3>;
 using ComplexVector = std::array<ComplexFloat, 3>;
 using ComplexRows = std::array<ComplexVector, 3>;
@@ -24,7 +24,7 @@ ComplexVector product(const ComplexRows& matrix, const ComplexVector& x, const C
   return result;
 }
 
-/// The eigenvalues by Cardano's formula, which must not all be equal.
+/// The eigenvalues, which must not all be equal, by Cardano's formula.
 ComplexVector eigenvalues(const ComplexRows& g) {
   const ComplexFloat third = (g[0][0] + g[1][1] + g[2][2]) / Float(3);
   ComplexRows h = g;  // its trace is 0: x^3 + 3 p x - 2 q = 0
@@ -51,7 +51,7 @@ ComplexFloat parabola_over(const ComplexFloat& z) {
   const ComplexFloat one(Float(1)), rest = one - z * z;
   if (abs(rest) == Float(0)) return z * Float(-2);
   if (abs(z) < Float(100)) return rest * log((z - one) / (z + one)) - z * Float(2);
-  // In powers of 1/z, as the terms above cancel by 4 digits from here on.
+  // A series in powers of 1/z, because the terms above lose 4 digits and more to cancellation here.
   ComplexFloat sum, power = one / z;
   const ComplexFloat factor = power * power;
   for (long k = 1; k == 1 || abs(power) > std::numeric_limits<Float>::epsilon() * abs(sum);
@@ -60,14 +60,15 @@ ComplexFloat parabola_over(const ComplexFloat& z) {
   return sum;
 }
 
-/// Y e3 = the sum of these parts, each of which falls like e^(-exponent kappa depth).
+/// A part of Y e3 that decays with the depth like e^(-exponent kappa depth). Y e3 is the sum of its parts.
 struct FallingPart {
   ComplexFloat exponent;
   ComplexVector pushed;
 };
 
-/// By Lagrange's interpolation between the eigenvalues of G. They differ by 10^-digits at least, as G is changed by about
-/// its error; it is divided by two such differences, so that what cancels has four times the digits.
+/// The parts of Y e3, by Lagrange's interpolation between the eigenvalues of G. G is changed by about its error, so
+/// that its eigenvalues differ by at least 10^-digits. The interpolation divides by two such differences; because of
+/// the cancellation it is computed with four times the digits.
 std::vector<FallingPart> parts_of(const SmoothLines::Line& line) {
   const ComplexVector at_surface{line[0], line[1], line[2]};
   if (line.size() == at_surface.size()) return {{{}, at_surface}};
@@ -86,7 +87,7 @@ std::vector<FallingPart> parts_of(const SmoothLines::Line& line) {
     for (ComplexFloat& each : pushed) each = each / ((own - second) * (own - third));
     parts.push_back({own, pushed});
   }
-  // From here on only what cancels between the parts is lost.
+  // From here on, only cancellation between the parts loses digits.
   const auto size = [](const ComplexVector& x) { return std::max({abs(x[0]), abs(x[1]), abs(x[2])}); };
   Float largest = size(at_surface);
   for (const FallingPart& part : parts) largest = std::max(largest, size(part.pushed));
@@ -110,7 +111,7 @@ Moved moved_by(const std::vector<FallingPart>& parts, const Float& t, const Floa
   return result;
 }
 
-/// An integral over a stretch of the lines and its change by the last halving of the rule's step.
+/// A stretch of v, the integral over it, and the change of the integral by the last halving of the rule's step.
 struct Stretch {
   Float left, right;
   Moved integral{}, change{};
@@ -123,13 +124,13 @@ void add(Moved& sum, const Moved& term, const Float& factor) {
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += factor * term[k];
 }
 
-/// They end across the place, along the minor axis, at the peak of the compliance, where lines touch the ellipse, and where
-/// they come nearest to that if the place is within it.
+/// The stretches of v. They end at the line across the direction of the place, where t = 0, at the line along the minor
+/// axis, at the peak of the compliance, and where |t| = 1 or, for a place inside the ellipse, where |t| is largest.
 std::vector<Stretch> stretches_of(const SmoothLines& lines, const EllipticPressure& on,
                                   const PlaceInside& place) {
   const auto& [psi, x, depth] = place;
   const Float right = pi() / 2;
-  // In the plane in which the ellipse is the unit circle.
+  // The coordinates of the place in units of a and b, in which the ellipse is the unit circle.
   const Float first = x * cos(Float(psi - on.major)) / on.a, second = x * sin(Float(psi - on.major)) / on.b;
   const Float angle = atan2(second, first), distance = hypot(first, second);
   const Float off = distance > Float(1) ? acos(Float(1 / distance)) : Float(0);
@@ -147,7 +148,7 @@ std::vector<Stretch> stretches_of(const SmoothLines& lines, const EllipticPressu
   return stretches;
 }
 
-/// What a line adds under a pressure, per dv.
+/// The integrand in v: the displacement by one line under a pressure.
 Moved moved_by_line(const SmoothLines& lines, const Float& v, const std::vector<FallingPart>& parts,
                     const EllipticPressure& on, const PlaceInside& place) {
   const auto& [psi, x, depth] = place;
@@ -196,8 +197,8 @@ SmoothLines::SmoothLines(const WorkingSurface& surface, const PeakOfCompliance& 
 
 template <class Of>
 void SmoothLines::add_panels(const Float& left, const Float& right, int digits, const Of& line) {
-  // On a panel of length 1 the polynomial converges like (pi + sqrt(pi^2 + 1))^-count = 10^(-0.81 count). The lines between
-  // its own are compared in every fifth gap, the first and the last included.
+  // On a panel of length 1 the polynomial converges like (pi + sqrt(pi^2 + 1))^-count = 10^(-0.81 count). It is
+  // compared with the line in the middle of every fifth gap between its nodes, the first and the last gap included.
   constexpr int gaps = 5;
   const int count = gaps * static_cast<int>((digits + 4) / (0.75 * gaps)) + 1;
   const Float middle = (left + right) / 2, half = (right - left) / 2;
@@ -218,7 +219,7 @@ void SmoothLines::add_panels(const Float& left, const Float& right, int digits, 
   panels_.push_back(std::move(panel));
 }
 
-/// By the barycentric formula, whose weights at Chebyshev's points are 1 by turns of sign, and half at the ends.
+/// The barycentric formula. Its weights at Chebyshev points are 1, at the ends 1/2, with alternating signs.
 SmoothLines::Line SmoothLines::Panel::at(const Float& v) const {
   Line sum(lines[0].size());
   Float total, scratch;
@@ -258,8 +259,8 @@ Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, c
     add(result.error, term, dv);
     add(result.error, moved_by_line(lines, v, parts, pressures[1], place), -dv);
   };
-  // The steps are 32, 16, ... 1 of those between these nodes. The nodes left out are so near the ends of 7 stretches that all of
-  // them together are less than a rounding, 10^-(digits + 6).
+  // The steps of the rule are 32, 16, ... 1 times the step of `nodes`. The nodes that are left out, next to the ends of
+  // the at most 6 stretches, contribute less than the rounding error, 10^-(digits + 6).
   constexpr std::size_t widest = 32;
   const auto halve_step = [&](Stretch& on, std::size_t step) {
     const bool is_first = step == widest;

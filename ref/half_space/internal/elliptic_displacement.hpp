@@ -7,27 +7,26 @@
 
 namespace nipref::ref {
 
-/// All lines of half a turn from some of them, by polynomials in v, where the angle of a line is centre + width sinh(v), from the
-/// peak of the compliance: its singularities about the peak are at v = +-i pi/2.
+/// The response along all lines of half a turn, interpolated between some lines by polynomials in v. The angle of a
+/// line is centre + width sinh(v), from the peak of the compliance, whose singularities are at v = +-i pi/2.
 class SmoothLines {
  public:
   /// Y e3 and, if asked for, the rows of G, in the axes along a line, across it and into the half-space.
   using Line = std::vector<ComplexFloat>;
 
-  /// Y e3 and G each have an error of about 10^-digits of their size, which is estimated: the polynomials are compared with
-  /// the lines half-way between those from which they are made, and panels of v are halved until both agree. BadInput
-  /// "surface" where they never do.
+  /// The errors of Y e3 and G are estimated to be about 10^-digits of their sizes: the polynomials are compared with
+  /// lines half-way between nodes, and panels of v are halved until both agree. BadInput "surface" if they never do.
   SmoothLines(const WorkingSurface& surface, const PeakOfCompliance& peak, bool with_decay, int digits);
 
   [[nodiscard]] Float angle(const Float& v) const { return centre_ + width_ * sinh(v); }  ///< radians
   [[nodiscard]] Float slope(const Float& v) const { return width_ * cosh(v); }
-  /// Of the line at this angle, or turned by half turns.
+  /// v of the line at this angle; angles that differ by half turns are the same line.
   [[nodiscard]] Float v(const Float& angle) const;
   [[nodiscard]] const Float& last() const { return last_; }  ///< v is from -last to last
   [[nodiscard]] Line at(const Float& v) const;
 
  private:
-  /// The lines at count + 1 Chebyshev points up to `right`.
+  /// A panel of v that ends at `right`, with the lines at the Chebyshev points of its polynomial.
   struct Panel {
     Float right;
     std::vector<Float> places;
@@ -47,19 +46,19 @@ struct EllipticPressure {
   Float a, b, major, peak;
 };
 
-/// A place at the distance x from the centre, in the direction psi, in radians, below the surface if the depth is not 0.
+/// A place at the distance x from the centre in the direction psi, in radians, and at a depth below the surface.
 struct PlaceInside {
   Float psi, x, depth;
 };
 
-/// Along the motion, across it and into the half-space.
+/// A displacement along the motion, across it and into the half-space.
 struct Displaced {
   std::array<Float, 3> value, error;
 };
 
-/// The displacement under the first of two nearly equal pressures. By the double exponential rule between the lines where
-/// the integrand has its peaks or no derivative; the error is the sum of the differences between the last two levels of
-/// the rule and that between both pressures. Derivation: ref/half_space/README.md, Displacements.
+/// The displacement under the first of two nearly equal pressures, by the double exponential rule between the lines
+/// where the integrand has a peak or no derivative. The error is the sum of the differences between the last two levels
+/// of the rule and of the difference between both pressures. Derivation: ref/half_space/README.md, Displacements.
 Displaced displacement_under(const std::array<EllipticPressure, 2>& pressures, const SmoothLines& lines,
                              const PlaceInside& place, const std::vector<UnitPoint>& nodes, int digits);
 

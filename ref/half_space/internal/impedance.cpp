@@ -100,7 +100,7 @@ ComplexMatrix<Scalar> lyapunov_solution(const ComplexMatrix<Scalar>& g) {
 
 bool is_below(const Interval& x, long bound) { return mpfi_cmp_si(x.get(), bound) < 0; }
 
-/// The radius of the ball in the proof of impedance.hpp, with X found in Scalar; nothing if the proof fails.
+/// The radius 2b|F0| of the ball about M0 in the proof, with X found in Scalar; nothing if the proof fails.
 template <class Scalar>
 std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const IntervalMatrix& impedance) {
   const mpfr_prec_t precision = impedance.precision();
@@ -131,8 +131,8 @@ std::optional<IntervalMatrix> proven(const AcousticMatrices& matrices,
   });
 }
 
-/// By Newton's method for F(M) = 0 from the impedance in double, whose Lyapunov operator serves for all steps: each gains
-/// about as many digits as a double has. Nothing where a step gains less than four bits, as next to the limiting speed.
+/// Newton's method for F(M) = 0 from the impedance in double, whose Lyapunov operator serves for all steps. Each step
+/// gains about as many digits as a double has. Nothing if a step gains less than four bits, as near the limiting speed.
 std::optional<ComplexMatrix<Float>> refined(const Matrix& q, const Matrix& r, const Matrix& t, int bits) {
   const auto start =
       barnett_lothe_impedance<double>(q.cast<double>(), r.cast<double>(), t.cast<double>(), 1e-8, 30);
@@ -140,7 +140,7 @@ std::optional<ComplexMatrix<Float>> refined(const Matrix& q, const Matrix& r, co
   const Matrix compliance = t.inverse();
   ComplexMatrix<Float> m = cast<Float>(*start);
   DenseMatrix<double> inverse;
-  // The last step is the first whose change is within the last 40 bits; it leaves an error at least 16 times less.
+  // The last step is the first whose change is within the last 40 bits. It leaves an error at most 1/16 of this change.
   for (Float last = start->re.norm(), enough = ldexp(last, 40 - bits); last > enough;) {
     const Matrix right = m.im + r.transpose(), left = right.transpose();
     const ComplexMatrix<Float> g{compliance * m.re, compliance * right};
@@ -186,7 +186,7 @@ std::optional<IntervalMatrix> surface_impedance(const AcousticMatrices& matrices
   const WorkingDigits working(digits_of(precision));
   const Matrix q = middle(matrices.q).re, r = middle(matrices.r).re, t = middle(matrices.t).re;
   if (auto found = proven<double>(matrices, refined(q, r, t, static_cast<int>(precision)))) return found;
-  // Enough for speeds so close to the limiting speed that Im s = 2^(-precision/4).
+  // Enough steps for speeds so close to the limiting speed that Im s = 2^(-precision/4).
   const int most_doublings = static_cast<int>(precision / 4) + 16;
   const Float small = ldexp(Float(1), -static_cast<int>(precision / 2));
   return proven<Float>(matrices, barnett_lothe_impedance(q, r, t, small, most_doublings));

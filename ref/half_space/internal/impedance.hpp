@@ -10,9 +10,9 @@
 
 namespace nipref::ref {
 
-/// With n the direction of the line in the surface and m = e3, in units of C33: q_ik = n_j C_ijkl n_l -
-/// inertia delta_ik, r_ik = n_j C_ijkl m_l, t_ik = m_j C_ijkl m_l. Fields exp(iq(n.x + s x3)) satisfy
-/// [q + s (r + r^T) + s^2 t] a = 0, where inertia = density (speed cos(psi - theta))^2/C33.
+/// q_ik = n_j C_ijkl n_l - inertia delta_ik, r_ik = n_j C_ijkl m_l and t_ik = m_j C_ijkl m_l, in units of C33, with the
+/// direction n of the line in the surface, m = e3, and inertia = density (speed cos(psi - theta))^2/C33. Fields
+/// a exp(i kappa (n.x + s x3)) satisfy [q + s (r + r^T) + s^2 t] a = 0.
 struct AcousticMatrices {
   IntervalMatrix q, r, t;
 };
@@ -23,12 +23,10 @@ AcousticMatrices acoustic_matrices(const ExactStiffness& solid, const SurfaceDir
 /// density (speed cosine)^2/C33.
 Interval inertia_of(const ExactStiffness& solid, const Exact& speed, const Interval& cosine);
 
-/// The impedance M of a half-space (Hermitian, unit C33, axes 1, 2, 3): a surface displacement u exp(iq n.x), q > 0,
-/// has the traction sigma_i3 = -q M_ik u_k. Nothing if no enclosure is proven at the precision of the matrices. An
-/// enclosure also proves that the speed is below the limiting speed.
-///
-/// Proof: ref/half_space/README.md, The response of lines. M0 and X are found in floating point, the rest is interval
-/// arithmetic.
+/// The impedance M of a half-space (Hermitian, unit C33, axes 1, 2, 3): a surface displacement u exp(i kappa n.x),
+/// kappa > 0, has the traction sigma_i3 = -kappa M_ik u_k. Nothing if no enclosure is proven at the precision of the
+/// matrices. An enclosure also proves that the speed is below the limiting speed. Proof: ref/half_space/README.md, The
+/// response of lines; M0 and X of the proof are found in floating point, the rest is interval arithmetic.
 std::optional<IntervalMatrix> surface_impedance(const AcousticMatrices& matrices);
 
 /// A complex matrix by its parts.
@@ -50,13 +48,13 @@ inline ComplexMatrix<Float> middle(const IntervalMatrix& x) {
   return result;
 }
 
-/// The impedance M of a half-space, traction = -|q| M displacement, from the Barnett-Lothe integrals
+/// The impedance M of a half-space, traction = -kappa M displacement, from the Barnett-Lothe integrals
 ///
 ///     [S H; -L S^T] = (1/pi) int_0^pi N(phi) dphi,   M = H^{-1} + i H^{-1} S,
 ///
-/// of Stroh's 6x6 matrix N = N(0). As N(phi) obeys the addition theorem of the tangent, the trapezoidal rule with 2^k points
-/// is k steps of Z <- (Z - Z^{-1})/2 from Z = N. They end when the relative change of Z is below `small`, and the error is then
-/// about the square of `small`; nothing if that takes more than `most_doublings`, near the limiting speed and beyond.
+/// of Stroh's 6x6 matrix N = N(0). As N(phi) obeys the addition theorem of the tangent, the trapezoidal rule with 2^k
+/// points is k steps of Z <- (Z - Z^{-1})/2 from Z = N. They end when the relative change of Z is below `small`; the
+/// error is then about the square of `small`. Nothing after `most_doublings` steps, near the limiting speed and beyond.
 template <class Scalar>
 std::optional<ComplexMatrix<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scalar>& q,
                                                              const DenseMatrix<Scalar>& r,

@@ -41,7 +41,8 @@ struct AcousticPencil {
 };
 using RoughPencil = AcousticPencil<double>;
 
-/// The s = tan(phi), in a scan of half a turn, for which the smallest eigenvalue is smallest lies between these.
+/// An interval about the s = tan(phi) at which the pencil's smallest eigenvalue is smallest, from a scan of half a
+/// turn.
 struct Valley {
   double left, right;
 
@@ -54,8 +55,9 @@ struct Valley {
       if (eigenvalue < lowest) lowest = eigenvalue, left = s_at(k - 1), right = s_at(k + 1);
     }
   }
-  /// The s of the minimum between them, to half of the bits of a number, and the eigenvalue there, to all. Moduli may be so far
-  /// apart that the scan has seen rounding alone and no minimum is there: the search ends after the steps of a golden section.
+  /// The s of the minimum, to half of the bits, and the eigenvalue there, to all bits. If moduli differ so much that
+  /// the scan has seen only rounding errors, there need not be a minimum. The search ends after the steps of a golden
+  /// section.
   template <class Scalar>
   [[nodiscard]] std::pair<Scalar, Scalar> lowest_point(const AcousticPencil<Scalar>& pencil,
                                                        mpfr_prec_t bits) const {
@@ -98,7 +100,7 @@ double determinant(const RoughPencil& pencil, double inertia) {
   return hermitian.determinant().real();
 }
 
-/// The inertia limit (1 - w^2), nearest < w < 1, at which a determinant is 0; nothing if it is not below 0 at `nearest`.
+/// The inertia limit (1 - w^2), nearest < w < 1, at which the determinant is 0. Nothing unless it is < 0 at `nearest`.
 template <class Scalar, class Determinant>
 std::optional<Scalar> wave_inertia(const SurfaceDirection& psi, const Scalar& limit,
                                    const Determinant& determinant_at, const Scalar& nearest,
@@ -113,8 +115,8 @@ std::optional<Scalar> wave_inertia(const SurfaceDirection& psi, const Scalar& li
 
 Float power_of_two(mpfr_prec_t exponent) { return ldexp(Float(1), exponent); }
 
-/// det M as an interval; nothing where the impedance is proven neither at this precision nor at a few times this
-/// precision, which moduli that differ by many powers of ten need.
+/// det M as an interval. Moduli that differ by many powers of ten need a few times the precision. Nothing if the
+/// impedance is not proven with that either.
 std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDirection& psi,
                                     const Float& inertia, mpfr_prec_t precision) {
   constexpr int most_attempts = 3;
@@ -125,7 +127,7 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
   return std::nullopt;
 }
 
-/// The least number of bits for which a bracket of the root is below the limiting speed.
+/// The smallest number of bits for which the bracket of a root is below the limiting speed.
 constexpr mpfr_prec_t fewest_bits = 48;
 
 }  // namespace
@@ -164,8 +166,8 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
   const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 3 * bits + 64;
   const WorkingDigits working(digits_of(precision));
   const Float limit = middle_of(limiting_inertia(solid, psi, bits + 24));
-  // Close to a direction in which the limiting wave has a traction-free surface, the surface wave is arbitrarily
-  // close to the limiting speed.
+  // The surface wave is arbitrarily close to the limiting speed near directions in which the limiting wave has a
+  // traction-free surface.
   const auto root = wave_inertia<Float>(
       psi, limit,
       [&](const Float& inertia) {

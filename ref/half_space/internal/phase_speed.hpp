@@ -8,9 +8,8 @@
 
 namespace nipref::ref {
 
-// Phase speeds as inertia = density speed^2/C33, enclosed to a relative width of about 2^-bits. BadInput "solid" where
-// this is not proven, which happens if moduli differ by many powers of ten or a surface wave is close to the limiting
-// speed.
+// Phase speeds as inertia = density speed^2/C33, enclosed to a relative width of about 2^-bits. BadInput "solid" if no
+// proof is found, because moduli differ by many powers of ten or a surface wave is close to the limiting speed.
 
 inline constexpr auto surface_wave = "surface wave";
 [[noreturn]] void refuse_proof(const SurfaceDirection& psi, const char* what);
@@ -22,11 +21,11 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
 std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
                                              mpfr_prec_t bits);
 
-/// The surface wave's inertia, or the limiting one if there is no surface wave, to some 12 digits; not proven.
+/// The inertia of the surface wave or, if there is none, of the limiting speed, to about 12 digits; not proven.
 double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi);
 
-/// Whether an inertia along psi is proven to be below that of the limiting speed and of the surface wave. The proof
-/// fails close to them, at a distance far below the spacing of doubles.
+/// Whether an inertia along psi is proven to be below the inertias of the limiting speed and of the surface wave. The
+/// proof fails close to them, at a distance far below the spacing of doubles.
 bool is_subcritical(const ExactStiffness& solid, const SurfaceDirection& psi,
                     const std::function<Interval(mpfr_prec_t precision)>& inertia);
 
