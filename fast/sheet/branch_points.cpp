@@ -8,7 +8,7 @@
 namespace nipref::fast {
 namespace {
 
-/// The octaves [1/8, 1/4) and [1/4, 1/2), and where the others begin, down to the denormal numbers.
+/// Adds the cells of the octaves [1/8, 1/4) and [1/4, 1/2), and the beginnings of the others, down to the denormal numbers.
 void add_log_cells(std::vector<double>& points) {
   for (double cell = 0; cell < internal::log_cells; ++cell) {
     const double mantissa = 1 + cell / internal::log_cells;
@@ -18,12 +18,12 @@ void add_log_cells(std::vector<double>& points) {
   for (int octave = 4; octave <= 1022; ++octave) points.push_back(std::ldexp(1.0, -octave));
 }
 
-/// Between centres that are `width` apart.
+/// Adds the midpoints between centres that are `width` apart.
 void add_piece_edges(std::vector<double>& points, double begin, double end, double width) {
   for (double edge = begin + width / 2; edge < end; edge += width) points.push_back(edge);
 }
 
-/// The first cells of the exponential or of the phase.
+/// Adds the edges of the first cells of the exponential or of the phase beyond piece_end.
 void add_tail_cells(std::vector<double>& points, double cells_per_unit, int cells) {
   const double first = std::ceil(internal::piece_end * cells_per_unit) + 0.5;
   for (int cell = 0; cell < cells; ++cell) points.push_back((first + cell) / cells_per_unit);

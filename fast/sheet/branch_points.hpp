@@ -4,8 +4,8 @@
 namespace nipref::fast {
 
 /// The arguments that an audit should test first, in ascending order: every |alpha| or |eta| at which the code for the
-/// sheet kernels changes its regime or its piece, and the first cells of the tables that are used periodically (the
-/// logarithm's in each octave, the exponential's and the phase's along the tail).
+/// sheet kernels changes its regime or its piece, and the edges of the first cells of tables that are used periodically.
+/// These are the table of the logarithm in each octave, and those of the exponential and of the phase in the tail.
 std::span<const double> branch_points();
 
 }  // namespace nipref::fast

@@ -16,7 +16,7 @@ int refuse(int code, const std::exception& reason) noexcept {
   return code;
 }
 
-/// Gives the value, unless the kernel refuses the argument.
+/// Writes the kernel's value to *value and returns 0, or returns an error code if the kernel throws.
 template <class Kernel>
 int give(double* value, Kernel kernel) noexcept {
   return c_call([=] {

@@ -12,7 +12,7 @@ namespace {
 using internal::shares_of;
 using std::numbers::inv_pi;
 
-/// The ratios theta1/N and theta2/N do not depend on Young's modulus, so that the check uses 1.
+/// Checks with a Young's modulus of 1, as theta1/N and theta2/N do not depend on it.
 void check_poisson(double poisson) { data::ElasticMaterial{1, poisson}.check(); }
 
 double normal_step(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {

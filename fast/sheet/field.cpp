@@ -10,7 +10,7 @@
 #include <nipref/fast/sheet/internal/half_planes.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
-// With s the depth, N = theta1 + theta2, functions of w = alpha + i s as in field_functions.hpp:
+// The field, with s the depth, N = theta1 + theta2 and the functions of w = alpha + i s of field_functions.hpp:
 //
 //     normal load                                  shear load
 //     pi sigma_x  -(Re I7 + Re I5' + s Im I7')     Re I7' - s Im I5'
@@ -35,7 +35,7 @@ using std::numbers::inv_pi;
 
 constexpr double quarter_pi = std::numbers::pi / 4;
 constexpr double nearest_on_the_face = 1e-300;
-/// Of second derivatives, which grow like 1/alpha^2.
+/// The smallest |alpha| for second derivatives, which grow like 1/alpha^2.
 constexpr double nearest_of_second = 1e-150;
 
 void check(double alpha, double depth) {
@@ -49,7 +49,8 @@ void check(double alpha, double depth) {
 
 bool is_near(double alpha) { return alpha < internal::near_load_end; }
 
-/// The functions from `first` on at alpha >= 0 without the half-planes or, far from the load, without what does not decay.
+/// The functions from `first` on at alpha >= 0, near the load without the half-planes' parts, elsewhere without the
+/// parts that do not decay.
 FieldFunctions varying(double alpha, double s, FieldFunction first) {
   return is_near(alpha) ? internal::near_rest(alpha, s, first) : internal::decaying(alpha, s, first);
 }
@@ -65,8 +66,7 @@ SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
           (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inv_pi};
 }
 
-/// The whole stresses at alpha >= 0, 0 <= s <= 1, from the functions' rest near the load, else from the residue series, which
-/// decay.
+/// The stresses at alpha >= 0, 0 <= s <= 1, where f are the functions without the parts that varying() leaves out.
 SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, SheetLoad load) {
   SheetStresses result = stresses_of(f, s, load);
   if (is_near(alpha)) return internal::half_plane_stresses({alpha, s}, load) + result;
@@ -74,11 +74,11 @@ SheetStresses whole_stresses(const FieldFunctions& f, double alpha, double s, Sh
   return result;
 }
 
-/// The sign of x, 0 for x = 0.
+/// The sign of x, which is 0 for x = 0.
 double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
 
-/// The factors of theta2/N (or 1) and of theta1/N in pi u or, along the sheet, in pi v relative to infinity, without
-/// constants: imaginary and real parts of the same functions.
+/// The factors of theta2/N (or 1) and of theta1/N in pi u or, if `along`, in pi v relative to infinity, without
+/// constants. They are imaginary and real parts of the same functions.
 HalfPlaneParts parts_of(bool along, const FieldFunctions& f, double s, SheetLoad load) {
   const bool normal = load == SheetLoad::normal;
   const internal::ComplexValue first = f[normal ? I4 : K5], a = f[normal ? I5 : I7], b = f[normal ? I7 : I5];
@@ -87,14 +87,15 @@ HalfPlaneParts parts_of(bool along, const FieldFunctions& f, double s, SheetLoad
   return {first.im, a.im + t * b.re};
 }
 
-/// u or v from its parts, v under one load by the formula of u under the other; v of a shear load lacks what depends on eta.
+/// u or, if `along`, v from its parts. v under one load has the formula of u under the other load. v of a shear load
+/// lacks the part that depends on eta.
 double displaced(bool along, const HalfPlaneParts& parts, SheetLoad load, const Shares& share) {
   const double second = share.theta1 * parts.second;
   const bool both = (load == SheetLoad::normal) != along;
   return (both ? -parts.first - second : second - share.theta2 * parts.first) * inv_pi;
 }
 
-/// u, or v without the part that depends on eta; v of a shear load, far from it, without -alpha/4, too.
+/// u, or v without the part that depends on eta. Far from the load, v of a shear load also lacks its term -alpha/4.
 double in_quarter(bool along, double alpha, double s, SheetLoad load, double poisson) {
   HalfPlaneParts parts{};
   if (is_near(alpha)) {
@@ -108,7 +109,7 @@ double in_quarter(bool along, double alpha, double s, SheetLoad load, double poi
   return displaced(along, parts, load, shares_of(poisson));
 }
 
-/// v of a shear load. Both parts grow with their distances, which are subtracted first.
+/// v of a shear load. Its parts grow with alpha and eta; far from the load alpha and eta are subtracted first.
 double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   const int part = static_cast<int>(internal::Component::eta_part_of_I6);
   const double held =
@@ -130,8 +131,8 @@ Lifted lifted(double alpha, double depth) {
   return tiny ? Lifted{a * 0x1p64, 0x1p-64} : Lifted{a, 1};
 }
 
-/// The stresses at (alpha, depth) from those at (|alpha|, |depth|), by their parities; those that are odd in alpha times
-/// `scale`.
+/// The stresses at (alpha, depth) from those at (|alpha|, |depth|), by their parities. Stresses that are odd in alpha
+/// are multiplied by `scale`.
 SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load,
                          double scale = 1) {
   const double side = scale * sign(alpha), face = sign(depth);
@@ -155,9 +156,9 @@ struct FacePlace {
     if (order == Derivative::second && a < nearest_of_second)
       throw data::BadInput("alpha", alpha, "must be at least 1e-150 in magnitude: the load is at 0");
   }
-  /// A function at alpha + i, without what does not decay or, near the load, without the half-planes.
+  /// A function at alpha + i, near the load without the half-planes' part, elsewhere without the part that does not decay.
   [[nodiscard]] internal::ComplexValue part(internal::FieldFunction f) const { return varying(a, 1, f)[f]; }
-  /// What the half-planes add where they are apart.
+  /// The half-planes' part `value` near the load; elsewhere 0, as the residue series includes this part.
   [[nodiscard]] double planes(double value) const { return near ? value : 0; }
 };
 

@@ -4,10 +4,10 @@
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/fast/sheet/displacements.hpp>  // IWYU pragma: export
 
-// Kernels of the elastic sheet in double. They come from the residue series alone (roots of
-// sinh 2z + 2z = 0): two words of a tabulated local polynomial up to 12 half-thicknesses, the first residue beyond, the
-// logarithm in closed form below 1/2; see arithmetic/component.hpp. About 9 ns a value, in batches
-// 1 to 3 ns on a processor with AVX-512, 3 to 4 ns on one with AVX2.
+// Kernels of the elastic sheet in double, which are computed from the residue series alone (roots of sinh 2z + 2z = 0):
+// from a tabulated local polynomial in two words up to 12 half-thicknesses, from the first residue beyond, with the
+// logarithm in closed form below 1/2; see arithmetic/component.hpp. A value takes about 9 ns, in batches 1 to 3 ns on a
+// processor with AVX-512 and 3 to 4 ns on one with AVX2.
 //
 // In common to all functions of this header:
 //   alpha, eta   dimensionless distances from the load, in units of the sheet's half-thickness b

@@ -11,7 +11,7 @@
 namespace nipref::fast {
 namespace {
 
-/// One residue, in the names of (AI.8), (AI.9).
+/// One residue term, with the names of (AI.8), (AI.9).
 struct Term {
   double K;
   double m;
@@ -29,8 +29,8 @@ Term term(int n) {
 
 /// Twice the residue at z, with (sinh 2z + 2z)' = 4 cosh^2 z.
 std::complex<double> twice_residue(PlainKernel kernel, int n) {
-  // In units of 2^-53: z is good to 4, w to 8, which moves the hyperbolic tangent by 6 and cosh z by 9, as |w| < 0.21.
-  // The rest are products and quotients, of 3 and 5 units each: 27 at most, of I4.
+  // Errors in units of 2^-53: 4 in z, 8 in w, which changes the hyperbolic tangent by 6 and cosh z by 9, as |w| < 0.21.
+  // The other operations are products and quotients, with 3 and 5 units each. The sum is 27 at most, for I4.
   const std::complex<double> z = sheet_root(n), w = 0.5 / z, tangent = w + std::sqrt(1.0 + w * w);
   const std::complex<double> cosine = (n % 2 == 0 ? 1.0 : -1.0) * std::sqrt(-z / tangent);
   switch (kernel) {
@@ -66,7 +66,7 @@ std::span<const Term> first_terms(int count) {
   return std::span(all_terms()).first(static_cast<std::size_t>(count));
 }
 
-/// Sums over the terms at one |alpha|.
+/// The sums over the terms at one |alpha|.
 struct Sums {
   double I1 = 0, I3 = 0, I6 = 0;
 };

@@ -37,8 +37,8 @@ std::complex<double> sheet_root(int n) {
     const MapAndSlope at = map(z);
     z += (at.value + Complex(0, height) - z) / (1.0 - at.slope);
   }
-  // One step of the plain iteration, as Newton's difference has a rounding error of the size of z's; the map contracts
-  // the remaining error.
+  // The last step is a fixed-point iteration: the difference in Newton's step has a rounding error of the size of z's,
+  // while the map contracts the remaining error.
   const Complex value = map(z).value;
   return {value.real(), std::fma(n, std::numbers::pi, n * pi_low + value.imag())};
 }

@@ -4,10 +4,10 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// The form in which a caller needs a component: its rounded value, or two words for further arithmetic.
+/// The form in which a caller needs a component: rounded to one double, or as two words for further arithmetic.
 enum class Words { rounded, two };
 
-/// A component at sorted points: its value or high word, and its low word where two are wanted.
+/// A component at sorted points: its value, or its high and low words.
 struct SortedValues {
   alignas(64) double high[3 * regime_capacity];
   alignas(64) double low[3 * regime_capacity];
@@ -37,7 +37,7 @@ NIPREF_INLINE void evaluate_sorted(const SortedPoints& points, SortedValues& val
     evaluate_regime<Vector, Regime::near_zero, component, tier, words>(points, values);
   }
   evaluate_regime<Vector, Regime::piece, component, tier, words>(points, values);
-  // The compiler makes vectors of the numbers of this loop.
+  // The compiler vectorises this loop over doubles.
   evaluate_regime<double, Regime::residue_tail, component, tier, words>(points, values);
 }
 

@@ -5,16 +5,16 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// An argument x < piece_end in the coarse tiers: f = rest + the cubic in t of one row of the coarse table; for odd f
-/// the rest is 0 and the cubic is multiplied by x.
+/// An argument x < piece_end in the coarse tiers, where f is `rest` plus the cubic in t of one row of the coarse table.
+/// For odd f the rest is 0 and the cubic is multiplied by x.
 template <class Number>
 struct CoarsePoint {
   decltype(bits_of(Number{})) offset;  ///< of the row in the table
   Number t, rest;
 };
 
-/// The centre next to 0 <= y <= piece_end and the distance from it: one addition rounds y to a multiple of 1/32 and adds
-/// the first row's number.
+/// Finds the centre nearest to y, 0 <= y <= piece_end, and the distance from it. One addition rounds y to a multiple of
+/// 1/32 and adds the number of the first row.
 template <class Number>
 NIPREF_INLINE CoarsePoint<Number> about_coarse_centre(Number y, Number shift) {
   static_assert(coarse_degree + 1 == 4);
@@ -22,16 +22,15 @@ NIPREF_INLINE CoarsePoint<Number> about_coarse_centre(Number y, Number shift) {
   return {(bits_of(shifted) & 0xffff) << 2, y - (shifted - shift), Number{}};
 }
 
-/// There are no branches, which random arguments would mispredict: below near_end the mantissa replaces x, elsewhere
-/// the power of two and the even remainder are masked off.
+/// Locates x without branches, which random arguments would mispredict: below near_end the mantissa replaces x,
+/// elsewhere the power of two and the even remainder are masked off.
 template <Component component, int tier, class Number>
 NIPREF_INLINE CoarsePoint<Number> locate_coarsely(Number x) {
-  const Number bounded =
-      smaller(x, all<Number>(piece_end));  // beyond it any row will do: the value is not used
+  const Number bounded = smaller(x, all<Number>(piece_end));  // beyond piece_end the value is not used
   const Number piece_shift = all<Number>(0x1p47);
   if constexpr (shape_of<component> != Shape::logarithmic) return about_coarse_centre(bounded, piece_shift);
   constexpr double ln2 = 0x1.62e42fefa39efp-1;
-  // Mantissa 1 is 32 steps of 1/32 from 0.
+  // The mantissa 1 is 32 steps of 1/32 from 0.
   constexpr double first_log_row = coarse_piece_rows - 32;
   const Number log_shift = all<Number>(0x1p47 + first_log_row / coarse_pieces), none{};
   const ComponentTable& table = component_tables[static_cast<int>(component)];
@@ -46,7 +45,7 @@ NIPREF_INLINE CoarsePoint<Number> locate_coarsely(Number x) {
   return at;
 }
 
-/// The cubics of points whose rows begin at the offsets.
+/// The cubics at points t, with coefficients from the rows that begin at the offsets.
 template <int degree, class Offset, class Number>
 NIPREF_INLINE Number cubics(const double* table, Offset offset, Number t) {
   const Columns<Number> power = columns(table, offset);

@@ -22,8 +22,8 @@ struct CoarseBlock {
 
 #ifdef __AVX2__
 
-/// Collects the tail and locates all points. The offsets of rows are stored to memory long before they are loaded: a
-/// scalar load soon after a vector store waits for it, and extracting from a vector register is slow.
+/// Collects the points of the tail and locates all points. The offsets of rows are stored to memory long before they are
+/// loaded, because a scalar load soon after a vector store waits for it and extraction from a vector register is slow.
 template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
   size_t tail_count = 0;

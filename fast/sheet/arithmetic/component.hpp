@@ -6,13 +6,13 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// The map of the argument range.
+/// The regimes of the argument x.
 ///
 ///   0 <= x < 1/2    logarithmic components: -ln x + even remainder; others: pieces
 ///   1/2 <= x < 12   pieces
 ///   12 <= x         limit and first residue
 ///
-/// Coarse tiers treat the first two as one.
+/// Coarse tiers treat the first two regimes as one.
 enum class Regime { near_zero, piece, residue_tail };
 
 template <Regime regime, Component component, int tier, class Number>
@@ -44,8 +44,8 @@ NIPREF_INLINE double with_symmetry(double value, double argument) {
   return shape_of<component> == Shape::odd ? __builtin_copysign(value, argument) : value;
 }
 
-/// (pi/4)(e - a) + r - s for a, e >= 0. The first term has a relative error of 2^-106, as it alone remains where a
-/// and e are large and close.
+/// (pi/4)(e - a) + r - s for a, e >= 0. The first term has a relative error of 2^-106, as it alone remains if a and e
+/// are large and close to each other.
 NIPREF_INLINE double combine_i6(double a, double e, Pair r, Pair s) {
   constexpr double quarter_pi_high = 0x1.921fb54442d18p-1;
   constexpr double quarter_pi_low = 0x1.1a62633145c07p-55;

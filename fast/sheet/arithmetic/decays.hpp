@@ -2,15 +2,15 @@
 #include <nipref/fast/sheet/arithmetic/vector.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
-// Exponentials and waves at all nodes of a Gauss rule at once, which the memory of a kernel needs.
+// Exponentials and waves for the integrals of kernels: at all nodes of a Gauss rule, or for all roots, at once.
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// e^-x for 0 <= x <= 708, to a unit in the last place: 2^-k e^r with |r| <= ln 2/2, Taylor's polynomial.
+/// e^-x for 0 <= x <= 708, to a unit in the last place: 2^-k e^r with |r| <= ln 2/2, where e^r is a Taylor polynomial.
 NIPREF_INLINE double decay(double x) {
   constexpr double per_ln2 = 0x1.71547652b82fep+0;
   constexpr double rounding_shift =
-      0x1.8p52;  // adding it rounds to an integer, which then stands in the low bits
+      0x1.8p52;  // its addition rounds to an integer, which is then in the low bits
   constexpr Taylor<14> series(0, 1, 1);
   const double shifted = mul_add(-x, per_ln2, rounding_shift);
   const double k = shifted - rounding_shift;
@@ -24,7 +24,7 @@ NIPREF_INLINE void decays(double rate, const double* at, double* value, size_t c
   for (size_t i = 0; i < count; ++i) value[i] = decay(rate * at[i]);
 }
 
-/// Of a logarithmic component at x = from + length at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
+/// The even remainder of a logarithmic component, x^2 times a polynomial in x^2, at x = from + length at[i], |x| <= 1/2.
 NIPREF_INLINE void even_rest(Component component, double from, double length, const double* at, double* value,
                              size_t count) {
   const double* even = component_tables[static_cast<int>(component)].even[full_tier];
@@ -34,7 +34,7 @@ NIPREF_INLINE void even_rest(Component component, double from, double length, co
   }
 }
 
-/// cos and sin of |phase| <= 2000, with absolute error 2^-53: a multiple of pi/2 is subtracted in three words.
+/// Cosine and sine of a phase, |phase| <= 2000, with absolute error 2^-53. A multiple of pi/2 is subtracted in three words.
 struct Turn {
   double cosine, sine;
 };

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set; NIPREF_ISA is its name in SheetCode.
+// Compiled once for each instruction set, whose name is NIPREF_ISA.
 
 #include <nipref/fast/sheet/arithmetic/coarse_batch.hpp>
 #include <nipref/fast/sheet/arithmetic/decays.hpp>
@@ -7,8 +7,8 @@
 namespace nipref::fast::internal::NIPREF_ISA {
 namespace {
 
-/// Compares integers, since doubles are ordered like their bits: any magnitude outside the domain makes a difference
-/// negative.
+/// Compares the doubles' bits as integers, which have the same order. A magnitude outside the domain makes one of the
+/// differences negative.
 bool all_in_domain(const double* argument, size_t count, Domain domain) {
   constexpr int64_t largest = 0x7fefffffffffffff;
   const int64_t smallest = domain == Domain::finite_nonzero ? 1 : 0;
@@ -56,7 +56,7 @@ NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* va
   for (size_t i = whole; i < count; ++i) value[i] = last_value[i - whole];
 }
 
-/// A component at a block of arguments: its values, or their high words and, where two are wanted, the low ones.
+/// A component at a block of arguments: its values in `high`, or their high and low words.
 template <Component component, int tier, Words words>
 void evaluate_block(const double* argument, int32_t n, double* high, double* low) {
   if constexpr (tier_works[tier].coarse) {

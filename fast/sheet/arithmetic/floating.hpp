@@ -1,10 +1,9 @@
 #pragma once
 
-// Building blocks of the sheet arithmetic. Everything under arithmetic/ is compiled once for each instruction
-// set, into the namespace NIPREF_ISA, so that the linker can never take one set's inline function for
-// another's. For the same reason no header of the C++ library is included here. Compiled with
-// -ffp-contract=off: a fused operation happens where mul_add is written and nowhere else, which the
-// error-free transformations below rely on.
+// Building blocks of the sheet arithmetic. Everything under arithmetic/ is compiled once for each instruction set, into the
+// namespace NIPREF_ISA, so that the linker cannot confuse the inline functions of two instruction sets. For the same reason
+// no header of the C++ library is included here. The compiler option -ffp-contract=off makes sure that only mul_add is a
+// fused operation, on which the error-free transformations below rely.
 
 #include <stdint.h>
 
@@ -14,8 +13,8 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// An unevaluated sum; |low| is small against |high|, though not necessarily below half a unit of it. A number is a double
-/// or a vector of doubles here and in what follows.
+/// An unevaluated sum. |low| is small compared with |high|, but not necessarily below half a unit in its last place.
+/// Here and below, Number is double or a vector of doubles.
 template <class Number>
 struct Sum {
   Number high, low;
@@ -25,7 +24,7 @@ using Pair = Sum<double>;
 NIPREF_INLINE uint64_t bits_of(double x) { return __builtin_bit_cast(uint64_t, x); }
 NIPREF_INLINE double from_bits(uint64_t bits) { return __builtin_bit_cast(double, bits); }
 
-/// a b + c, with one rounding where the processor has the instruction, else with two.
+/// a b + c, with one rounding if the processor has the instruction, otherwise with two.
 NIPREF_INLINE double mul_add(double a, double b, double c) {
 #ifdef __FP_FAST_FMA
   return __builtin_fma(a, b, c);
@@ -41,8 +40,8 @@ NIPREF_INLINE Pair two_sum(double a, double b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a b, exactly with a fused multiply-add, to 2^-106 otherwise. Splitting by mask instead of Dekker's
-/// constant: no overflow.
+/// a b, exact with a fused multiply-add, otherwise to 2^-106. A mask splits the factors, which, unlike Dekker's
+/// constant, cannot overflow.
 NIPREF_INLINE Pair two_product(double a, double b) {
   const double product = a * b;
 #ifdef __FP_FAST_FMA
@@ -57,8 +56,8 @@ NIPREF_INLINE Pair two_product(double a, double b) {
 #endif
 }
 
-/// Nearest integer of 0 <= x < 2^51 as a double, and its low bits as an integer, by the shift that makes the
-/// last place 1: unlike a conversion this runs in vectors on every instruction set.
+/// The integer nearest to x, 0 <= x < 2^51, as a double, and its low bits as an integer. Adding the constant whose last
+/// place is 1 rounds x; unlike a conversion, this vectorises on every instruction set.
 struct Nearest {
   double value;
   int64_t integer;
@@ -69,10 +68,11 @@ NIPREF_INLINE Nearest nearest(double x) {
   return {shifted - rounding_shift, static_cast<int64_t>(bits_of(shifted) & 0xffffffff)};
 }
 
-/// ln 2 in two words, the first a multiple of 2^-42: products of it with exponents are exact.
+/// ln 2 in two words. The first word is a multiple of 2^-42, so that its products with exponents are exact.
 inline constexpr double ln2_high = 0x1.62e42fefa38p-1, ln2_low = 0x1.ef35793c7673p-45;
 
-/// sign^k/(first + k step)! for k = 0 to count - 1: the series of e^x, or by powers of x^2 those of sine and cosine.
+/// The coefficients sign^k/(first + k step)!, k = 0 to count - 1, of the series of e^x, or of sine and cosine by powers
+/// of x^2.
 template <unsigned count>
 struct Taylor {
   double of[count];
@@ -86,13 +86,13 @@ struct Taylor {
   }
 };
 
-/// x, or x in every lane.
+/// x as a Number: the double itself, or a vector with x in every lane.
 template <class Number>
 NIPREF_INLINE Number all(double x) {
   return x - Number{};
 }
 
-/// Not by __builtin_memcpy, for which GCC takes instructions of integers, which are slower beside those of doubles.
+/// Loads without __builtin_memcpy, for which GCC uses integer instructions, which are slower among those for doubles.
 template <class Number>
 NIPREF_INLINE Number load(const double* from) {
   using InMemory [[gnu::aligned(8), gnu::may_alias]] = Number;
@@ -104,13 +104,13 @@ NIPREF_INLINE void store(Place* to, Number x) {
   *reinterpret_cast<InMemory*>(to) = x;
 }
 
-/// 0 < x < 2^969 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for other x.
+/// x = 2^exponent * mantissa, 1 <= mantissa < 2, for 0 < x < 2^969, denormal x included. For other x it is unspecified.
 template <class Number>
 struct Decomposed {
   Number exponent, mantissa;
 };
 
-// What vector.hpp has for vectors, under the same names.
+// For double, the functions that vector.hpp has for vectors, under the same names.
 
 /// c - a b and -a b - c, rounded like mul_add.
 NIPREF_INLINE double minus_mul_add(double a, double b, double c) { return mul_add(-a, b, c); }
@@ -118,7 +118,7 @@ NIPREF_INLINE double minus_mul_subtract(double a, double b, double c) { return -
 
 NIPREF_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 
-/// By masks: conditional expressions may be compiled to branches, which random arguments mispredict.
+/// Uses masks, as conditional expressions may be compiled to branches, which random arguments mispredict.
 NIPREF_INLINE uint64_t less(double a, double b) { return a < b ? ~uint64_t{0} : 0; }
 NIPREF_INLINE double select(uint64_t where, double a, double b) {
   return from_bits((bits_of(a) & where) | (bits_of(b) & ~where));

@@ -5,17 +5,17 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Powers of r in (ln(1 + r) - r)/r^2.
+/// Coefficients of the powers of r in (ln(1 + r) - r)/r^2.
 inline constexpr double log1p_curvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 / 5,  -1.0 / 6,
                                              1.0 / 7,  -1.0 / 8, 1.0 / 9,  -1.0 / 10};
 
-/// constant of the component - ln x for x > 0, denormal x included.
+/// The component's constant minus ln x, for x > 0, denormal x included, with 16 cells for the mantissa m.
 ///
-/// k ln2_high and log_high are multiples of 2^-42 below 2^10, so that their sum is exact and only terms below 1/256 are
-/// rounded, or 1/32 here: there are 16 cells, whose tables fit into registers of AVX-512, as the gathers that 128 cells need
-/// would cost a vector more than the longer series. The centres are defined by their reciprocals, which are doubles, so that
-/// a fused multiply-add computes r = m/centre - 1 with one rounding. Without one r has an error of 2^-53, which is enough
-/// for the tiers below full accuracy.
+/// k ln2_high and log_high are multiples of 2^-42 below 2^10. Their sum is exact, so that only terms below 1/32 are
+/// rounded. The tables of 16 cells fit into registers of AVX-512; with 128 cells, a vector would lose more time by
+/// gathers than it gains by the shorter series. The centres are defined by their reciprocals, which are doubles, so
+/// that a fused multiply-add computes r = m/centre - 1 with one rounding. Without a fused multiply-add the error of r
+/// is 2^-53, which is small enough for the tiers below full accuracy.
 template <Component component, int tier, class Number>
 NIPREF_INLINE Sum<Number> minus_logarithm(Number x) {
   constexpr int cell_shift = 48;
@@ -30,7 +30,7 @@ NIPREF_INLINE Sum<Number> minus_logarithm(Number x) {
   return {minus_mul_add(part.exponent, all<Number>(ln2_high), look_up(table.short_log_high, cell)), low};
 }
 
-/// The same of one number by 128 cells.
+/// The component's constant minus ln x for one number, with 128 cells: only terms below 1/256 are rounded.
 template <Component component, int tier>
 requires(tier_works[tier].log1p != 0) NIPREF_INLINE Pair minus_logarithm(double x) {
   constexpr int cell_shift = 45;
@@ -46,8 +46,8 @@ requires(tier_works[tier].log1p != 0) NIPREF_INLINE Pair minus_logarithm(double 
   return {table.log_high[cell] - part.exponent * ln2_high, low};
 }
 
-/// A logarithmic component for 0 < x < near_end. Low words are added from small to large: the logarithm's is
-/// below 1/256 where it matters, the even remainder below 0.1, the odd term below 0.4.
+/// A logarithmic component for 0 < x < near_end. Low words are added from small to large: the low word of the logarithm
+/// is below 1/256 where it matters, the even remainder below 0.1, the odd term below 0.4.
 template <Component component, int tier, class Number>
 NIPREF_INLINE Sum<Number> near_zero(Number x) {
   const ComponentTable& table = component_tables[static_cast<int>(component)];

@@ -5,14 +5,14 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Row of the piece around x < piece_end and distance of x from its centre, which is exact.
+/// The row of the piece around x < piece_end, and the distance of x from the piece's centre, which is exact.
 template <class Number>
 struct Located {
   decltype(bits_of(Number{})) row;
   Number t;
 };
 
-/// Adding 2^47 rounds to a multiple of 1/32, 2^46 to one of 1/64; 1 more moves to the rows of coarse pieces.
+/// Adding 2^47 rounds x to a multiple of 1/32, adding 2^46 to a multiple of 1/64. The 1 leads to the rows of coarse pieces.
 template <class Number>
 NIPREF_INLINE Located<Number> locate(Number x) {
   static_assert(fine_pieces == 64 && coarse_pieces == 32 && coarse_offset == 32);
@@ -21,7 +21,7 @@ NIPREF_INLINE Located<Number> locate(Number x) {
   return {bits_of(shifted) & 0xffff, x - (shifted - shift)};
 }
 
-/// A component for x < piece_end (and x >= near_end where it is logarithmic): local polynomial of the nearest
+/// A component for x < piece_end, and x >= near_end if it is logarithmic, by the local polynomial of the nearest
 /// centre. Odd components are tabulated as f(x)/x, which makes them relatively accurate down to denormal x.
 template <Component component, int tier, class Number>
 NIPREF_INLINE Sum<Number> piece(Number x) {

@@ -5,7 +5,7 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Cell and offset -1/2 <= offset <= 1/2 of the product of x with a two-double constant.
+/// The product of x and a constant of two words, as the nearest integer, `cell`, and the rest, -1/2 <= offset <= 1/2.
 struct Position {
   int64_t cell;
   double offset;
@@ -25,7 +25,7 @@ NIPREF_INLINE Position position(double x, double constant_high, double constant_
   }
 }
 
-/// amplitude * 2^(-position/32) without its power of two, which is 2^-(cell/32).
+/// amplitude * 2^(-position/32) without the power of two 2^-(cell/32), where cell/32 is the integer quotient.
 template <Component component, int tier>
 NIPREF_INLINE Pair decay(Position where) {
   constexpr double ln2_cell = 0x1.62e42fefa39efp-1 / exponential_cells;
@@ -56,8 +56,8 @@ NIPREF_INLINE Pair oscillation(Position where) {
   return {table.cosine_high[p], low};
 }
 
-/// Multiplies by 2^-k, 0 <= k < 2000, in two halves: either is a normal number, and only the second can
-/// round, when the result is denormal.
+/// Multiplies by 2^-k, 0 <= k < 2000, in two halves. Each factor is a normal number, and only the second product can be
+/// rounded, if it is denormal.
 NIPREF_INLINE double scale_down(double x, int64_t k) {
   const int64_t half = static_cast<int64_t>(static_cast<uint64_t>(k) >> 1);
   const double first = from_bits(static_cast<uint64_t>(1023 - half) << 52);
@@ -65,7 +65,7 @@ NIPREF_INLINE double scale_down(double x, int64_t k) {
   return x * first * second;
 }
 
-/// A component for x >= piece_end: its limit and its first residue, which underflows gradually.
+/// A component for x >= piece_end: the sum of its limit and its first residue, which underflows gradually.
 template <Component component, int tier>
 NIPREF_INLINE Pair residue_tail(double x) {
   const double bounded = x < underflown ? x : underflown;

@@ -6,7 +6,7 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Numbers 0 ... 3 from the offset of each lane, number by number.
+/// Four neighbouring numbers of a table from the offset of each lane: number[k] has the k-th of each lane.
 template <class Number>
 struct Columns {
   Number number[4];

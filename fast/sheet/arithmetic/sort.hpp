@@ -4,10 +4,10 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// Points handled at a time: the working arrays of a block stay in the first-level cache.
+/// Number of points handled at a time; the working arrays of a block stay in the first-level cache.
 inline constexpr int block_size = 512;
 
-/// Room for one regime's points, and for one vector more that sorting may write beyond them.
+/// Room for the points of one regime, and for one more vector that sorting may write beyond them.
 inline constexpr int regime_capacity = block_size + lanes;
 
 /// Where each regime's range begins.
@@ -19,8 +19,8 @@ struct SortedPoints {
   int32_t count[3];
 #ifdef __AVX2__
   uint8_t is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
-  uint8_t is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
-  int32_t far_count;                    ///< others
+  uint8_t is_tail[block_size / lanes];  ///< which arguments in a vector of far ones are in the residue tail
+  int32_t far_count;                    ///< number of arguments not near zero
 #else
   int32_t place[block_size];
 #endif
@@ -29,10 +29,10 @@ struct SortedPoints {
 
 #ifdef __AVX2__
 
-/// Pads the last vector of a range that ends here; left as they were, its lanes could index beyond a table.
+/// Pads the last vector of a range that ends here; otherwise its lanes could index beyond a table.
 NIPREF_INLINE void fill_up(double* end) { store(end, all<Vector>(1.0)); }
 
-/// Separates the points near zero from the others.
+/// Separates the points near zero from the far ones.
 NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedPoints& points) {
   size_t near_count = 0;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
@@ -86,13 +86,13 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
   separate_tail(points);
 }
 
-/// Odd components are positive on the right.
+/// Gives values of an odd component the signs of the arguments.
 NIPREF_INLINE Vector with_signs(Vector magnitude, Vector argument) {
   return from_bits(bits_of(magnitude) | (bits_of(argument) & bits_of(-0.0)));
 }
 
-/// Values at the points that are not near zero, in their order; for an odd component values at all points, with the
-/// signs of the arguments.
+/// Puts values at the points that are not near zero into their order. For an odd component these are all points, and
+/// the values get the signs of the arguments.
 template <Component component>
 NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points, const double* sorted,
                               double* value) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors of doubles, eight with AVX-512 and four with AVX2, and functions of numbers of either kind. Arithmetic and
+// Vectors of eight doubles with AVX-512 and of four with AVX2, and functions of vectors or doubles. Arithmetic and
 // comparisons are GCC's own operators on vectors; this header adds the operations that GCC lacks.
 
 #include <stddef.h>
@@ -19,7 +19,7 @@ using Vector [[gnu::vector_size(64)]] = double;
 using Vector [[gnu::vector_size(32)]] = double;
 #endif
 
-/// Loops over points run in whole vectors of this many.
+/// Number of doubles in a vector; loops over points run in whole vectors.
 inline constexpr int lanes = sizeof(Vector) / sizeof(double);
 
 using VectorBits [[gnu::vector_size(sizeof(Vector))]] = uint64_t;
@@ -27,7 +27,7 @@ using VectorBits [[gnu::vector_size(sizeof(Vector))]] = uint64_t;
 /// One bit for each lane.
 using LaneBits = uint32_t;
 
-/// The lanes that are not in a set.
+/// The lanes that are not in the set.
 NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return set ^ ((1u << lanes) - 1); }
 
 NIPREF_INLINE VectorBits bits_of(Vector x) { return __builtin_bit_cast(VectorBits, x); }
@@ -127,10 +127,10 @@ NIPREF_INLINE Vector gather_eighths(const double* table, const TableIndex& index
   return Vector{at(0), at(1), at(2), at(3)};
 }
 
-/// Permutations of a vector's halves of doubles for one set of lanes.
+/// Permutations of the 32-bit halves of a vector's doubles for one set of lanes.
 struct LaneOrder {
   alignas(32) uint32_t front[8];  ///< brings the set to the front
-  alignas(32) uint32_t back[8];   ///< from the front back to the set, whose sign bits are set
+  alignas(32) uint32_t back[8];   ///< from the front back to the set; entries of the set have the sign bit
 };
 
 struct LaneOrders {
@@ -189,7 +189,7 @@ namespace nipref::fast::internal::NIPREF_ISA {
 
 using Vector = double;
 
-/// Loops over points run in whole vectors of this many, which the compiler may make.
+/// Loops over points run in whole groups of this many, which the compiler may vectorise.
 inline constexpr int lanes = 8;
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
@@ -211,7 +211,7 @@ template <class Number>
 NIPREF_INLINE Decomposed<Number> decompose(Number x) {
   constexpr int scaling = 54;  // makes denormal numbers normal
   const auto bits = bits_of(x * 0x1p54);
-  // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer, a conversion that compilers
+  // An integer below 2^52 in the fraction bits of 2^52 gives the double 2^52 + integer, a conversion that compilers
   // vectorise.
   const Number biased = from_bits((bits >> 52) | 0x4330000000000000);
   return {biased - all<Number>(0x1p52 + 1023 + scaling),

@@ -17,7 +17,7 @@ Complex asymptotic_root(int n) {
   return {Real(log(4 * imaginary) / 2), imaginary};
 }
 
-/// Newton; (sinh 2z + 2z)' = 4 cosh^2 z.
+/// Newton's method with (sinh 2z + 2z)' = 4 cosh^2 z.
 Complex polished(Complex z) {
   for (int step = 0; step < 12; ++step) {
     const Complex cosh_z = cosh(z);
@@ -34,7 +34,7 @@ void check(const Complex& z, int n) {
   if (!solves || !in_strip) throw std::logic_error("a root of sinh 2z + 2z is not the one asked for");
 }
 
-/// Coefficient c of c e^(i z x): residue of the kernel's transform at the root z, thesis (AI.8), (AI.13) in
+/// The coefficient c of c e^(i z x): the residue of the kernel's transform at the root z, thesis (AI.8), (AI.13) in
 /// complex form.
 Complex residue(Component component, const Complex& z) {
   const Complex sinh_z = sinh(z);
@@ -64,7 +64,7 @@ Complex amplitude(Component component, const Complex& root) {
   return shape(component) == Shape::odd ? c : Complex(-c.imag(), c.real());
 }
 
-/// e^(i z_n x) of the roots up to where these are negligible. They are kept, since all components need the same.
+/// e^(i z_n x) for the roots for which it is not negligible. Results are cached, since all components need them.
 const std::vector<Complex>& waves(const Real& x) {
   static std::map<Real, std::vector<Complex>> kept;
   std::vector<Complex>& found = kept[x];
@@ -92,8 +92,8 @@ const std::vector<Complex>& roots() {
   return all;
 }
 
-/// The power series is the polynomial through points that the residues reach. As a function of x^2 it is analytic but from -1
-/// down, so that the polynomial converges like 18^-degree between the points, and like 15^-degree at 0 next to them.
+/// The power series is the polynomial through values of the residue series. As the even part is analytic in x^2 except
+/// at and below -1, the polynomial converges like 18^-degree between the points and like 15^-degree at 0.
 ComponentSeries::ComponentSeries(Component component) : component_(component) {
   for (const Complex& z : roots()) amplitudes_.push_back(amplitude(component, z));
   const Real nearest = Real(1) / 400, farthest = Real(1) / 4, between = Real(1) / 64;

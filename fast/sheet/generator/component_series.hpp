@@ -9,22 +9,21 @@ namespace nipref::fast::generator {
 /// std::logic_error.
 const std::vector<Complex>& roots();
 
-/// One component f as its residue series f(x) = limit + Re sum_n A_n e^(i z_n x), x > 0. The only input is the roots and the
-/// residues.
+/// One component f by its residue series f(x) = limit + Re sum_n A_n e^(i z_n x), x > 0, from the roots and residues alone.
 class ComponentSeries {
  public:
   explicit ComponentSeries(internal::Component component);
 
-  /// Value at infinity: pi/4 for the odd components, 0 for the others.
+  /// The value at infinity: pi/4 for the odd components, 0 for the others.
   [[nodiscard]] Real limit() const;
   /// The complex amplitudes A_n.
   [[nodiscard]] const std::vector<Complex>& amplitudes() const { return amplitudes_; }
-  /// c such that f - c x is even, or f is odd.
+  /// The number c for which f - c x, or f + ln x - c x for logarithmic f, is even; 0 for odd f.
   [[nodiscard]] Real linear() const;
-  /// The power series in x^2 of f + ln x where f is logarithmic, f/x where it is odd and f elsewhere, less c x: good to 40
-  /// digits for 0 <= x <= 1/2.
+  /// The power series in x^2 of f + ln x - c x for logarithmic f, of f/x for odd f, and of f - c x for other f. It has
+  /// 40 correct digits for 0 <= x <= 1/2.
   [[nodiscard]] const Series& about_zero() const { return about_zero_; }
-  /// f(x), or f(x)/x where f is odd; for a logarithmic f from x = 1/8 on.
+  /// f(x), or f(x)/x for odd f. For logarithmic f, x must be at least 1/8.
   [[nodiscard]] Real operator()(const Real& x) const;
 
  private:

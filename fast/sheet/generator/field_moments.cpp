@@ -12,12 +12,12 @@ constexpr int moment_count = internal::near_load_terms;
 
 int index(FieldFunction function) { return static_cast<int>(function); }
 
-/// m_k in I7's rest sum m_k w^2k and n_k in I5's rest w sum n_k w^2k, one m more than there are terms.
+/// Coefficients m_k of I7's rest sum m_k w^2k and n_k of I5's rest w sum n_k w^2k, one more of each than the table has.
 struct Moments {
   std::array<Real, moment_count + 1> m{}, n{};
 };
 
-/// The moments by the trapezoidal rule. Its error is e^{-2 pi Im(z_1)/step} = 1e-91, since z^2k sinh z/S and
+/// Computes the moments by the trapezoidal rule. Its error is e^{-2 pi Im(z_1)/step} = 1e-91, since z^2k sinh z/S and
 /// z^(2k+1) cosh z/S are even and analytic up to the first root. The moments of 2 e^{-z} are 2.
 Moments moments() {
   constexpr int steps_in_unit = 16, end = 420;

@@ -19,7 +19,7 @@ void write(std::ostream& out, double x) {
   out << text;
 }
 
-/// Of numbers or of arrays.
+/// Writes an array of numbers or of arrays.
 template <class Entry, std::size_t count>
 void write(std::ostream& out, const Entry (&entries)[count]) {
   out << "{";
@@ -30,7 +30,7 @@ void write(std::ostream& out, const Entry (&entries)[count]) {
   out << "}\n";
 }
 
-/// In the order of the struct's declaration.
+/// Writes members, which must be in the order of the struct's declaration.
 template <class... Members>
 void write_members(std::ostream& out, const Members&... members) {
   out << "{";

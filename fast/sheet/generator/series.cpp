@@ -8,7 +8,7 @@ Real value(const Series& p, const Real& x) {
   return sum;
 }
 
-/// By Newton's divided differences.
+/// Uses Newton's divided differences.
 Series interpolated(const std::function<Real(const Real&)>& f, const Real& low, const Real& high,
                     int degree) {
   const auto count = static_cast<std::size_t>(degree) + 1;

@@ -7,7 +7,7 @@
 
 namespace nipref::fast::generator {
 
-/// 100 digits, of which a polynomial in the form of powers loses at most about 50.
+/// A number of 100 digits, of which the evaluation of a polynomial by powers loses at most about 50.
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<100>,
                                            boost::multiprecision::et_off>;
 using Complex = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<100>,
@@ -21,7 +21,7 @@ using Series = std::vector<Real>;
 /// p(x).
 Real value(const Series& p, const Real& x);
 
-/// The polynomial of the given degree that agrees with f at the Chebyshev nodes of [low, high]: its error is within a
+/// The polynomial of the given degree that agrees with f at the Chebyshev nodes of [low, high]. Its error is within a
 /// small factor of the least possible.
 Series interpolated(const std::function<Real(const Real&)>& f, const Real& low, const Real& high, int degree);
 

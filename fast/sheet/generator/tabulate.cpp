@@ -20,7 +20,7 @@ Real row_centre(int row) {
               : Real(row - internal::coarse_offset) / internal::coarse_pieces;
 }
 
-/// The component about a centre, in a row for a polynomial: f, or f(x)/x for odd f.
+/// Fills a row with the coefficients of a polynomial for f, or f(x)/x for odd f, about a centre.
 template <std::size_t count>
 Series fill_row(const std::function<Real(const Real&)>& f, const Real& centre, double pieces,
                 double (&row)[count]) {
@@ -52,7 +52,7 @@ void fill_rows(const ComponentSeries& component, bool logarithmic, ComponentTabl
 
 Real log_cell_centre(int cell, int cells) { return 1 + (cell + Real(1) / 2) / cells; }
 
-/// The first is a multiple of 2^-42.
+/// Splits x into two words, the first of which is a multiple of 2^-42.
 void split_on_log_grid(const Real& x, double& high, double& low) {
   high = rounded(ldexp(Real(floor(ldexp(x, 42) + Real(1) / 2)), -42));
   low = rounded(x - high);
@@ -70,7 +70,7 @@ void fill_logarithm(const Series& about_zero, ComponentTable& table) {
   }
 }
 
-/// The even remainder over x^2, as a function of x^2 on [0, near_end^2], a polynomial for each tier separately.
+/// Fills, for each tier, a polynomial for the even remainder over x^2 as a function of x^2 on [0, near_end^2].
 void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
   const Series even(about_zero.begin() + 1, about_zero.end());
   const Real end = Real(internal::near_end) * internal::near_end;

@@ -7,15 +7,15 @@
 
 namespace nipref::fast::generator {
 
-/// The numbers of one component, each rounded once from 100 digits.
+/// The table of one component, each number rounded once from 100 digits.
 std::unique_ptr<internal::ComponentTable> tabulate(internal::Component component);
 
-/// The numbers that all components share.
+/// The table of the numbers that all components share.
 internal::CommonTable tabulate_common();
 
 internal::RootTable tabulate_roots();
 
-/// The field inside the sheet. The coefficients of the rest are the moments of 2 sinh z/S - 2 e^{-z} and
+/// The table for the field inside the sheet. The coefficients of the rest are the moments of 2 sinh z/S - 2 e^{-z} and
 /// 2 cosh z/S - 2 e^{-z}, where S = sinh 2z + 2z.
 std::unique_ptr<internal::FieldTable> tabulate_field();
 

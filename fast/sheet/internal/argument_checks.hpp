@@ -15,8 +15,7 @@ namespace nipref::fast::internal {
 /// Throws BadInput for an argument outside the domain.
 [[noreturn]] void refuse_argument(std::string_view name, double value);
 
-/// Throws BadInput if the spans differ in size or an argument is outside the domain; names the first such
-/// element.
+/// Throws BadInput if the spans differ in size or an argument is outside the domain; names the first such element.
 void check_arguments(std::string_view name, std::span<const double> arguments, std::size_t value_count,
                      Domain domain);
 

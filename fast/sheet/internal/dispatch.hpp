@@ -1,8 +1,7 @@
 #pragma once
 
-// The sheet arithmetic is compiled once for each instruction set (arithmetic/entry_points.cpp); this is the
-// table of its entry points. They expect checked arguments: finite, and not 0 where the component is
-// infinite.
+// The sheet arithmetic is compiled once for each instruction set (arithmetic/entry_points.cpp). SheetCode is the table of
+// its entry points. They expect checked arguments: finite, and not 0 if the component is infinite at 0.
 
 #include <stddef.h>
 
@@ -26,10 +25,10 @@ struct SheetCode {
   void (*batch_i6[tier_count])(const double*, const double*, double*, size_t);
   /// value[i] = e^(-rate at[i]), 0 <= rate at[i] <= 708.
   void (*decays)(double rate, const double* at, double* value, size_t count);
-  /// e^(i z_n distance) of the first `count` tabulated roots, 0 <= distance <= 500; 0 from e^-708 on.
+  /// e^(i z_n distance) for the first `count` tabulated roots, 0 <= distance <= 500; 0 if its modulus is e^-708 or less.
   void (*waves)(double distance_high, double distance_low, double* real, double* imaginary, size_t count);
-  /// Of a logarithmic component: value[i] = f(x) + ln|x| less the same at 0, less the odd term, at x = from + length at[i],
-  /// |x| <= 1/2.
+  /// For a logarithmic component f: value[i] is f(x) + ln|x| minus its limit at 0 and minus the odd term, at
+  /// x = from + length at[i], |x| <= 1/2.
   void (*even_rest)(Component, double from, double length, const double* at, double* value, size_t count);
 };
 

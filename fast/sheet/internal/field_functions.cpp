@@ -10,14 +10,14 @@ namespace {
 
 constexpr std::array is_odd{true, false, true, false, false, true};
 
-/// How many terms are at least 1e-18 of the first.
+/// The number of terms that are at least 1e-18 of the first.
 int terms_at(double alpha) {
   constexpr double nats = 38;
   return std::min(field_roots, static_cast<int>(nats / (3.141 * alpha)) + 1);
 }
 
-/// How many terms of near_rest count at |w|^2. Those left out are below 1e-21 of the first; so are their derivatives, of which
-/// imaginary parts consist, of the first that is not 0.
+/// The number of terms of near_rest at |w|^2 = square. The other terms are below 1e-21 of the first term. Their
+/// derivatives, which make up the imaginary parts, are below 1e-21 of the first derivative that is not 0.
 int terms_near(double square) {
   constexpr double nats = 48.4;
   return std::min(near_load_terms, 2 + static_cast<int>(nats / std::log(9 / square)));
@@ -27,7 +27,7 @@ int terms_near(double square) {
 
 FieldFunctions near_rest(double alpha, double depth, FieldFunction first) {
   const auto begin = static_cast<std::size_t>(first);
-  // With W = w^2 = x + i y a polynomial in W is p + i y q: no part loses digits as y -> 0.
+  // With W = w^2 = x + i y, a polynomial in W is p + i y q, and neither part loses digits as y -> 0.
   const double x = (alpha - depth) * (alpha + depth), y = 2 * alpha * depth, y_squared = y * y;
   std::array<double, field_functions> p{}, q{};
   for (int k = terms_near(alpha * alpha + depth * depth) - 1; k >= 0; --k) {
@@ -69,7 +69,7 @@ FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across, Fiel
   FieldFunctions sum{};
   for (int n = along.count - 1; n >= 0; --n) {
     const auto root = static_cast<std::size_t>(n);
-    // The pole at z and its mirror image give Re and Im of Re(a e^{i w z}) continued to complex w.
+    // The poles at z and at its mirror image together give Re(a e^{i w z}), continued to complex w.
     const std::complex<double> even = along.of[root] * across.cosh[root],
                                odd = along.of[root] * across.sinh[root];
     for (auto f = static_cast<std::size_t>(first); f < sum.of.size(); ++f) {

@@ -11,13 +11,13 @@ struct ComplexValue {
   double re, im;
 };
 
-/// What the field inside the sheet is made of, analytic in |Im w| < 1:
+/// The functions of which the field inside the sheet consists, analytic for |Im w| < 1:
 ///
 ///     I4, I5, I7   the kernels
-///     K5           the integral of I5 that goes with w pi/4 at infinity
+///     K5           the integral of I5 that tends to w pi/4 at infinity
 ///     I5', I7'     derivatives
 ///
-/// In stresses z cosh z cosh sz cos(alpha z)/S and its like are real or imaginary parts of these (thesis 3.19, 3.20).
+/// Stresses contain real or imaginary parts of these, like the integral of z cosh z cosh sz cos(alpha z)/S (thesis 3.19, 3.20).
 struct FieldFunctions {
   std::array<ComplexValue, field_functions> of;
 
@@ -25,13 +25,13 @@ struct FieldFunctions {
   ComplexValue& operator[](FieldFunction f) { return of[static_cast<std::size_t>(f)]; }
 };
 
-/// What is left of them at 0 <= alpha < near_load_end, 0 <= depth <= 1 without
+/// The functions from `first` on at 0 <= alpha < near_load_end, 0 <= depth <= 1, minus the half-planes' parts
 ///     I5  2 w/(1 + w^2),    I7  2/(1 + w^2),    K5  ln(1 + w^2),    I4  2 arctan w.
-/// Imaginary parts, and real parts of I4, I5 and I7', are relatively accurate where they vanish.
-/// Only the functions from `first` on: stresses need those from I5 on.
+/// Imaginary parts, and real parts of I4, I5 and I7', are relatively accurate near their zeros. Stresses need the
+/// functions from I5 on.
 FieldFunctions near_rest(double alpha, double depth, FieldFunction first);
 
-/// e^{i alpha z_n} of the roots that count at alpha >= near_load_end, of all that may below.
+/// e^{i alpha z_n} for the roots that contribute at alpha, or for all field_roots roots if alpha < near_load_end.
 struct AlongWaves {
   explicit AlongWaves(double alpha);
 
@@ -39,15 +39,15 @@ struct AlongWaves {
   std::array<std::complex<double>, field_roots> of;
 };
 
-/// cosh(s z_n) and sinh(s z_n) of the first `count` roots, s the depth.
+/// cosh(s z_n) and sinh(s z_n) for the first `count` roots, where s is the depth.
 struct AcrossWaves {
   AcrossWaves(double depth, int count);
 
   std::array<std::complex<double>, field_roots> cosh, sinh;
 };
 
-/// The same functions, again from `first` on, at alpha >= near_load_end without what does not decay: pi/4 of I4 and I5, w pi/4 of
-/// K5.
+/// The functions from `first` on at alpha >= near_load_end, minus their parts that do not decay: pi/4 of I4 and I5,
+/// w pi/4 of K5.
 FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across, FieldFunction first);
 inline FieldFunctions decaying(double alpha, double depth, FieldFunction first) {
   const AlongWaves along(alpha);

@@ -10,11 +10,11 @@ using data::SheetLoad;
 
 constexpr double two_over_pi = 2 * std::numbers::inv_pi;
 
-/// Below this depth both loads are far enough to use powers of the distances; differences between them would lose
-/// digits.
+/// Below this depth differences of the two loads' terms would lose digits. Both loads are far enough away to use
+/// formulas with powers of the distances instead.
 constexpr double middle = 0.5;
 
-/// x/distance^2; near the load the square itself may underflow.
+/// x/distance^2, without the square, which may underflow near the load.
 double over_square(double x, double distance) { return x / distance / distance; }
 
 }  // namespace
@@ -33,7 +33,7 @@ SeenFromLoads::SeenFromLoads(double along, double across)
                        : near_share - far_share) {}
 
 SheetStresses half_plane_stresses(const SeenFromLoads& at, SheetLoad load) {
-  // Each field is a radial stress along the ray from its load: the ray's direction cosines, and the stress.
+  // Each half-plane's field is a radial stress along the ray from its load. These are the direction cosines of the rays.
   const double near_cosine = at.near_face / at.near, near_sine = at.alpha / at.near;
   const double far_cosine = at.far_face / at.far, far_sine = at.alpha / at.far;
   if (load == SheetLoad::normal) {

@@ -24,14 +24,14 @@ struct SeenFromLoads {
   double alpha, depth;
   double near_face, far_face;    ///< 1 - depth, 1 + depth
   double near, far;              ///< distances from the loads
-  double near_share, far_share;  ///< distance from the face over the square of that from the load
+  double near_share, far_share;  ///< distance from the face over the square of the distance from the load
   double shares_apart;           ///< near_share - far_share, relatively accurate
 };
 
 /// The stresses of two half-planes, each under the load on its own face (Flamant).
 SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
 
-/// A field under either load, the shear's where it is asked for.
+/// A field under the normal load and, if requested, under the shear load.
 template <class Field>
 struct UnderLoads {
   Field normal, shear;
@@ -49,9 +49,9 @@ class StressesAtDepth {
   AcrossWaves waves_;
 };
 
-/// What the displacements u along +x and v along +y, over theta1 + theta2, have at a depth 0 <= s <= 1 beyond s times u
-/// and once v of the face at the same alpha. It decays like the stresses: what loads displace far away is a shift along the
-/// sheet and a uniform strain.
+/// The displacements u along +x and v along +y at a depth 0 <= s <= 1, minus s u and minus v of the face at the same
+/// alpha, divided by theta1 + theta2. They decay like the stresses, as the displacement far from the loads is a shift
+/// along the sheet and a uniform strain.
 struct FromFace {
   double u, v;
 };

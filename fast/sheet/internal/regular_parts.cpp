@@ -10,7 +10,7 @@
 namespace nipref::fast::internal {
 namespace {
 
-/// Near 0 the constant and the tabulated rest, beyond it the kernel itself; `kernel` is that of a batch.
+/// Below near_end the constant plus the tabulated rest, elsewhere the kernel plus ln|alpha|. `kernel` evaluates a batch.
 template <class KernelOf>
 void regular_part(Component component, const KernelOf& kernel, std::span<const double> alpha,
                   std::span<const double> logarithm, std::span<double> value) {
@@ -23,7 +23,7 @@ void regular_part(Component component, const KernelOf& kernel, std::span<const d
   rest(place, rest_there);
   const double constant = there[0] + std::log(place[0]) - rest_there[0];
 
-  // The kernel is computed near 0, too, but at near_end.
+  // Where |alpha| < near_end, the batch evaluates the kernel at near_end, and the result is not used.
   const auto count = static_cast<Eigen::Index>(alpha.size());
   const auto span_of = [&](Eigen::ArrayXd& numbers) { return std::span(numbers.data(), alpha.size()); };
   const Eigen::Map<const Eigen::ArrayXd> at(alpha.data(), count), log_at(logarithm.data(), count);

@@ -1,14 +1,13 @@
 #pragma once
 
-// Layout of the numbers that generator/ writes at build time. Nothing here is meant for callers of the
-// library.
+// Layout of the tables that generator/ writes at build time. They are not for callers of the library.
 
 #include <nipref/fast/number/internal/tiers.hpp>
 
 namespace nipref::fast::internal {
 
-/// Functions of one argument x >= 0 from which every sheet kernel is put together. The first five are
-/// kernels; I6(a, e) = (pi/4)(e - a) + alpha_part_of_I6(a) - eta_part_of_I6(e).
+/// Functions of one argument x >= 0 of which every sheet kernel consists. The first five are kernels;
+/// I6(a, e) = (pi/4)(e - a) + alpha_part_of_I6(a) - eta_part_of_I6(e).
 enum class Component { I1, I3, I4, I5, I7, eta_part_of_I6, alpha_part_of_I6 };
 inline constexpr int component_count = 7;
 
@@ -31,16 +30,15 @@ constexpr Shape shape(Component component) {
   return Shape::even;
 }
 
-/// The same for the sheet arithmetic, which may call no function that another translation unit also compiles.
+/// The shape for the sheet arithmetic, which may call no function that another translation unit compiles, too.
 template <Component component>
 inline constexpr Shape shape_of = shape(component);
 
-// Regimes of x. Below near_end logarithmic components are -ln x + remainder; up to piece_end there are local
-// polynomials; from there on the first residue alone is right to 0.1 ulp, the second being e^(-3.25 x)
-// < 1.2e-17 times smaller.
+// Regimes of x. Below near_end logarithmic components are -ln x + remainder; up to piece_end there are local polynomials;
+// from there on the first residue alone is right to 0.1 ulp, as the second is smaller by a factor e^(-3.25 x) < 1.2e-17.
 inline constexpr double near_end = 0.5;
 inline constexpr double piece_end = 12;
-inline constexpr double underflown = 400;  ///< e^(-2.1 x) < 2^-1215: from here on the residue is 0
+inline constexpr double underflown = 400;  ///< from this x on the residue is 0: e^(-2.1 x) < 2^-1215
 
 // Pieces are centred on multiples of 1/64 below x = 1, where singularities at x = 0 and x = +-i are close, and on
 // multiples of 1/32 above. Row i is centred on i/64 for i <= 64, on (i - 32)/32 otherwise.
@@ -62,15 +60,14 @@ inline constexpr int exponential_cells = 32;
 inline constexpr int phase_cells = 64;
 inline constexpr int tabulated_roots = 16;
 
-/// The numbers of one component f. "low" words continue their "high" ones to about 106 bits.
+/// The table of one component f. A number with "high" and "low" words has about 106 bits.
 struct ComponentTable {
-  /// f(centre + t), or f(x)/x for odd f, = power[0] + constant_low + power[1] t + ... + power[7] t^7, for
-  /// each row.
+  /// In each row, f(centre + t), or f(x)/x for odd f, = power[0] + constant_low + power[1] t + ... + power[7] t^7.
   alignas(64) double power[rows][piece_degree + 1];
   double constant_low[rows];
 
-  /// Coarse tiers, row by row, as a row is loaded at once: f or f(x)/x about the centre of a piece, or
-  /// (f + ln x at x -> 0) - ln(centre + t) about the centre of a mantissa.
+  /// Cubics of the coarse tiers: f or f(x)/x about the centre of a piece, or (f + ln x at x -> 0) - ln(centre + t)
+  /// about the centre of a mantissa.
   alignas(32) double coarse[coarse_rows][coarse_degree + 1];
 
   // Logarithmic components, x = 2^k (1 + mantissa) < near_end:
@@ -96,7 +93,7 @@ struct ComponentTable {
   double amplitude[tabulated_roots][2];  ///< A_n, real and imaginary, in f = limit + Re sum A_n e^(i z_n x)
 };
 
-/// What all components share.
+/// The numbers that all components share.
 struct CommonTable {
   double log_reciprocal[log_cells];                          ///< 1/centre of the cell, centre in [1, 2)
   alignas(64) double short_log_reciprocal[short_log_cells];  ///< the same for wide cells, exact as it stands
@@ -106,7 +103,7 @@ struct CommonTable {
   double phase_low;
 };
 
-/// z_n = frequency + i decay in two words each: their rounding is multiplied by the distance, which may be some hundreds.
+/// z_n = frequency + i decay, each in two words, as a distance of up to some hundreds multiplies their rounding errors.
 struct RootTable {
   double frequency_high[tabulated_roots], frequency_low[tabulated_roots];
   double decay_high[tabulated_roots], decay_low[tabulated_roots];

@@ -6,7 +6,7 @@ namespace nipref::fast::internal {
 struct Shares {
   double theta1, theta2;
 };
-/// Without the cancellation of 1 - poisson^2.
+/// The shares by formulas without the cancellation in 1 - poisson^2.
 inline Shares shares_of(double poisson) {
   return {1 / (2 * (1 - poisson)), (1 - 2 * poisson) / (2 * (1 - poisson))};
 }
