@@ -36,8 +36,8 @@ struct Baseline {
 };
 
 struct BaselineComparison {
-  /// "not worse"; "WORSE" if the error exceeds 1.5 times the earlier one plus 0.25 ulp; "not comparable" if no entry has the
-  /// key.
+  /// "not worse"; "WORSE" if the error exceeds 1.5 times the earlier one plus 0.25 ulp; "not comparable" if no entry
+  /// has the key.
   std::string_view verdict;
   std::string words;  ///< one line: the earlier error, or the part of the key that differs
 

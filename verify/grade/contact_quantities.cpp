@@ -19,7 +19,7 @@ Argument key_of(const Axis& axis) {
   return argument;
 }
 
-/// A kind of contacts, and those of them that are solved.
+/// A kind of contacts, with a cache of the reference's solutions.
 class SolvedKind {
  public:
   explicit SolvedKind(const std::string& name) : text_(contact_scene(name)) {

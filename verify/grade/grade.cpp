@@ -5,7 +5,7 @@
 namespace nipref::verify {
 namespace {
 
-/// The worst few, in the order of magnitude: a domain may have six hundred.
+/// The worst few decades, in ascending order. A domain may have six hundred decades.
 std::vector<Decade> worst_decades(std::vector<Decade> decades) {
   constexpr std::size_t few = 12;
   if (decades.size() <= few) return decades;
@@ -80,7 +80,7 @@ Json grade_json(const Grade& grade) {
               {"along", found.quantity->arguments[found.spread.along].name},
               {"decades", json_list(found.spread.decades, decade_json)},
               {"_scale", found.quantity->scale},
-              // Without a promise in ulps, as a part of the scale: an ulp is at most 2^-52 of it.
+              // Without a promise in ulps: the error as a part of the scale. An ulp is at most 2^-52 of it.
               {"_part", found.promise == 0 ? Json(found.max_error_ulp * 0x1p-52) : Json()},
               {"_worst_decades", json_list(worst, decade_json)},
               {"_left_out_decades",

@@ -15,7 +15,7 @@ struct Grade {
   std::string where;  ///< the given ranges of arguments, or "its domain"
   AuditResult found;
   std::optional<double> condition;  ///< of the quantity at the worst point, dimensionless
-  std::string worst_value;          ///< the reference's, 21 digits
+  std::string worst_value;          ///< the reference's value there, 21 digits
 };
 
 /// The condition number of the quantity at the point, dimensionless: the sum of |x df/dx| / |f| over its numerical
@@ -28,8 +28,8 @@ std::optional<double> condition_number(const Quantity& quantity, const Point& po
 /// Adds the reference's value and the condition number at the worst point.
 Grade grade_of(std::string what, std::string where, AuditResult found);
 
-/// Grades a callable, double(double) for a quantity of one argument, or double(std::span<const double> arguments), which is
-/// called from several threads at once. Everything else is as in audit().
+/// Grades a callable: double(double) for a quantity of one argument, or double(std::span<const double> arguments). It
+/// is called from several threads at once. Everything else is as in audit().
 template <class Callable>
 Grade grade(const Quantity& quantity, const Callable& callable, const AuditOptions& options) {
   const auto one_by_one = [&](std::span<const Point> points, std::span<double> values) {

@@ -63,7 +63,7 @@ typedef struct nipref_kernel {
 
   /* Makes the state that the kernel keeps between calls. It is called before the first call of `evaluate`, from the
      same thread. It returns 0 and sets *state, which was null, or it returns another number, which is reported. It may be
-     called again after `close`. A null pointer for a kernel without a state. */
+     called again after `close`. `open` is a null pointer for a kernel without a state. */
   int (*open)(void** state);
 
   /* Computes the values at n >= 1 points, out[i] from arguments[0][i], ..., arguments[arity - 1][i] for 0 <= i < n.
@@ -76,8 +76,8 @@ typedef struct nipref_kernel {
      write to standard output, and must return. */
   int (*evaluate)(void* state, size_t n, const double* const* arguments, double* out);
 
-  /* Frees the state of `open`. A null pointer if there is nothing to free. nipref calls it once as a test; a process
-     that is no longer needed is ended without it. */
+  /* Frees the state of `open`. It is a null pointer if there is nothing to free. nipref calls it once as a test; a
+     process that is no longer needed is ended without it. */
   void (*close)(void* state);
 } nipref_kernel;
 

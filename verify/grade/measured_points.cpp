@@ -120,7 +120,7 @@ MeasuredPoints measured_points(const CsvFile& file, const Quantity& quantity,
   return read;
 }
 
-/// Each result of these contacts that has a column, or the one that is wanted.
+/// Reads each result of these contacts that has a column, or only the one that is wanted.
 std::vector<MeasuredPoints> measured_contacts(const CsvFile& file, const std::string& kind,
                                               const std::optional<std::string>& wanted) {
   std::vector<MeasuredPoints> all;

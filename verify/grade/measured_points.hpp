@@ -9,13 +9,14 @@
 
 namespace nipref::verify {
 
-/// The results of a kind of golden contacts, KIND.RESULT, as quantities of the keys that the kind's sweep varies, with
-/// lists among them as choices. The reference solves a contact once for all of them, to contact_digits, and errors are
-/// measured as the scene's results are. They live as long as the program. BadInput if there is no such kind.
+/// The results of a kind of golden contacts as quantities KIND.RESULT, which live as long as the program. Their
+/// arguments are the keys that the kind's sweep varies; a key with lists is a choice. The reference solves a contact
+/// once for all results, to contact_digits. Errors have the scales of the scene's results. BadInput if there is no such
+/// kind.
 const std::vector<Quantity>& contact_quantities(const std::string& kind);
 
-/// The contacts of all combinations as points of these quantities. BadInput for a key that does not vary, and for a list
-/// that is none of the choices.
+/// The contacts of all combinations as points of these quantities. BadInput for a key that does not vary, and for a
+/// list that is none of the choices.
 std::vector<Point> contact_points(const std::string& kind, const AxesProduct& contacts);
 
 /// Points for another program, as CSV: the comment lines, for each argument a column with the exact hexadecimal
@@ -38,7 +39,7 @@ struct MeasuredPoints {
 /// Reads such a file with one more column for the values. Its name is `column`, "value" or the name of the quantity,
 /// or it is the only column that belongs to no argument. An argument is read from the column of its name or from
 /// NAME_decimal; an argument without a column has its default. The quantity is the given one, or that of the comment
-/// line "quantity: NAME". Of a kind of golden contacts there may be a column for each of its results, each of which is a
+/// line "quantity: NAME". A file of golden contacts may have a column for each result of their kind; each result is a
 /// quantity. "-" is standard input. BadInput that names file, line and column for a text that cannot be read.
 std::vector<MeasuredPoints> read_measured_points(const std::string& path,
                                                  const std::optional<std::string>& quantity,

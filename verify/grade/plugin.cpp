@@ -15,14 +15,14 @@ using data::BadInput;
 using protocol::Exchange;
 using protocol::Request;
 
-/// A new process takes a few milliseconds. So many crashes in a row are not a small region of the domain.
+/// Limits for crashes. A new process takes milliseconds. So many in a row are not due to a small region of the domain.
 constexpr std::size_t most_deaths = 2000, most_deaths_in_a_row = 400;
-/// Each hang takes the time limit at least twice, until its point is found.
+/// The limit for hangs. Each takes the time limit at least twice, until its point is found.
 constexpr std::size_t most_hangs = 6;
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// In the order of the bits of protocol::Noticed.
+/// The faults in the order of the bits of protocol::Noticed.
 constexpr std::pair<FaultKind, const char*> symptoms[] = {
     {FaultKind::overrun, "touches memory before or behind its output"},
     {FaultKind::overrun, "touches memory before or behind its arguments"},
@@ -34,7 +34,7 @@ constexpr std::pair<FaultKind, const char*> symptoms[] = {
     {FaultKind::environment, "leaves another precision of the x87 unit"},
     {FaultKind::output, "writes to standard output"}};
 
-/// One for each kind of what was noticed.
+/// One fault for each kind among the bits of `noticed`.
 std::vector<Fault> faults_of(std::uint32_t noticed) {
   std::vector<Fault> faults;
   for (const auto& [kind, words] : symptoms) {
@@ -76,7 +76,7 @@ std::vector<KernelInfo> loaded(const Plugin& plugin, Child& child) {
   return kernels;
 }
 
-/// Writes the points, of so many arguments, into the request.
+/// Writes the points, each of `arity` arguments, into the request.
 void put(std::span<const Point> points, std::size_t arity, Exchange& exchange) {
   exchange.points = points.size();
   for (std::size_t j = 0; j < arity; ++j)
@@ -142,7 +142,7 @@ class KernelInProcesses : public PluginKernel {
            plugin_.file.string(), fmt::join(names, ", "));
   }
 
-  /// At the point, where there is one.
+  /// Records the faults with the point, if there is one.
   void record(const std::vector<Fault>& faults, const std::optional<Point>& point,
               const std::string& where = "") {
     const std::scoped_lock lock(mutex_);
@@ -154,7 +154,7 @@ class KernelInProcesses : public PluginKernel {
            hangs_ >= most_hangs;
   }
 
-  /// What goes wrong with a request.
+  /// Sends a request and returns the faults in its answer.
   std::vector<Fault> asked(Child& child, Request request) {
     if (auto end = child.ask(request)) {
       ++(end->kind == FaultKind::hang ? hangs_ : deaths_);
@@ -210,8 +210,8 @@ class KernelInProcesses : public PluginKernel {
     idle_.push_back(std::move(child));
   }
 
-  /// What goes wrong with these points. Their values are taken, if any are wanted, where nothing does, and of a single
-  /// point.
+  /// Evaluates the points and returns the faults. Stores the values, if `values` is not empty, for a batch without
+  /// faults and for a single point.
   std::vector<Fault> call(std::span<const Point> points, std::span<double> values) {
     IdleChild child = idle_child();
     if (!child) return {};
@@ -237,7 +237,7 @@ class KernelInProcesses : public PluginKernel {
     if (!faults.empty() && !one_by_one(points, values)) narrow(points, faults);
   }
 
-  /// Evaluates the points of a batch with faults one at a time; whether it found a fault, or gave up.
+  /// Evaluates the points of a batch with faults one at a time. Returns whether it has found a fault or given up.
   bool one_by_one(std::span<const Point> points, std::span<double> values) {
     bool found = false;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -21,8 +21,8 @@ struct BareFunction {
   bool thread_safe = false;  ///< whether it may be called from several threads at once
 };
 
-/// A shared object with kernels as in kernel.h, or with a bare function. Separate processes load it, which run the
-/// program nipref-kernel-host. The environment variable NIPREF_KERNEL_HOST is the path of that program if it is
+/// A shared object with kernels as in kernel.h, or with a bare function. It is loaded by separate processes, which run
+/// the program nipref-kernel-host. The environment variable NIPREF_KERNEL_HOST is the path of that program if it is
 /// neither beside the running program, nor in ../libexec/nipref, nor where it was installed.
 struct Plugin {
   std::filesystem::path file;
@@ -56,12 +56,12 @@ class PluginKernel {
   /// few that hung, the kernel is not called again, and all further values are NaN.
   virtual void evaluate(std::span<const Point> points, std::span<double> values) = 0;
 
-  /// The same as an Evaluator, which must not outlive this kernel.
+  /// This kernel as an Evaluator, which must not outlive it.
   Evaluator evaluator() {
     return [this](std::span<const Point> points, std::span<double> values) { evaluate(points, values); };
   }
 
-  /// The seconds for so many calls with all these points, measured in the kernel's process; nothing if a call fails.
+  /// The seconds of `passes` calls with all these points, measured in the kernel's process; nothing if a call fails.
   virtual std::optional<double> seconds(std::span<const Point> points, std::size_t passes) = 0;
 
   /// The faults so far. The same fault at the same point is listed once.

@@ -41,7 +41,7 @@ inline void close_guards(std::size_t place) {
   }
 }
 
-/// The offences that were noted since the last call, of protocol::Noticed.
+/// Returns the offences noted since the last call, as bits of protocol::Noticed.
 inline std::uint32_t offences_noted() { return noted.exchange(0); }
 inline void note_offence(std::uint32_t offence) { noted |= offence; }
 
@@ -58,7 +58,7 @@ class GuardedArray {
     end_ = reinterpret_cast<double*>(memory + (place_ + 1) * place_size - guard_size);
   }
 
-  /// Makes the array one of `count` unwritten doubles and restores the guards and sentinels.
+  /// Resizes the array to `count` unwritten doubles, and restores the guards and sentinels.
   std::span<double> fit(std::size_t count) {
     if (opened[place_].exchange(false)) close_guards(place_);
     count_ = count;
@@ -66,7 +66,7 @@ class GuardedArray {
     return {end_ - count, count};
   }
 
-  /// The same array.
+  /// The array that fit() has returned.
   [[nodiscard]] std::span<const double> array() const { return {end_ - count_, count_}; }
 
   /// Notes the offence if a sentinel was overwritten.

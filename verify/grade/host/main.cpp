@@ -53,7 +53,7 @@ void limit_resources() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// Maps the memory that is standard input at the start, which then has nothing to read.
+/// Maps the shared memory, which is standard input at the start, and then makes standard input empty.
 Exchange& shared_memory() {
   void* const memory = mmap(nullptr, sizeof(Exchange), PROT_READ | PROT_WRITE, MAP_SHARED, STDIN_FILENO, 0);
   if (memory == MAP_FAILED || close(STDIN_FILENO) != 0 || open("/dev/null", O_RDONLY) != STDIN_FILENO)
@@ -61,7 +61,7 @@ Exchange& shared_memory() {
   return *static_cast<Exchange*>(memory);
 }
 
-/// Cuts the text if need be.
+/// Copies the text, cut to the size of `to`.
 void copy(const std::string& text, std::span<char> to) {
   const std::size_t size = text.copy(to.data(), to.size() - 1);
   to[size] = '\0';
@@ -69,8 +69,8 @@ void copy(const std::string& text, std::span<char> to) {
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-/// The changes, of protocol::Noticed, that this thread's floating-point environment has from the default, which is
-/// restored. The flags of exceptions do not count.
+/// Returns how this thread's floating-point environment differs from the default, as bits of protocol::Noticed, and
+/// restores the default. The flags of exceptions do not count.
 std::uint32_t environment_changes() {
   std::uint32_t changes = std::fegetround() == FE_TONEAREST ? 0U : protocol::rounding;
   const auto add = [&](bool changed, std::uint32_t what) { changes |= changed ? what : 0U; };
@@ -109,14 +109,14 @@ Order as_given(std::size_t count) {
   return order;
 }
 
-/// A permutation of so many points that moves each of them if possible.
+/// A random permutation of `count` points.
 Order shuffled(std::size_t count, std::size_t seed) {
   Order order = as_given(count);
   std::ranges::shuffle(order, std::mt19937_64(seed));
   return order;
 }
 
-/// What calls of the plugin have done besides their results since the last call, of protocol::Noticed; it is undone.
+/// Returns the side effects of calls of the plugin since the last call, as bits of protocol::Noticed, and undoes them.
 std::uint32_t noticed() {
   const std::uint32_t changes = environment_changes();
   return changes | offences_noted() | (printed_something() ? protocol::printed : 0U);
@@ -169,7 +169,7 @@ class Host {
       case Request::open:
         kernel_ = &kernels_.at(exchange_.kernel);
         exchange_.status = 0;
-        if (kernel_->entry.open == nullptr) break;  // a bare function keeps what it has for a state
+        if (kernel_->entry.open == nullptr) break;  // the state of a bare function is the function
         kernel_->state = nullptr;
         exchange_.status = kernel_->entry.open(&kernel_->state);
         break;
@@ -245,7 +245,7 @@ class Host {
     exchange_.status = status;
   }
 
-  /// Measures the time of so many calls with all points. The status is that of the last call with another than 0.
+  /// Measures the time of `passes` calls with all points. The status is that of the last call that did not return 0.
   void time() {
     Arrays& arrays = arrays_.front();
     arrays.fill(*kernel_, exchange_, as_given(exchange_.points));
@@ -258,7 +258,7 @@ class Host {
 
   char** words_;
   Exchange& exchange_;
-  std::array<Arrays, thread_count> arrays_;  ///< for calls one at a time the first
+  std::array<Arrays, thread_count> arrays_;  ///< a single call uses the first
   int times_in_threads_ = 0;
   std::vector<Kernel> kernels_;
   Kernel* kernel_ = nullptr;
@@ -273,7 +273,7 @@ int main(int count, char** words) {
   }
   limit_resources();
   watch_guards();
-  // A timer ends a call that takes too long if the program, which would do so earlier, has ended.
+  // A timer ends a call that takes too long. The program does so earlier, unless it has itself ended.
   constexpr double delay = 5;
   const auto longest =
       static_cast<unsigned>(std::ceil(std::max(std::stod(words[5]), protocol::seconds_to_begin) + delay));

@@ -47,7 +47,7 @@ constexpr auto evaluators(std::index_sequence<i...>) {
   return std::array{evaluate_bare<i + 1>...};
 }
 
-/// Of 1, 2, ... arguments.
+/// The `evaluate` of bare functions with 1, 2, ... arguments.
 constexpr auto bare_evaluators = evaluators(std::make_index_sequence<protocol::most_arguments>());
 
 inline void* symbol_of(void* handle, const char* name, const char* hint = "") {
@@ -80,9 +80,8 @@ inline Kernel checked(const nipref_kernel& given) {
   return kernel;
 }
 
-/// Loads the file and gives the kernels that it lists, or the one function `symbol` of `arity` doubles, whose
-/// name is not copied; "" for the list.
-/// std::runtime_error saying in one line why there are none.
+/// Loads the file and returns the kernels that it lists or, unless `symbol` is "", the function `symbol` of `arity`
+/// doubles. `symbol` is not copied. std::runtime_error that says in one line why there are none.
 inline std::vector<Kernel> load_kernels(const std::string& file, const char* symbol, std::uint32_t arity,
                                         std::uint32_t flags) {
   void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -90,7 +89,7 @@ inline std::vector<Kernel> load_kernels(const std::string& file, const char* sym
   std::vector<Kernel> kernels;
   if (*symbol != '\0') {
     Kernel bare;
-    // It has no other name and computes what the user says.
+    // A bare function has no name but its symbol, and does not say which quantity it computes.
     bare.entry = {NIPREF_KERNEL_ABI, sizeof(nipref_kernel),         symbol, "", arity, flags,
                   nullptr,           bare_evaluators.at(arity - 1), nullptr};
     bare.state = symbol_of(handle, symbol);

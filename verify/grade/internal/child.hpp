@@ -50,11 +50,11 @@ class Child {
     if (!has_ended()) kill(FaultKind::given_up, "");
   }
 
-  /// The request's numbers before asking, and the answer's afterwards.
+  /// The numbers of the request before ask(), and those of the answer afterwards.
   [[nodiscard]] protocol::Exchange& exchange() { return *exchange_; }
   [[nodiscard]] bool has_ended() const { return process_ == -1; }
 
-  /// Waits for the answer, within the time limit; how the process ended if it did.
+  /// Sends the request and waits for the answer within the time limit. Returns how the process ended if it did.
   std::optional<Fault> ask(protocol::Request request) {
     const bool computes = request == Request::evaluate || request == Request::time;
     const double limit = computes ? time_limit_ : std::max(time_limit_, protocol::seconds_to_begin);
@@ -81,7 +81,7 @@ class Child {
   using Request = protocol::Request;
   static constexpr auto host_variable = "NIPREF_KERNEL_HOST";
 
-  /// Of a system call: std::system_error unless the error is 0.
+  /// Throws std::system_error unless the error of a system call is 0.
   static void check(int error) {
     if (error != 0) throw std::system_error(error, std::generic_category(), "nipref-kernel-host");
   }
@@ -127,7 +127,7 @@ class Child {
     return {kind, {}, words + last_words()};
   }
 
-  /// The process has closed its end of the connection, most likely because it ended.
+  /// The fault of a process that has closed its end of the connection, most likely because it ended.
   Fault death() {
     constexpr std::chrono::milliseconds patience(2000), step(1);
     siginfo_t ended{};

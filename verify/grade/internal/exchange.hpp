@@ -6,7 +6,7 @@
 namespace nipref::verify::protocol {
 
 /// The host's end of the connection, a socket. The program sends the number of its request, and the host sends it back
-/// when the answer stands in the Exchange, the memory that both share. The host finds that memory as its standard input.
+/// when the answer stands in the Exchange. This is shared memory, which the host finds as its standard input.
 inline constexpr int connection = 3;
 
 inline constexpr std::size_t most_points = 4096, most_arguments = 16, most_kernels = 1024;
@@ -39,14 +39,14 @@ using Column = std::array<double, most_points>;
 /// A request and its answer. Any number in it may be wrong, as the plugin can write to this memory as well.
 struct Exchange {
   Request request;
-  std::size_t kernel;  ///< to be opened
+  std::size_t kernel;  ///< number of the kernel to be opened
   std::size_t points, passes;
 
-  std::uint32_t noticed;  ///< of Noticed
-  int status;             ///< that the plugin's function returned; of load: not 0 where it failed
-  double seconds;         ///< of all passes
+  std::uint32_t noticed;  ///< bits of Noticed
+  int status;             ///< what the plugin's function returned; for load: not 0 if loading failed
+  double seconds;         ///< time of all passes
 
-  std::size_t kernels;  ///< the number of those that were loaded
+  std::size_t kernels;  ///< number of loaded kernels
   struct {
     Text name, quantity;
     std::uint32_t arity, flags;
@@ -54,9 +54,9 @@ struct Exchange {
   LongText failure;  ///< why loading failed
 
   Column values;
-  Column permuted;  ///< the points in another order
-  Column
-      threaded;  ///< computed by several threads; equal to `values` for a kernel that is not declared thread-safe
+  Column permuted;  ///< the values from a call with the points in another order
+  /// The values from several threads; equal to `values` for a kernel that is not declared thread-safe.
+  Column threaded;
   std::array<Column, most_arguments> arguments;
 };
 
