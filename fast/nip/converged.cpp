@@ -19,11 +19,11 @@ struct ConvergedNip::Implementation {
   double roller_radius;
   SolvedNip solved;
   std::optional<double> given_length;                                          ///< unit of length
-  mutable std::map<double, std::vector<SolvedNip::InBoth>> places_along = {};  ///< see along, by Y
+  mutable std::map<double, std::vector<SolvedNip::InBoth>> places_along = {};  ///< along() by Y
   mutable std::optional<SolvedNip::InBoth> mean_strain = {};
   mutable std::optional<Estimate> kept_offset = {};
 
-  /// What is kept of solutions that are no more.
+  /// Drops what is cached of the solution.
   void forget() {
     places_along = {};
     mean_strain.reset();
@@ -47,7 +47,7 @@ struct ConvergedNip::Implementation {
     const double from_middle = position - offset().value;
     return {from_middle < 0, half_length() - std::fabs(from_middle)};
   }
-  /// Of Y; its distance from the end is without loss where the length is given and the contact symmetric.
+  /// The place of Y. Its distance from the end has no cancellation if the length is given and the contact symmetric.
   [[nodiscard]] ContactPlace place_of(double y) const {
     internal::check_finite("y", y);
     if (!is_symmetric() || !given_length) return place(y / units.length);
@@ -63,7 +63,7 @@ struct ConvergedNip::Implementation {
     };
     return solved.estimate(at_place(place, at).front());
   }
-  /// Its value alone.
+  /// The value of a traction without its error.
   [[nodiscard]] double value(TractionComponent component, double position) const {
     return value(component, place(position));
   }
@@ -113,12 +113,12 @@ struct ConvergedNip::Implementation {
     check_inside(point);
     return {place_of(point.y), point.depth, is_symmetric() && point.y == 0};
   }
-  /// Rising positions at which tractions are looked at, in a symmetric contact those >= 0. With full friction they are the
-  /// closer, the nearer the end is.
+  /// The rising positions at which maxima and zeros of tractions are sought, in a symmetric contact those >= 0. With
+  /// full friction they become closer towards the end.
   [[nodiscard]] std::vector<double> places() const {
     std::vector<double> result = equations().grips() ? places_towards_end() : places_on_panels();
     std::ranges::sort(result);
-    // Places of several lists may coincide; between two of them the pressure would look constant.
+    // Places from panels and layers may coincide; between coinciding places the pressure would look constant.
     const auto coincide = [&](double left, double right) {
       return right - left <= 1e-6 * std::fabs(place(right).e);
     };
@@ -157,12 +157,12 @@ struct ConvergedNip::Implementation {
   [[nodiscard]] double size(TractionComponent component, double position) const {
     return std::fabs(value(component, position));
   }
-  /// Of the magnitude of a traction.
+  /// The local maxima of the magnitude of a traction.
   [[nodiscard]] std::vector<LocalMaximum> maxima(TractionComponent component) const {
     return local_maxima([&](double position) { return size(component, position); }, places());
   }
   [[nodiscard]] Estimate peak(TractionComponent component) const {
-    // To first order the place does not matter.
+    // An error of the place changes the peak only to second order.
     const ContactPlace there = place(largest_of(maxima(component)).place);
     const Estimate found = solved.estimate(
         [&](const Solution& solution) { return equations().traction(solution, component, there); });
@@ -178,8 +178,8 @@ struct ConvergedNip::Implementation {
       return std::min(e / 4, tractions.panels()[tractions.panel_of(e)].width() / 8);
     };
     const auto sign = [&](const ContactPlace& here) { return here.trailing ? 1 : -1; };
-    // All nodes count from one end, beyond the middle too: from the other end the pressure of a given load, which two
-    // contacts of other lengths give, has another error.
+    // All nodes are measured from one end, also beyond the middle. Measured from the other end, the pressure of a given
+    // load, which is interpolated between contacts of two lengths, has another error.
     const auto slope = [&](double position) {
       const ContactPlace here = place(position);
       const auto along_half = [&](double e) { return value(component, {here.trailing, e}); };
@@ -202,7 +202,7 @@ struct ConvergedNip::Implementation {
     return in_contact(
         place_of_maximum(maxima(component), {slope, slope_estimate}, estimate, 2 * half_length()));
   }
-  /// Y of a position that was sought: its own error, and that of the ends and of rounding.
+  /// Y of a position that was found, with the errors of the position, of the ends and of rounding.
   [[nodiscard]] Estimate in_contact(Estimate position) const {
     position.error += unsure_end() + 0x1p-52 * half_length();
     return times(units.length, position);
@@ -248,7 +248,7 @@ Estimate ConvergedNip::pressure(double y) const {
 
 Estimate ConvergedNip::shear(double y) const {
   const ContactPlace place = nip_->place_of(y);
-  // In the middle it changes its sign.
+  // In the middle the shear changes its sign.
   if (!nip_->equations().grips() || y == 0) return {0, 0};
   return times(nip_->units.pressure, nip_->traction(TractionComponent::shear, place));
 }
@@ -317,7 +317,7 @@ Estimate ConvergedNip::surface_strain(double y) const {
   const ContactPlace place = nip_->place_of(y);
   if (place.e < 0) return times(nip_->units.creep / 2, nip_->field().at({place, 1, false}).along);
   Estimate creep = creep_ratio();
-  // Where the end may be farther inwards, the strain is that outside.
+  // If the end may be farther inwards, the strain may be that outside the contact.
   if (place.e < nip_->unsure_end())
     creep.error += nip_->units.creep * (nip_->traction(TractionComponent::pressure, place).error +
                                         2 * nip_->traction(TractionComponent::shear, place).error);

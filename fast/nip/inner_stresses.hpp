@@ -26,11 +26,10 @@ struct InnerStresses {
 /// Displacements inside an elastic sheet, unit of length.
 struct InnerDisplacements {
   Estimate across;  ///< u, towards the middle plane from both sides, where it is 0
-  Estimate along;   ///< v, along Y, against the face at Y = 0
+  Estimate along;   ///< v, along Y, relative to the face at Y = 0
 };
 
-/// The largest maximum_shear in the sheet and its place; of places that are equal by symmetry the one with y, depth >=
-/// 0.
+/// The largest maximum_shear in the sheet and its place; of places equal by symmetry the one with y >= 0, depth >= 0.
 struct GreatestShear {
   Estimate value;
   Estimate y, depth;

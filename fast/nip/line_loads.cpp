@@ -18,7 +18,7 @@ double parabola(const LineLoadNip& nip, double y) { return y * y / (2 * nip.roll
 FaceLoad load_around(const LineLoadNip& nip, double y) {
   internal::check_finite("y", y);
   if (nip.is_symmetric) y = -std::fabs(y);
-  // A place on a border counts to the trailing element, as far as rounding knows borders.
+  // A place on a border, to rounding, belongs to the trailing element.
   const double border = 0x1p-50 * nip.leading_length;
   const double from_end = nip.leading_length - y + border;
   if (from_end < 0 || y < -nip.trailing_length() - border) return {};
@@ -136,7 +136,7 @@ std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, d
       });
       return sum;
     };
-    // Each half from its end inwards, so that what is 0 by symmetry is exactly 0.
+    // Each half is summed from its end inwards, so that sums that are 0 by symmetry are exactly 0.
     const SheetStresses sum =
         sum_over(loads.first(half)) + sum_over(loads.subspan(half) | std::views::reverse);
     result.push_back({{sum.across, 0}, {sum.along, 0}, {sum.shear, 0}});
@@ -152,7 +152,7 @@ std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad
   std::vector<InnerDisplacements> result;
   for (const InnerPoint& point : points) {
     double u = 0, v = 0;
-    // Where v of a single load is counted from cancels between the loads.
+    // The reference point of v of a single load cancels between the loads.
     for_each_load(loads, half_thickness, point, [&](double alpha, data::SheetLoad kind, double force) {
       u -= force * sheet_u(alpha, std::fabs(point.depth), kind, poisson);
       v += force * sheet_v(alpha, 0, point.depth, kind, poisson);

@@ -17,9 +17,8 @@ struct FaceLoad {
 };
 
 enum class FaceDirection { normal, tangential };
-/// What the surface of a sheet does under line loads: its displacement at Y, unit of length, where there is no load, towards
-/// the middle plane, or along Y relative to a point that is the same for all Y. An elastic sheet counts the kernels that it
-/// evaluates.
+/// The displacement of the surface of a sheet under line loads, unit of length, at a Y without load: towards the middle
+/// plane, or along Y relative to a point that is the same for all Y. An elastic sheet adds evaluations to `work`.
 using LineLoadSheet =
     std::function<double(FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& work)>;
 
@@ -29,15 +28,15 @@ struct CreepRange {
   double upper;
 };
 
-/// A nip with its tractions gathered in line loads, as the thesis has it: the contact is cut into equal elements, each
-/// element's forces act at its centre, and the sheet is held to the roller at the ends of the contact and midway between
-/// the loads. (thesis 2.2) It is made by line_loads_for_length or line_loads_for_load for an elastic nip
-/// (elastic_nip/line_loads.hpp) or a viscoelastic one (viscoelastic_nip/line_loads.hpp); every result is computed when it
-/// is asked for. The results have no errors: they are those of the discrete contact, to rounding.
+/// A nip whose tractions are replaced by line loads, as in the thesis: the contact is cut into equal elements, each
+/// element's forces act at its centre, and the sheet is held to the roller at the ends of the contact and midway
+/// between the loads. (thesis 2.2) It is made by line_loads_for_length or line_loads_for_load for an elastic nip
+/// (elastic_nip/line_loads.hpp) or a viscoelastic one (viscoelastic_nip/line_loads.hpp). Every result is computed when
+/// it is asked for. The results have no error estimates: they are those of the discrete contact, to rounding.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading (entry) side,
-/// unit of length, finite; otherwise BadInput. The loads being concentrated, displacements are infinite at them: such a Y
-/// is BadInput too.
+/// unit of length, finite; otherwise BadInput. The displacements of a Y at a line load, which are infinite, are
+/// BadInput.
 struct LineLoadNip {
   double roller_radius;         ///< R, unit of length
   int leading_elements;         ///< m1
@@ -62,8 +61,8 @@ struct LineLoadNip {
   [[nodiscard]] double leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
   [[nodiscard]] double trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
   [[nodiscard]] double load() const;  ///< W, force per unit width: the sum of the normal loads
-  /// The largest normal load, or shear load in size, over the width of its element, unit of stress, and the centre of
-  /// that element, unit of length; in a symmetric nip the one with Y > 0.
+  /// The largest normal load, or shear load in magnitude, over the width of its element, unit of stress; and the centre
+  /// of that element, unit of length, in a symmetric nip the one with Y > 0.
   [[nodiscard]] double peak_pressure() const;
   [[nodiscard]] double peak_pressure_position() const;
   [[nodiscard]] double peak_shear() const;
@@ -74,10 +73,10 @@ struct LineLoadNip {
   [[nodiscard]] double rolling_resistance() const;  ///< the sum of both over W R, dimensionless (thesis 7.15)
   /// (v(L1) - v(-L2))/L, dimensionless; with full friction the one that was solved for. (thesis 5.5, 5.16, 7.17)
   [[nodiscard]] double creep_ratio() const;
-  /// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Unit of length.
+  /// The Y >= 0, rising, between shear loads of opposite signs, unit of length. With friction the first is the middle.
   [[nodiscard]] std::vector<double> shear_zeros() const;
-  /// The normal or the shear load of the element that Y lies in over its width, unit of stress; 0 outside the contact. A
-  /// place on a border counts to the trailing element, in a symmetric nip to the outer one.
+  /// The normal or the shear load of the element that contains Y over its width, unit of stress; 0 outside the contact.
+  /// A place on a border belongs to the trailing element, in a symmetric nip to the outer one.
   [[nodiscard]] double pressure(double y) const;
   [[nodiscard]] double shear(double y) const;
   /// u, towards the middle plane, and v, relative to Y = 0, at any Y; unit of length. (thesis 5.6, 7.3, 7.16)
@@ -93,13 +92,13 @@ struct LineLoadNip {
   }
 };
 
-// Inside a sheet under line loads: the sums of the loads' own fields (sheet/field.hpp), with errors of 0. BadInput for a
-// place of a load on a face, where nothing is bounded, and for places that are out of the domains of InnerPoint.
+// The field inside a sheet under line loads, the sum of the loads' fields (sheet/field.hpp), with errors of 0. BadInput
+// for the place of a load on a face, where the field is unbounded, and for places outside the domain of InnerPoint.
 
 std::vector<InnerStresses> line_load_stresses(std::span<const FaceLoad> loads, double half_thickness,
                                               std::span<const InnerPoint> points);
 
-/// Of an elastic sheet, whose loads are symmetric about Y = 0: the normal ones even, the shear odd.
+/// For an elastic sheet whose loads are symmetric about Y = 0: the normal loads are even, the shear loads odd.
 std::vector<InnerDisplacements> line_load_displacements(std::span<const FaceLoad> loads,
                                                         double half_thickness,
                                                         const data::ElasticMaterial& material,

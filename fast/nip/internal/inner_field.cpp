@@ -13,7 +13,7 @@ namespace {
 using internal::DisplacementsFromFace;
 using internal::StressesAtDepth;
 
-/// What `field` gives at alpha under both loads, as numbers of a kernel; without shear both parts of g are pressure.
+/// The kernel of the numbers that `field` has at alpha under each load. Without shear both parts of g are pressure.
 template <int count, class Field>
 Tractions::Kernel kernel_of(const Field& field, bool grips, const auto& numbers_of) {
   Tractions::Kernel kernel;
@@ -43,16 +43,16 @@ std::vector<Functional> functionals_of(const Solution& solution, const ContactPl
   return result;
 }
 
-/// A bound for the integral of the magnitude of a kernel of internal::FromFace over a contact: at any depth and any Poisson's
-/// ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet at most 0.8. Both
-/// are properties of the kernels alone, which a test computes: 0.956 of the first and 0.783 are reached by v under shear
-/// beside the middle plane of an incompressible sheet.
+/// A bound for the integral of the magnitude of a kernel of internal::FromFace over a contact. At any depth and any
+/// Poisson's ratio a kernel is at most (1 + ln(1/a))/pi at a distance a < 1, and its integral over the whole sheet is
+/// at most 0.8. A test computes both from the kernels. v under shear beside the middle plane of an incompressible sheet
+/// comes closest: it reaches 0.956 of the first bound, and 0.783.
 double reach_of_displacements(double half_length) {
   const double a = std::min(half_length, 1.0);
   return std::min(0.8, 2 / std::numbers::pi * a * (2 - std::log(a)));
 }
-/// The integral of the magnitudes of the kernels of stresses: at most 4/pi under pressure, at both faces together; under
-/// shear that along the sheet at the distance d from the face falls like 1/alpha from there on.
+/// The integral of the magnitude of a stress kernel over the contact. Under pressure it is at most 4/pi for both faces
+/// together. Under shear the stress along the sheet falls like 1/alpha beyond the `distance` from the loads.
 double size_of_stresses(double half_length, double distance, bool grips) {
   const double logarithm = grips ? std::log1p(std::pow(2 * half_length / distance, 2)) : 0;
   return 4 * std::numbers::inv_pi * (1 + logarithm);
@@ -88,7 +88,7 @@ Tractions::Kernel InnerField::stress_kernel(double depth) const {
   // Far away a shear load pulls one half of the sheet and presses on the other.
   using enum Tractions::Kernel::FarAway;
   kernel.beyond_reach = grips ? constant : negligible;
-  // On a face that of the pressure has no poles but those of the load on the other face.
+  // On a face the kernel of the pressure has only the poles of the load on the other face.
   kernel.poles = on_face && !grips ? 2 : 1 - std::fabs(depth);
   kernel.is_regular = !on_face || !grips;
   return kernel;
@@ -115,12 +115,12 @@ std::vector<Functional> InnerField::stresses(const Solution& solution, const Con
 
 std::vector<Estimate> InnerField::estimates(const ContactPlace& place,
                                             const SolvedNip::AtPlace& numbers) const {
-  // Where the ends are given, a place is wrong by its rounding alone, 2^-52 of its distance from the end. The field is smooth on
-  // the scale of that distance, so that this counts with the rounding of the kernels.
+  // If the ends are given, a place has only its rounding error, 2^-52 of its distance from the end. The field is smooth
+  // on the scale of that distance, so that this error is part of the rounding of the kernels.
   const double reach = ends_ == 0 ? 0 : SolvedNip::reach(place, ends_);
   std::vector<SolvedNip::InBoth> all = nip_.at_place(place, reach, numbers);
-  // Next to an end the stresses are the root of the distance from it times functions of the direction, some of which are 0
-  // along the face: there the others tell how much these may change.
+  // Next to an end the stresses are the square root of the distance from it times functions of the direction. Some of
+  // these are 0 along the face, so that the shifts of the other stresses have to show how much they may change.
   if (std::fabs(place.e) <= reach) {
     const double largest = std::ranges::max(all, {}, &SolvedNip::InBoth::shift).shift;
     for (SolvedNip::InBoth& number : all) number.shift = largest;
@@ -140,7 +140,7 @@ InnerStresses InnerField::at(const SheetPoint& point) const {
 }
 
 InnerDisplacements InnerField::from_face(const SheetPoint& point, const internal::Shares& share) const {
-  // A kernel is the sum of some eight parts of its size, each with eight roundings, of which 16 count already.
+  // A kernel is the sum of some eight parts of its size with eight roundings each. 16 roundings are counted already.
   constexpr double roundings = 64.0 / 16;
   const double depth = std::fabs(point.depth);
   if (depth == 1) return {{0, 0}, {0, 0}};
@@ -189,7 +189,7 @@ GreatestShear InnerField::greatest() const {
   };
   const auto smooth_about = [&](const Point& place) { return std::min(reach, from_end(place)); };
   double step = reach / steps;
-  // A step changes the shear by about the square of the step over the scale. To see that it grows takes this part of it.
+  // A step changes the shear by about (step/scale)^2. A tolerance of this part of the change shows its sign.
   const auto look_closer = [&] {
     constexpr double telling = 1e-4;
     tolerance = std::clamp(telling * std::pow(step / smooth_about(best), 2), quadrature_tolerance, coarse);
@@ -207,8 +207,8 @@ GreatestShear InnerField::greatest() const {
   }
   const SheetPoint point{place_of(best.y), best.depth, is_symmetric && best.y == 0};
   const Estimate value = at(point).maximum_shear();
-  // About its maximum the shear is a parabola: it falls by the square of the distance over that from the nearest end, of itself,
-  // or in contacts where it is flat by a sixteenth of that. The search compares shears that are rounded.
+  // About its maximum the shear is a parabola. It falls relatively by the square of the distance over that of the
+  // maximum from the nearest end, or by a sixteenth of that if the maximum is flat. The search compares rounded shears.
   constexpr double rounded = 0x1p-50;
   const double unsure = from_end(best) * 4 * std::sqrt(value.error / value.value + rounded);
   return {value, {best.y, unsure}, {best.depth, unsure}};

@@ -17,30 +17,30 @@ struct SheetPoint {
 
 /// The field inside the sheet of a solved contact, dimensionless: lengths in half-thicknesses, stresses as tractions.
 ///
-/// Stresses and displacements are functionals of the tractions, whose kernels are the field under line loads, and have the
-/// errors of functionals (solution.hpp), with what an end that is off adds. At the distance d from a face a kernel has poles at
-/// alpha = +- i d. On a face, in the contact, the stress along the sheet follows from the strain e of the surface and the
-/// pressure p,
-///     sigma = 2 e - (theta1 - theta2)/(theta1 + theta2) p,
-/// where the sheet sticks; where it slides it is -p and what the regular part of the kernel gives.
-/// Displacements are counted from those of the face at the same Y, see internal::FromFace.
+/// Stresses and displacements are functionals of the tractions. Their kernels are the field under line loads, and their
+/// errors are those of functionals (solution.hpp) plus the effect of the error of the ends. At the distance d from a
+/// face a kernel has poles at alpha = +- i d. On a face, in the contact, the stress along the sheet follows from the
+/// strain e of the surface and the pressure p where the sheet sticks,
+///     sigma = 2 e - (theta1 - theta2)/(theta1 + theta2) p;
+/// where the sheet slides, the stress is -p plus the integral of the regular part of the kernel.
+/// Displacements are relative to those of the face at the same Y, see internal::FromFace.
 class InnerField {
  public:
-  /// ends: error of the places of the ends, 0 where these are given.
+  /// `ends`: the error of the places of the ends, 0 if they are given.
   InnerField(const SolvedNip& nip, double ends) : nip_(nip), equations_(nip.equations()), ends_(ends) {}
 
   [[nodiscard]] InnerStresses at(const SheetPoint& point) const;
-  /// The displacements beyond the shares of the face's, 1 of v and |depth| of u: over theta1 + theta2, of which `share` has
-  /// the parts.
+  /// The displacements less v and |depth| u of the face, over theta1 + theta2. `share`: theta1 and theta2 over their
+  /// sum.
   [[nodiscard]] InnerDisplacements from_face(const SheetPoint& point, const internal::Shares& share) const;
-  /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer at its
-  /// ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
+  /// The largest shear and its place, y from the contact's middle, by a grid that scales with the contact and is finer
+  /// at its ends, then by ever smaller steps around the best place. In a symmetric contact only y >= 0 is searched.
   [[nodiscard]] GreatestShear greatest() const;
 
  private:
   [[nodiscard]] std::vector<Estimate> estimates(const ContactPlace& place,
                                                 const SolvedNip::AtPlace& numbers) const;
-  /// Across, along and shear, under line loads and of a solution.
+  /// The stresses across, along and in shear: their kernel, and their functionals in a solution.
   [[nodiscard]] Tractions::Kernel stress_kernel(double depth) const;
   [[nodiscard]] std::vector<Functional> stresses(const Solution& solution, const ContactPlace& place,
                                                  double depth, const Tractions::Kernel& kernel,
@@ -54,7 +54,7 @@ class InnerField {
 /// BadInput unless y is finite and the depth from -1 to 1.
 void check_inside(const InnerPoint& point);
 
-/// The displacements at a depth from those of the face and what InnerField::from_face has beyond them, in `unit`.
+/// The displacements at a depth, from those of the face and from those of InnerField::from_face, `beyond` times `unit`.
 InnerDisplacements beyond_face(const InnerDisplacements& face, double depth, double unit,
                                const InnerDisplacements& beyond);
 

@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 /// From here on the asymptotic series has double accuracy.
 constexpr double asymptotic_from = 40;
 
-/// 1/(2z) sum_k (2k - 1)!!/(2 z^2)^k up to its smallest term, and what is added to it beside the real axis.
+/// The series 1/(2z) sum_k (2k - 1)!!/(2 z^2)^k up to its smallest term, plus an exponential off the real axis.
 Complex asymptotic_dawson(Complex square, Complex z) {
   const Complex step = 0.5 / square;
   const double step_size = std::abs(step);
@@ -32,13 +32,13 @@ Complex asymptotic_dawson(Complex square, Complex z) {
                    internal::faded_exp(square);
 }
 
-/// h(s) = D(z)/z = int_0^1 e^(-s (1 - t^2)) dt of s = z^2 on a ray of s up to asymptotic_from, between even |s|: Taylor
-/// polynomials in |s| about odd ones, whose terms are such integrals with powers of 1 - t^2.
+/// h(s) = D(z)/z = int_0^1 e^(-s (1 - t^2)) dt, s = z^2, on a ray of s up to |s| = asymptotic_from: Taylor polynomials
+/// about odd |s|, each between even |s|. Their coefficients are such integrals with powers of 1 - t^2.
 using Table = std::vector<std::vector<Complex>>;
 
-/// In extended precision, and then without what is less than the rounding of a double. Gauss's rule of 40 nodes has an error
-/// of 1e-19 where |s| is 40: the integrand's Chebyshev coefficients are at most those of e^(10 (1 + x)^2) over e^40, or, where
-/// it oscillates, of e^(10 i (1 + x)^2).
+/// Computes a table in extended precision and drops coefficients less than the rounding of a double. Gauss's rule of 40
+/// nodes has an error of 1e-19 at |s| = 40, because the Chebyshev coefficients of the integrand are at most those of
+/// e^(10 (1 + x)^2) over e^40, or, if it oscillates, of e^(10 i (1 + x)^2).
 Table table_on_ray(const double& angle) {
   using Rule = boost::math::quadrature::gauss<long double, 40>;
   using Extended = std::complex<long double>;

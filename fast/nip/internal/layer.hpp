@@ -5,9 +5,9 @@
 
 namespace nipref::fast {
 
-/// The pressure -(2 rate/sqrt pi) D(sqrt(rate e)) over e > 0, whose displacement by the kernel -ln|e - e'|/pi is e^(-rate e)
-/// and a constant: that of H[D] = -(sqrt pi/2) e^(-x^2), H the Hilbert transform. D is Dawson's integral, D(z) = z int_0^1
-/// e^(-z^2 (1 - t^2)) dt; Re rate >= 0.
+/// The pressure -(2 rate/sqrt pi) D(sqrt(rate e)) over e > 0, Re rate >= 0. Its displacement by the kernel -ln|e -
+/// e'|/pi is e^(-rate e) plus a constant, because H[D] = -(sqrt pi/2) e^(-x^2), H the Hilbert transform. D is Dawson's
+/// integral, D(z) = z int_0^1 e^(-z^2 (1 - t^2)) dt.
 class LayerPressure {
  public:
   explicit LayerPressure(std::complex<double> rate);
@@ -17,7 +17,7 @@ class LayerPressure {
 
  private:
   std::complex<double> rate_, root_;
-  std::shared_ptr<const std::vector<std::vector<std::complex<double>>>> ray_;  ///< D(z)/z by z^2, in pieces
+  std::shared_ptr<const std::vector<std::vector<std::complex<double>>>> ray_;  ///< D(z)/z, see layer.cpp
 };
 
 }  // namespace nipref::fast

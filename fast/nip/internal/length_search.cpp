@@ -12,14 +12,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Secants that need more steps do not converge; a wrong fixed exponent may need five steps a digit.
 constexpr int most_by_secant = 40, most_by_one_exponent = 200;
-/// A memory that softens the sheet over a decade of lengths takes one from the 2 of a half-space.
+/// A memory that softens the sheet over a decade of lengths reduces the exponent 2 of a half-space by one.
 constexpr double least_exponent = 1;
-/// Of ln(load): the load may be wrong by less because the contact was laid out for another length.
+/// The least error of ln(load) that counts for the bracket. Panels laid out for another length cause smaller ones.
 constexpr double telling_excess = 0.1;
 
-/// The load over the square of the half length A of a frictionless elastic contact, to 1.3 %: pi of a half-space, and 8/3 A of
-/// springs that reach 0.177 beyond both ends, (1/pi) int_0^inf ln(K(0)/K(k)) dk/k^2 by Wiener and Hopf, K the transform of I1.
-/// What is between them fades such that a half-space has no term linear in A.
+/// The load over the square of the half-length A of a frictionless elastic contact, to 1.3 %: pi for a half-space, and
+/// 8/3 A for springs that reach 0.177 beyond both ends, (1/pi) int_0^inf ln(K(0)/K(k)) dk/k^2 by Wiener and Hopf, K the
+/// transform of I1. The difference of the two fades such that a half-space has no term linear in A.
 constexpr double springs = 8.0 / 3, beyond_ends = 8 * 0.17712708525681775;
 constexpr double between = std::numbers::pi - beyond_ends;
 double faded(double half_length) { return std::exp(-springs / between * half_length); }
@@ -33,8 +33,7 @@ double load_guess(double half_length) { return load_over_square(half_length) * h
 
 double half_length_guess(double load) {
   double length = std::min(std::sqrt(load / std::numbers::pi), std::cbrt(load / springs));
-  for (int i = 0; i < 3; ++i)
-    length *= std::pow(load / load_guess(length), 1 / load_exponent(length));
+  for (int i = 0; i < 3; ++i) length *= std::pow(load / load_guess(length), 1 / load_exponent(length));
   return std::min(length, longest_sought / 2);
 }
 

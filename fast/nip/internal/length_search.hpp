@@ -3,23 +3,23 @@
 
 namespace nipref::fast {
 
-/// Half length, in half-thicknesses, of a frictionless elastic contact of about this dimensionless load
-/// (solved_nip.hpp): between half-space and independent springs.
+/// About the half-length, in half-thicknesses, of a frictionless elastic contact of this dimensionless load
+/// (nip_equations.hpp), between that of a half-space and that of independent springs.
 double half_length_guess(double load);
-/// The load of which that is the half length.
+/// About the load of such a contact of this half-length.
 double load_guess(double half_length);
 
 /// d ln load/d ln length of that contact.
 double load_exponent(double half_length);
 
-/// The longest half length that is tried, in half-thicknesses: check_length_of_load refuses longer ones.
+/// The longest half-length that is tried, in half-thicknesses; check_length_of_load refuses longer ones.
 inline constexpr double longest_sought = 2e4;
 
 /// Where a LengthSearch ends and how it steps.
 struct LengthSearchRule {
   double tolerance;                                          ///< of the load, relative
-  double longest = std::numeric_limits<double>::infinity();  ///< nothing beyond is tried
-  /// Keeps the exponent it starts with; otherwise the last two loads found determine it.
+  double longest = std::numeric_limits<double>::infinity();  ///< the longest length that is tried
+  /// Whether the search keeps its first exponent; otherwise the last two loads found determine it.
   bool fixed_exponent = false;
 };
 
@@ -32,7 +32,7 @@ class LengthSearch {
   /// incompressible film without slip.
   static constexpr double usual_exponent = 3;
 
-  /// `near`, > 0: the first length tried. `exponent`: a guess.
+  /// `near`, > 0: the first length tried. `exponent`: a guess of the load's exponent.
   LengthSearch(double load, double near, const LengthSearchRule& rule, double exponent = usual_exponent);
 
   /// The length to be tried next.
@@ -58,7 +58,7 @@ class LengthSearch {
   double log_length_;
   double exponent_;
   bool by_secant_ = false;  ///< the last step's exponent was that of the secant
-  /// The bracket: the last lengths that carried too little, and too much or nothing.
+  /// The bracket: the last length that carried too little, and the last that carried too much or nothing.
   double log_too_short_ = -std::numeric_limits<double>::infinity();
   double log_too_long_ = std::numeric_limits<double>::infinity();
   double last_log_length_ = 0;

@@ -9,7 +9,7 @@
 namespace nipref::fast {
 namespace {
 
-/// A contact carries about what an elastic one does whose sheet is as soft as this one over such a part of the half length.
+/// A contact carries about the load of an elastic one with the compliance that acts over this part of its half-length.
 constexpr double part_that_softens = 0.47;
 
 }  // namespace
@@ -38,7 +38,8 @@ Functional NipEquations::eccentricity(const Solution& solution) const {
   return result;
 }
 
-/// A load grows at least like the square of the length and softening at most like the length, so that each step halves the error.
+/// Each step halves the error: load grows at least like the square of the length, and softening at most like the
+/// length.
 double NipEquations::half_length_of(double load) const {
   constexpr int most_steps = 5;
   double half_length = 0, softening = 0;

@@ -12,64 +12,64 @@
 
 namespace nipref::fast {
 
-/// A number that has to meet the accuracy, relative to `scale` or to its value if that is larger.
+/// A number that has to meet the accuracy, relative to the larger of `scale` and its own magnitude.
 struct AccuracyTarget {
   Functional number;
   double scale = 0;
 };
 
-/// A place of the surface: e from the nearer end of the contact, negative outside.
+/// A place of the surface: e is its distance from the nearer end of the contact, negative outside.
 struct ContactPlace {
   bool trailing;
   double e;
 
-  /// In a contact so short that the place is beyond its middle, it is on the other half.
+  /// The place in the contact of a solution. If it is beyond the middle of that contact, it is on the other half.
   [[nodiscard]] ContactPlace in(const Solution& solution) const;
 };
 
 enum class TractionComponent { pressure, shear };
 
-/// v at a place of the surface but for a constant, which is 0 in a symmetric contact; and v', empty with full friction, where
-/// it is known otherwise.
+/// v at a place of the surface, up to a constant that is 0 in a symmetric contact, and v'. With full friction v' is
+/// empty: it is the creep ratio in the contact, and outside it follows from the stress.
 struct SurfaceAlong {
   Functional displacement, strain;
 };
 
-/// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
-/// times 2 R/b^2, loads times 2 R N/b^2, strains times 2 R/b, N the compliance of the normal displacement (at once).
-/// Functionals of a number that is not linear are linearised about the solution, with its value there.
+/// The equations of one kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b,
+/// displacements times 2 R/b^2, loads times 2 R N/b^2, strains times 2 R/b, N the instantaneous compliance of the
+/// normal displacement. The functional of a nonlinear number is linearised about the solution and has its value there.
 class NipEquations {
  public:
   virtual ~NipEquations() = default;
-  /// The resolution of a contact of half length A whose coefficients are to fall to e^-nats.
+  /// The resolution of a contact whose coefficients are to fall to e^-nats of the largest.
   [[nodiscard]] virtual Resolution resolution(double nats) const = 0;
-  /// tolerance: of the quadratures.
+  /// `tolerance`: of the quadratures.
   [[nodiscard]] virtual Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
                                        CountedKernels& kernels) const = 0;
-  /// Beside the load and the tractions.
+  /// The numbers that have to meet the accuracy, besides the load and the tractions.
   [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
-  /// The compliance with which a contact acts over its whole length, over what acts at once: about.
+  /// About the compliance that acts over a contact of this half-length, relative to the instantaneous compliance.
   [[nodiscard]] virtual double softening_over(double /*half_length*/) const { return 1; }
-  /// About the half length of a load, some per cent off, and about d ln load/d ln length there.
+  /// The half-length of the contact of a load, to some per cent, and about d ln load/d ln length at a half-length.
   [[nodiscard]] double half_length_of(double load) const;
   [[nodiscard]] double load_exponent_at(double half_length) const;
-  /// BadInput for a half length at which the contact is out of reach.
+  /// BadInput for a half-length at which the contact cannot be solved.
   virtual void check(double /*half_length*/) const {}
 
-  /// Whether the surface sticks: the shear is unknown, too.
+  /// Whether the surface sticks, so that the shear is unknown, too.
   [[nodiscard]] virtual bool grips() const { return false; }
   /// The number of the unknown that is the place of the contact's middle; a contact without it is symmetric.
   [[nodiscard]] virtual std::optional<int> offset_unknown() const { return {}; }
   /// A traction, 0 outside the contact.
   [[nodiscard]] Functional traction(const Solution& solution, TractionComponent component,
                                     const ContactPlace& place) const;
-  /// u of the roller at y, in the contact, and at an end.
+  /// The displacement u that the roller imposes, at y in the contact and at an end.
   [[nodiscard]] virtual Functional roller_displacement(const Solution& solution, double y) const = 0;
   [[nodiscard]] virtual Functional end_displacement(const Solution& solution, bool trailing) const = 0;
   /// The distance of the pressure's resultant from the line through the centres, of a contact that is not symmetric:
   /// offset + int y p dy/load.
   [[nodiscard]] Functional eccentricity(const Solution& solution) const;
-  /// u; v and v'; and the mean of v' over the contact.
+  /// u; v and v'; and the mean of v' over the contact, which is the creep ratio.
   [[nodiscard]] virtual Functional normal(const Solution& solution, const ContactPlace& place,
                                           CountedKernels& kernels) const = 0;
   [[nodiscard]] virtual SurfaceAlong along(const Solution& solution, const ContactPlace& place,
@@ -79,19 +79,19 @@ class NipEquations {
   [[nodiscard]] virtual std::optional<internal::Shares> shares() const { return {}; }
 };
 
-/// I1/pi: the normal displacement that the pressure causes in an elastic sheet. `kernels` lives as long.
+/// I1/pi: the normal displacement that the pressure causes in an elastic sheet. It refers to `kernels`.
 Tractions::SplitKernel frictionless_kernel(CountedKernels& kernels);
 
-/// Of the quadratures, whose error is less than that of rounding.
+/// The tolerance of quadratures whose error is to be less than that of rounding.
 inline constexpr double quadrature_tolerance = 1e-16;
 
-/// One of the two.
+/// Either the contact length or the load.
 struct GivenContact {
-  std::optional<double> length = {}, load = {};  ///< L, unit of length; force per unit width
+  std::optional<double> length = {}, load = {};  ///< L, unit of length; W, force per unit width
 };
 
-/// The solved contact of a nip of these equations. compliance: N (at once). BadInput for an accuracy, a length or a load
-/// outside the domain, and for a load whose contact is.
+/// The solved contact of a nip with these equations. `compliance`: the instantaneous N. BadInput for an accuracy, a
+/// length or a load outside the domain, and for a load whose contact length is outside it.
 ConvergedNip converged_nip(const NipShape& shape, double compliance,
                            std::shared_ptr<const NipEquations> equations, const GivenContact& given,
                            double accuracy);

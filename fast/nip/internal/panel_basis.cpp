@@ -14,13 +14,13 @@ namespace nipref::fast {
 namespace {
 
 using Complex = std::complex<double>;
-/// What is kept is computed in extended precision, so that only its last rounding counts.
+/// Cached numbers are computed in extended precision, so that only their last rounding counts.
 using Long = long double;
 using LongComplex = std::complex<Long>;
 
 constexpr Long pi = std::numbers::pi_v<Long>, ln2 = std::numbers::ln2_v<Long>;
 
-/// A basis' factor, size x^left (1 - x)^right.
+/// The factor w of a basis, w = size x^left (1 - x)^right.
 struct Weight {
   explicit Weight(const PanelBasis& basis)
       : left(basis.at_end ? Complex(0.5, basis.exponent) : 0),
@@ -30,9 +30,9 @@ struct Weight {
   Complex left, right;
   double size;
 
-  /// With t = 2 x - 1, integrals f_n of w T_n times something, n < count, from f_0. That against the derivative of
-  /// (1 - t^2) w T_n is (left - right) f_n - (left + right + 2 + n) f_n+1/2 - (left + right + 2 - n) f_n-1/2 = -source(n).
-  /// Both solutions without a source decay with n.
+  /// The integrals f_n of w T_n h, n < count, from f_0, h a function of t = 2 x - 1. That of h d/dt[(1 - t^2) w T_n] is
+  ///     (left - right) f_n - (left + right + 2 + n) f_(n+1)/2 - (left + right + 2 - n) f_(n-1)/2 = -source(n).
+  /// Both homogeneous solutions decay with n.
   template <class Source>
   [[nodiscard]] std::vector<LongComplex> recurrence(LongComplex first, int count,
                                                     const Source& source) const {
@@ -47,7 +47,8 @@ struct Weight {
   }
 };
 
-/// int_0^1 of the factor times T_n, n < count. |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi y).
+/// The integrals over [0, 1] of w T_n, n < count. If is_whole, int w = |Gamma(3/2 + i y)|^2 = (1/4 + y^2) pi/cosh(pi
+/// y).
 std::vector<LongComplex> moments(const PanelBasis& basis, int count) {
   const Weight weight(basis);
   const Long y = basis.exponent;
@@ -62,9 +63,9 @@ Complex expm1(Complex z) {
           std::exp(z.real()) * std::sin(z.imag())};
 }
 
-/// Integrals over [0, 1] of the factor times ln|x - s|, the sign of x - s, and 1/(x - s) as a principal value.
+/// The integrals over [0, 1] of w times ln|x - s|, the sign of x - s, and 1/(x - s) as a principal value.
 struct FirstIntegrals {
-  LongComplex at_point = 0;  ///< the factor at s
+  LongComplex at_point = 0;  ///< w at s
   LongComplex logarithm = 0, sign = 0, principal;
 
   FirstIntegrals(const PanelBasis& basis, double point) {
@@ -100,7 +101,7 @@ struct FirstIntegrals {
     logarithm = pi / 4 * (t * t - 0.5L - 2 * ln2);
     sign = -(t * std::sqrt(1 - t * t) + std::asin(t)) / 2;
   }
-  /// Between 0 and s, and between s and 1. From 1/(x - s) the value at s is taken away.
+  /// Integrates over [0, s] and over [s, 1]. For the principal value w(s) is subtracted from w; its part is known.
   void integrate(const Weight& weight, double s) {
     static const std::vector<UnitNode> rule = double_exponential_rule(1e-17);
     const auto log_of_part = [](double part, double rest) {
@@ -124,7 +125,7 @@ struct FirstIntegrals {
   }
 };
 
-/// The same times T_n, n < degrees, but for the last.
+/// The integrals over [0, 1] of w T_n times ln|x - s| and times the sign of x - s, n < degrees.
 struct PointIntegrals {
   std::vector<LongComplex> logarithm, sign;
 
@@ -133,7 +134,7 @@ struct PointIntegrals {
     const FirstIntegrals first(basis, s);
     const std::vector<LongComplex> moment = moments(basis, degrees + 2);
     const Long t = 2 * static_cast<Long>(s) - 1, end_factor = 4 * static_cast<Long>(s) * (1 - s);  // 1 - t^2
-    // Of 1/(2 x - 1 - t), by T_n+1 = 2 (2 x - 1) T_n - T_n-1.
+    // The integrals of w T_n/(2 x - 1 - t), by T_(n+1) = 2 (2 x - 1) T_n - T_(n-1).
     std::vector<LongComplex> principal{first.principal / Long(2), t * first.principal / Long(2) + moment[0]};
     std::vector<Long> chebyshev{1, t};
     for (std::size_t n = 1; principal.size() < static_cast<std::size_t>(degrees); ++n) {
@@ -170,7 +171,7 @@ ProductRule make_product_rule(const std::tuple<PanelBasis, int, int, RuleFor>& k
   std::vector<double> cosines;
   for (int k = 0; k < 4 * points; ++k)
     cosines.push_back(static_cast<double>(std::cos(k * pi / (2 * points))));
-  Eigen::MatrixXd coefficients(points, points);  // of T_m, by which a function's values are summed
+  Eigen::MatrixXd coefficients(points, points);  // of T_m in the interpolating polynomial of f, per f(at_i)
   for (int i = 0; i < points; ++i) {
     for (int m = 0; m < points; ++m)
       coefficients(i, m) =
@@ -230,7 +231,7 @@ PanelBasis::Rows PanelBasis::values(const Eigen::ArrayXd& x, const Eigen::ArrayX
   if (exponent != 0) {
     const Eigen::ArrayXd ratio = is_whole ? (x / rest).eval() : x;
     const Eigen::ArrayXd angle = (ratio > 0).select(exponent * ratio.max(1e-300).log(), 0.0);
-    const Eigen::VectorXd sine = factor * angle.sin();  // once, not for each polynomial
+    const Eigen::VectorXd sine = factor * angle.sin();  // evaluated once, not for each polynomial
     result.imaginary = sine.asDiagonal() * polynomials;
     factor *= angle.cos();
   }
@@ -260,7 +261,7 @@ std::shared_ptr<const Eigen::ArrayXXd> logarithms(int points_of_rule, const Matc
 std::shared_ptr<const ProductRule> product_rule(const PanelBasis& basis, int points, int degrees,
                                                 RuleFor integrand) {
   static Cache<std::tuple<PanelBasis, int, int, RuleFor>, ProductRule> rules(make_product_rule, 1024);
-  constexpr int step = 32;  // so that few rules are kept
+  constexpr int step = 32;  // so that few rules are cached
   return rules.at({basis, points, (degrees + step - 1) / step * step, integrand});
 }
 

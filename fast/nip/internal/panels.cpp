@@ -10,16 +10,16 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Radians and nats over the whole contact that its one expansion holds.
+/// The largest |rate| times contact length that one expansion over the whole contact resolves.
 constexpr double most_over_whole = 8;
-/// Of the first panel, half-thicknesses.
+/// The largest width of the first panel, half-thicknesses.
 constexpr double widest_at_end = 2;
-/// An error statement looks at the last three.
+/// The error estimate needs the last three coefficients.
 constexpr int fewest_terms = 3;
 constexpr int most_terms = 40;
 constexpr double nats_of_double = 37;
 
-/// The factor, as a logarithm, by which Chebyshev coefficients fall a degree on a panel.
+/// The logarithm of the factor by which the Chebyshev coefficients of a panel fall from one degree to the next.
 double log_fall(double left, double right, double half_length, bool is_whole) {
   const double middle = (left + right) / 2, half = (right - left) / 2;
   const auto by = [&](Complex singular) { return internal::log_of_ellipse((singular - middle) / half); };
@@ -28,8 +28,8 @@ double log_fall(double left, double right, double half_length, bool is_whole) {
   return is_whole ? least : std::min(least, by(2 * half_length));
 }
 
-/// The degree from which on the coefficients of e^(-rate x) on a panel, e^(-rate middle) I_n(rate half), are below e^-nats
-/// and fall as the error statement takes it, or are less than rounding: by the leading term of their uniform expansion in n.
+/// The degree from which on the coefficients of e^(-rate x) on a panel, e^(-rate middle) I_n(rate half), are below
+/// e^-nats and fall by least_fall, or are less than rounding, by the leading term of their uniform expansion in n.
 int degree_of_exponential(Complex rate, double left, double right, double nats) {
   if (rate.real() * left > nats_of_double) return 1;
   const Complex z = rate * (right - left) / 2.0;
@@ -72,14 +72,14 @@ class Layout {
              return std::abs(rate) * 2 * half_length_ < most_over_whole;
            });
   }
-  /// So wide that it resolves the exponentials at the trailing end, too.
+  /// The width of the panel at the end. The panel has to resolve the exponentials at the trailing end, too.
   [[nodiscard]] double width_at_end() const {
     double width = std::min(widest_at_end, half_length_ / 2);
     while (!holds_exponentials(2 * half_length_ - width, 2 * half_length_)) width /= 2;
     return width;
   }
-  /// Panels double up to where the end is forgotten, but hold no more radians of what oscillates and has not decayed than the
-  /// one panel of a whole contact would.
+  /// The width of the panel that begins at `left`. Widths double until the effect of the end is less than rounding. A
+  /// panel spans at most 2 most_over_whole radians of an exponential that oscillates and has not decayed.
   [[nodiscard]] double width_after(double left) const {
     const double forgotten = 1.001 * nats_of_double / resolution_.decay;
     double width = left < forgotten ? std::min(left, std::max(forgotten - left, left / 4)) : left;
@@ -92,7 +92,7 @@ class Layout {
   [[nodiscard]] bool is_near_middle(double right) const {
     return right > half_length_ / 1.9 && holds_exponentials(right);
   }
-  /// So far that what is left, which a wide panel about the middle does not resolve, is less than rounding.
+  /// Whether the effect of the end at `left` is less than rounding. A wide panel about the middle does not resolve it.
   [[nodiscard]] bool is_forgotten(double left) const {
     return resolution_.decay * left >= nats_of_double && holds_exponentials(left);
   }
@@ -115,7 +115,7 @@ class Layout {
           std::max<double>(degree, degree_of_exponential(resolution_.decay, left, right, resolution_.nats));
     for (const Complex& rate : resolution_.rates) {
       if (rate == 0.0) continue;
-      // A layer is on the leading half alone; on the other the terms resolve what it has left there.
+      // A layer is on the leading half alone. On the trailing half the terms resolve what is left of the exponential.
       const bool as_layer = left == 0 && !is_whole && std::abs(rate) * right > 1;
       const double from = as_layer ? 2 * half_length_ - right : left;
       degree =

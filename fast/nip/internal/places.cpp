@@ -13,7 +13,7 @@ namespace {
 
 bool is_sure(const Estimate& number) { return std::fabs(number.value) > number.error; }
 
-/// The distance from `place` at which f exceeds `error` on both sides.
+/// The distance from `place` at which |f| exceeds `error` on both sides, at most `most`.
 double unsure_distance(const std::function<double(double)>& f, double place, double error, double most) {
   double distance = 0x1p-52 * std::max(std::fabs(place), most);
   while (distance < most &&
@@ -22,8 +22,8 @@ double unsure_distance(const std::function<double(double)>& f, double place, dou
   return std::min(distance, most);
 }
 
-/// The zero of `f` between a < b, where f has different signs. Its error is the distance beyond which f exceeds its own
-/// error at the zero on both sides, but at most `most`.
+/// The zero of `f` between a < b, where f has different signs. Its error is the distance at which |f| exceeds on both
+/// sides the error that f has at the zero, but at most `most`.
 Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {
   const bool rises = f.value(a) < 0;
   const double place = internal::last_that([&](double x) { return (f.value(x) < 0) == rises; }, a, b);

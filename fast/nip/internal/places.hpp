@@ -9,12 +9,12 @@ namespace nipref::fast {
 // The places where a traction of a solved contact is largest or changes its sign. Places are dimensionless; their
 // origin does not matter.
 
-/// f'(x) by the polynomial through an even number of `points` within `reach` of x. It is exact for polynomials of a
-/// lower degree; 16 points give double accuracy for functions that are analytic well beyond `reach`.
+/// f'(x) by the polynomial through f at an even number of `points` within `reach` of x. It is exact for polynomials of
+/// lower degree than `points`; 16 points give double accuracy for functions that are analytic well beyond `reach`.
 class LocalSlope {
  public:
   explicit LocalSlope(int points = 16);
-  /// Of a function with numbers or vectors as values.
+  /// The values of `f` are numbers or vectors.
   template <class Function>
   [[nodiscard]] auto operator()(const Function& f, double x, double reach) const {
     auto sum = f(x);
@@ -24,24 +24,24 @@ class LocalSlope {
     return sum;
   }
 
-  /// The sum of the weights' magnitudes: what multiplies the rounding of f over the reach.
+  /// The sum of the weights' magnitudes: it multiplies the rounding error of f, divided by the reach.
   [[nodiscard]] double condition() const;
 
  private:
   struct Node {
     double place, weight;
   };
-  std::vector<Node> nodes_;  ///< ahead of x; those behind are their mirror images
+  std::vector<Node> nodes_;  ///< nodes ahead of x; the nodes behind x are their mirror images
 };
 
-/// A function of the place on the last solution, without and with an estimate of its error.
+/// A function of the place in the last solution: its value alone, and its value with an error estimate.
 struct PlaceFunction {
   std::function<double(double)> value;
   std::function<Estimate(double)> estimate;
 };
 
-/// A zero for each change of sign between successive ones of the rising `places`. Places where f does not exceed its
-/// error are left out, so that every zero is sure; several zeros between two places count as one.
+/// A zero for each change of sign between successive `places`, which rise. Places where |f| does not exceed its error
+/// are left out, so that every zero is sure. Several zeros between two places count as one.
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places);
 
 struct LocalMaximum {
@@ -54,8 +54,8 @@ std::vector<LocalMaximum> local_maxima(const std::function<double(double)>& f,
                                        const std::vector<double>& places);
 const LocalMaximum& largest_of(const std::vector<LocalMaximum>& maxima);
 
-/// The place of the largest of these maxima: the zero of the function's `slope`. If another one may be larger, judged by the
-/// function's `estimate` at both, the error reaches to that one too; it is at most `most`.
+/// The place of the largest of these maxima, the zero of the function's `slope`, with an error of at most `most`. If
+/// another maximum may be larger, judged by the function's `estimate` at both, the error covers its place, too.
 Estimate place_of_maximum(const std::vector<LocalMaximum>& maxima, const PlaceFunction& slope,
                           const std::function<Estimate(double)>& estimate, double most);
 

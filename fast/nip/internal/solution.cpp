@@ -11,7 +11,7 @@ namespace nipref::fast {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
-/// Numbers below the least normal one have lost digits, in up to so many operations.
+/// The error of numbers below the least normal one, which have lost digits, in up to 16 operations.
 constexpr double underflow = 16 * std::numeric_limits<double>::min();
 
 }  // namespace
@@ -116,9 +116,9 @@ Solution::Parts Solution::parts(const Functional& f) const {
   const Eigen::RowVectorXd of_left_out = f.on_tractions(left_out_) - z.transpose() * left_out_columns_;
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  // Far away kernels underflow, which act on the tractions over the whole contact.
+  // Far away the kernels underflow, over the whole contact.
   const double underflown = underflow * (1 + 2 * half_length() * coefficients_.cwiseAbs().sum());
-  // The scaled norm, as squares of z underflow long before z does.
+  // The norm is scaled, because the squares of z underflow long before z does.
   return {value(f), tails_.dot(of_left_out.cwiseAbs()),
           equation_errors_.cwiseProduct(z).stableNorm() + 16 * unit_ * (of_terms + f.cancelled) + underflown};
 }

@@ -11,7 +11,7 @@ namespace nipref::fast {
 
 /// Linear equations for the tractions of a contact and further unknowns.
 struct Equations {
-  /// With zeros beside what acts on the tractions.
+  /// All other numbers are zero.
   Equations(Eigen::MatrixXd of_tractions, Eigen::MatrixXd sizes, Eigen::Index unknowns,
             Eigen::Index of_layers)
       : on_tractions(std::move(of_tractions)),
@@ -25,13 +25,13 @@ struct Equations {
   Eigen::MatrixXd on_tractions;  ///< columns of Tractions
   Eigen::MatrixXd on_unknowns;
   Eigen::VectorXd right;
-  /// Sizes of what cancels in these numbers, 0 where nothing does.
+  /// The sizes of the parts that cancel in these numbers, 0 where none cancel.
   Eigen::MatrixXd size_on_tractions;
   Eigen::MatrixXd size_on_unknowns;
   Eigen::VectorXd size_right;
-  /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
+  /// The coefficients of the layers: a column of factors for each further unknown, and a last column of constants.
   Eigen::MatrixXd layers;
-  /// Last equations, whose numbers are memories of kernels, right to eight units in the last place.
+  /// The number of last equations whose numbers are memories of kernels, right to eight units in the last place.
   int memories = 0;
 };
 
@@ -39,7 +39,7 @@ struct Equations {
 struct Functional {
   Eigen::RowVectorXd on_tractions, on_unknowns;
   double constant = 0;
-  double cancelled = 0;  ///< size of what cancels in it for this solution, for its rounding
+  double cancelled = 0;  ///< size of the parts that cancel in it for this solution, for its rounding error
 
   friend Functional operator-(Functional a, const Functional& b) {
     a.on_tractions -= b.on_tractions;
@@ -59,21 +59,21 @@ struct Functional {
 
 /// The solution x of M x = r by elimination, refined once.
 ///
-/// The error of a number J(x). Let c_l be the coefficients of the true tractions beyond the terms that are solved for, and
-/// M_l their columns. The terms solved for are wrong by M^-1 sum M_l c_l, so that with the adjoint solution z,
-/// M^T z = J, the number is wrong by
+/// Truncation error of a number J(x). Let c_l be the coefficients of the true tractions beyond the terms that are
+/// solved for, and M_l their columns. The terms solved for are wrong by M^-1 sum M_l c_l. With the adjoint solution z,
+/// M^T z = J, the number is therefore wrong by
 ///     sum_l c_l (J_l - z . M_l).
-/// Of each expansion the next two columns are known. Coefficients of functions that are analytic on and around a panel fall
-/// geometrically, and panels.hpp chooses panels on which they fall by 1.6 or more a term: the next coefficient is at most
-/// the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow.
-/// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
-/// units in the last place (Skeel 1980), and these numbers have such an error themselves. As the kernels are right to two
-/// units, weights and rates to about as many, and the kernels' memories to eight, in all d_i = 8 u, or 16 u for
-/// memories of kernels; of a number in which parts cancel, of the size of these. In rolling the amplitudes and the rates
-/// of the material, right to four units each, act in all equations and functionals: there u counts twice. As
-/// independent random numbers (Higham and Mary 2019) they change the number by
-///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
-/// and the evaluation of J by 16 u times what the sizes of its terms add up to, and by what the least normal number does in
+/// The next two columns of each expansion are known. The coefficients of functions that are analytic on and around a
+/// panel fall geometrically, and panels.hpp chooses panels on which they fall by 1.6 or more a term. The next
+/// coefficient is then at most the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow.
+/// Rounding error. The elimination with one step of refinement solves a system whose numbers differ from the given ones
+/// by a few units in the last place (Skeel 1980), and the given numbers have such errors themselves: two units in the
+/// kernels, about as many in weights and rates, and eight in the kernels' memories. In all d_i = 8 u, or 16 u for
+/// memories of kernels, relative to a number or to the size of the parts that cancel in it. In rolling u counts twice,
+/// because the amplitudes and rates of the material, right to four units each, act in all equations and functionals. As
+/// independent random numbers (Higham and Mary 2019) these errors change the number by
+///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2).
+/// The evaluation of J adds 16 u times the sum of the sizes of its terms, and the effect of the least normal number in
 /// place of kernels that underflow.
 class Solution {
  public:
@@ -102,7 +102,7 @@ class Solution {
     const auto [value, truncation, rounding] = parts(functional);
     return {value, truncation + rounding};
   }
-  /// |g| is nowhere larger: Chebyshev polynomials, the factors and Dawson's integral of a layer are at most 1.
+  /// A bound of |g|: Chebyshev polynomials, the factors and the Dawson integrals of layers are at most 1.
   [[nodiscard]] double traction_bound() const;
   [[nodiscard]] int size() const { return static_cast<int>(elimination_.size()); }
 
@@ -118,7 +118,7 @@ class Solution {
   Eigen::MatrixXd left_out_columns_;
   Eigen::VectorXd coefficients_;  ///< of all columns, 0 of those left out
   Eigen::VectorXd unknowns_;
-  Eigen::RowVectorXd tails_;  ///< of each column that is left out
+  Eigen::RowVectorXd tails_;  ///< estimated coefficient of each column that is left out
   double unit_;               ///< u, or 2 u with memories
   Eigen::VectorXd equation_errors_;
 };

@@ -11,9 +11,9 @@
 namespace nipref::fast {
 namespace {
 
-/// How far, relatively, a contact must be to tell derivatives; and how far one is that is solved for them alone.
+/// The least relative difference of half-lengths for derivatives, and that of a contact solved for derivatives alone.
 constexpr double nearest_neighbour = 1e-7, longer_by = 1e-6;
-/// Between refinements: a factor of about a hundred.
+/// The least nats that a refinement adds: a factor of about a hundred.
 constexpr double nats_of_step = 4.6;
 constexpr double most_nats = 42;
 
@@ -28,8 +28,8 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
       sought_(half_length),
       exponent_(LengthSearch::usual_exponent) {
   if (load_) search_roughly();
-  // What is left out is estimated by a term more than the degree asks for; in a panel that is the whole contact it is
-  // smaller by so many nats.
+  // The truncation error is estimated from one term more than the accuracy needs. On a panel that is the whole contact
+  // this term is smaller by so many nats.
   const double of_term = 2 * internal::log_of_ellipse({0, 2 / sought_});
   solve_to(std::max(-std::log(accuracy) - std::min(of_term, nats_of_step), 1.0));
   while (add_terms(shortfall(), 1)) {
@@ -53,8 +53,8 @@ void SolvedNip::solve_to(double nats) {
   solution_ = solve(sought_);
 }
 
-/// Each contact with its own layout, up to the one from which a step leads to nearly the length: it leaves about a hundredth of
-/// what the load was off, and so does the first step of meet_load().
+/// Solves each contact with its own panels, until the next step leads nearly to the length. This step leaves about a
+/// hundredth of the load's residual, and so does the first step of meet_load().
 void SolvedNip::search_roughly() {
   constexpr double few_nats = 9, tolerance = 1e-6, near_enough = 5e-2;
   Resolution few_terms = equations_->resolution(few_nats);
@@ -70,7 +70,7 @@ void SolvedNip::search_roughly() {
   exponent_ = search.exponent();
 }
 
-/// By secants, with one layout: with each new one the load jumps.
+/// Finds the length by secants with one layout of the panels, because the load jumps with each new layout.
 void SolvedNip::meet_load() {
   constexpr double rounding = 1e-15;
   LengthSearch search(*load_, last().half_length(), {rounding, longest_sought}, exponent_);
@@ -177,8 +177,8 @@ std::vector<SolvedNip::InBoth> SolvedNip::at_place(const ContactPlace& place, do
       result[i].shift =
           std::max(result[i].shift, std::fabs(last().value(moved[i]) - last().value(result[i].here)));
   };
-  // Away from the end a number is smooth on the scale of e and of the memories: a place that is off changes it by as much on
-  // either side, to within this part, and by more on the side of the end. Next to the end both sides are looked at.
+  // Away from the end a number is smooth on the scales of e and of the memories. A shift of the place changes it about
+  // equally on either side, to within this part, and more on the side of the end. Next to the end both sides count.
   constexpr double apart = 1e-3;
   double steepest = 1 / std::fabs(place.e);
   for (const auto& rate : equations_->resolution(nats_).rates) steepest = std::max(steepest, std::abs(rate));

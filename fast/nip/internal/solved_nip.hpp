@@ -9,17 +9,17 @@
 
 namespace nipref::fast {
 
-/// The contact of a given length, or of the length that carries a given load: solved with as many terms as the accuracy
-/// needs, once.
+/// The solved contact of a given length, or of the length that carries a given load, with the terms for an accuracy.
 ///
-/// The length for a load is sought with few terms first, then by secants with all of them. Let A_0 and A_1 be the last two
-/// half lengths, J_0 and J_1 a number of their contacts. For the half length A that the secant of the load shows, the number
-/// is J_1 + (A - A_1) (J_1 - J_0)/(A_1 - A_0) up to (A - A_0) (A - A_1) J''/2. Numbers of a contact are nearly powers of A,
-/// with exponents p between -5 and 5 (the load of an incompressible film without slip grows like A^5), so that |J''|/2 is at
-/// most 15 |J|/A^2; that also holds for the length itself. A memory of rate r has changed by e^(-2 r A) over the contact. With
-/// that as a factor |J''|/2 is |(p/A - 2 r)^2 - p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), of which the memory
-/// has left e^(-2 A Re r): more than 15 where it swings. The error of the number is that of its solution, this curvature,
-/// and |dJ/dA| times the error of the length, which is that of the load over dW/dA.
+/// The length for a load is sought with few terms first, then by secants with all terms. Let A_0 and A_1 be the last
+/// two half-lengths, J_0 and J_1 a number of their contacts. At the half-length A to which the secant of the load
+/// leads, the number is J_1 + (A - A_1) (J_1 - J_0)/(A_1 - A_0) up to the curvature (A - A_0) (A - A_1) J''/2. Numbers
+/// of a contact are nearly powers of A with exponents p between -5 and 5 (the load of an incompressible film without
+/// slip grows like A^5), so that |J''|/2 is at most 15 |J|/A^2. This also holds for the length itself. A memory of rate
+/// r changes by the factor e^(-2 r A) over the contact. For a number with this factor |J''|/2 is |(p/A - 2 r)^2 -
+/// p/A^2| |J|/2, at most (5.5 + 2 |r| A)^2 |J|/(2 A^2), times e^(-2 A Re r) because the memory fades; this exceeds 15
+/// |J|/A^2 where the memory oscillates. The error of the number is the sum of the error of its solution, this
+/// curvature, and |dJ/dA| times the error of the length, which is the error of the load over dW/dA.
 class SolvedNip {
  public:
   using Number = std::function<Functional(const Solution&)>;
@@ -30,12 +30,12 @@ class SolvedNip {
   [[nodiscard]] const NipEquations& equations() const { return *equations_; }
   [[nodiscard]] bool is_symmetric() const { return !equations_->offset_unknown(); }
   [[nodiscard]] const Solution& last() const { return *solution_; }
-  /// Of the contact that carries the load; last() is next to it, as near as the search has come.
+  /// The half-length of the contact that carries the load. last() is as close to this contact as the search has come.
   [[nodiscard]] double half_length() const { return half_length_estimate().value; }
   [[nodiscard]] const Estimate& half_length_estimate() const;
-  /// g at e >= 0, see Tractions; beyond the middle that of the other half.
+  /// g at e >= 0, see Tractions; beyond the middle g of the other half.
   [[nodiscard]] std::complex<double> traction(double e) const;
-  /// A number in last() and, for a given load, in the neighbour; `shift` is what the error of a place adds to its error.
+  /// A number in last() and, for a given load, in the neighbour. `shift` is the error that the error of a place causes.
   struct InBoth {
     Functional here;
     std::optional<Functional> there = {};
@@ -44,18 +44,18 @@ class SolvedNip {
     friend InBoth operator-(const InBoth& a, const InBoth& b);
   };
   [[nodiscard]] Estimate estimate(const InBoth& number) const;
-  /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
+  /// `number` returns the functional for a solution. If the load is given, it is called for the neighbour, too.
   [[nodiscard]] InBoth in_both(const Number& number) const;
   [[nodiscard]] Estimate estimate(const Number& number) const { return estimate(in_both(number)); }
-  /// Numbers that are computed together at a place, which may be as far as `reach` from there.
+  /// Numbers that are computed together at a place. The true place is at most `reach` away.
   using AtPlace = std::function<std::vector<Functional>(const Solution&, const ContactPlace&)>;
   [[nodiscard]] std::vector<InBoth> at_place(const ContactPlace& place, double reach,
                                              const AtPlace& numbers) const;
-  /// That of a place whose distance from the end is known to `unsure`.
+  /// The reach of a place whose distance from the end has the error `unsure`.
   [[nodiscard]] static double reach(const ContactPlace& place, double unsure) {
     return unsure + 0x1p-52 * std::fabs(place.e);
   }
-  /// Solves with more terms; false where rounding rules, so that more do not help.
+  /// Solves with more terms. Returns false if rounding dominates, so that more terms do not help.
   bool refine();
 
   [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }
@@ -70,28 +70,28 @@ class SolvedNip {
   void solve_to(double nats);
   void search_roughly();
   void meet_load();
-  /// Relative to the accuracy: 1 or less where all targets meet it; and the same of rounding alone.
+  /// The targets' largest error over the accuracy, 1 or less if all meet it; and their largest rounding error over it.
   struct Shortfall {
     double all, rounding;
   };
-  /// False where `enough` is met, or rounding rules whatever the panels are.
+  /// Solves with more terms or panels. Returns false if `now.all` is `enough` or rounding dominates with any panels.
   bool add_terms(const Shortfall& now, double enough);
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] const Solution& neighbour() const;
-  /// A number of the contact of half_length() by its values in last() and the neighbour, and an error of it in last().
+  /// A number of the contact of half_length(), from its value and its error in last() and its value in the neighbour.
   [[nodiscard]] Estimate extrapolated(double here, double error, const std::function<double()>& there) const;
-  /// A number's difference from the neighbour's, by the half length.
+  /// The derivative of a number with respect to the half-length, from the number in last() and in the neighbour.
   [[nodiscard]] double growth(double here, double there) const;
   [[nodiscard]] double load_growth() const;
-  /// What the curvature of a number may add to it in a contact of given load, relative to the number.
+  /// The error that the curvature of a number may cause in a contact of given load, relative to the number.
   [[nodiscard]] double curvature() const;
 
   std::shared_ptr<const NipEquations> equations_;
   std::optional<double> load_;
   double accuracy_;
-  double near_;                           ///< the half length of the layout
-  double longest_whole_ = longest_whole;  ///< less once rounding has asked for panels
-  double sought_;                         ///< the best half length that is known
+  double near_;                           ///< the half-length for which the panels are laid out
+  double longest_whole_ = longest_whole;  ///< less once rounding has required several panels
+  double sought_;                         ///< the best half-length found so far
   double nats_ = 0;
   double exponent_;  ///< d ln load/d ln length
   std::unique_ptr<Work> work_ = std::make_unique<Work>();

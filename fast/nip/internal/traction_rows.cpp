@@ -15,15 +15,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double decayed = 40;  ///< nats after which something counts no more
-/// Of a product rule, beyond which other rules need fewer: beside a singularity, and in a panel in which the kernel has none or
-/// its logarithm is integrated apart.
+constexpr double decayed = 40;  ///< an exponential that has fallen by so many nats is negligible
+/// The most points of a product rule; if it needs more, other rules need fewer. The first is for a panel beside the
+/// singularity, the second for one on which the kernel is analytic or its logarithm is integrated separately.
 constexpr int most_points = 64, most_points_within = 256;
 
-/// Distances from where something decays with these rates, at which it is cut. It is analytic for a few lengths, and once it
-/// has decayed what is left falls like a power: of that the rule resolves a factor of 150 in the distance, but not of an
-/// exponential. What oscillates does so until it has decayed against what it is at the distance `nearest`, that of the
-/// contact.
+/// The distances from the start of exponentials with these rates at which an integral over them is cut into pieces. Up
+/// to a few lengths 1/|rate| the integrand is analytic. Where an exponential has decayed, the integrand falls like a
+/// power; the rule resolves a power over a factor of 150 in the distance. An exponential that oscillates counts until
+/// it has decayed relative to its size at the distance `nearest`, which is that of the contact.
 std::vector<double> cuts(const std::vector<Complex>& rates, double nearest, double farthest) {
   constexpr double few_lengths = 6, radians = 20, resolved_ratio = 150;
   std::vector<double> result;
@@ -52,16 +52,16 @@ double largest(const std::vector<Complex>& rates) {
   return size;
 }
 
-/// A piece that is farther by this factor than it is wide from poles off the axis is integrated by Gauss's rule.
+/// A piece is integrated by Gauss's rule if it is at least this many times its width away from poles off the real axis.
 constexpr double apart = 1.3;
 
-/// The same for poles at this distance: first a few cuts so near to each other that Gauss's rule holds between them, if the
-/// poles are off the axis, then such that the double-exponential rule resolves the poles on each piece.
+/// The distances from poles at which an integral is cut into pieces. The double-exponential rule resolves the poles on
+/// each piece. If the poles are off the real axis, the first few pieces are so narrow that Gauss's rule suffices.
 std::vector<double> cuts_of_poles(double distance, double off_axis, double farthest) {
   constexpr int few = 6;
   constexpr double resolved_ratio = 60;
   std::vector<double> result;
-  // A piece of this width is apart from the poles, whatever rounding does.
+  // A piece of this width is far enough from the poles for Gauss's rule, in spite of rounding.
   const auto width_from = [&](double cut) { return std::hypot(cut, off_axis) / (1.01 * apart); };
   double cut = off_axis > 0 ? width_from(0) : 2 * distance;
   for (int i = 0; 0 < cut && cut < farthest; ++i) {
@@ -71,43 +71,43 @@ std::vector<double> cuts_of_poles(double distance, double off_axis, double farth
   return result;
 }
 
-/// Whether something that oscillates has not decayed at the distance, against what it is at the distance `nearest`, and is
-/// no polynomial over the width.
+/// Whether one of the exponentials oscillates, has not decayed at `distance` relative to its size at `nearest`, and
+/// varies too much over the width to be approximated by a polynomial.
 bool oscillates(const std::vector<Complex>& rates, double nearest, double distance, double width) {
   return std::ranges::any_of(rates, [&](const Complex& rate) {
     return rate.imag() != 0 && rate.real() * (distance - nearest) < decayed && std::abs(rate) * width > 5;
   });
 }
 
-/// Nats by which a polynomial of degree 1 grows on the ellipse of 3 + sqrt 8 about [-1, 1], which goes through +-3.
+/// ln(3 + sqrt 8): the nats a degree by which a polynomial grows from [-1, 1] to the ellipse with foci +-1 through +-3.
 const double nats_of_ellipse = 2 * std::asinh(1.0);
 
-/// The degree of a polynomial that grows as much on that ellipse as an exponential over a piece does, `phase` the product of
-/// |rate| and the piece's width: the ellipse is up to sqrt 2 widths away. Pieces on which an exponential counts are at most 20
-/// radians wide. There its Chebyshev coefficients are Bessel functions of 10, which are below 1e-16 from degree 36 on: for
-/// these the nodes of 20 degrees suffice, with those that the tolerance needs.
+/// The degree of a polynomial that grows on that ellipse as much as an exponential over a piece. `phase` is |rate|
+/// times the width of the piece; the ellipse is up to sqrt 2 widths away from the piece. Pieces on which an exponential
+/// counts are at most 20 radians wide. There its Chebyshev coefficients are Bessel functions of 10, which are below
+/// 1e-16 from degree 36 on. The nodes for 20 degrees suffice for these, together with the nodes for the tolerance.
 double degree_of_exponential(double phase) {
   return std::min(phase * std::numbers::sqrt2 / nats_of_ellipse, 20.0);
 }
 
-/// A polynomial of degree n over a panel is on a piece, a part p of it, like one of this degree. Its growth on the ellipse
-/// of a piece, of L nats a degree, is n times the nats g of the panel's ellipses. These follow from the sum of the distances
-/// from the panel's ends, a convex function of where the piece is: it is largest where the piece is at an end. There
-/// cos(theta/2) = sqrt p cos(theta'/2) of the angles of the panel and of the piece, Im theta' = L, so that g is at most
-/// 2 arsinh(sqrt p sinh(L/2)). g/L grows with L, and for L of the ellipse above sinh(L/2) = 1.
+/// On a piece, a part p of a panel, a polynomial of degree n over the panel grows like a polynomial of this degree. On
+/// the piece's ellipse of L nats a degree it grows by n g, g the nats of the panel's ellipses. g follows from the sum
+/// of the distances from the panel's ends, a convex function of the position of the piece, which is largest if the
+/// piece is at an end. There cos(theta/2) = sqrt p cos(theta'/2), theta and theta' the angles of panel and piece, Im
+/// theta' = L, so that g is at most 2 arsinh(sqrt p sinh(L/2)). g/L grows with L. For the ellipse above sinh(L/2) = 1.
 double degree_on_part(int degree, double part) {
   return degree * std::asinh(std::sqrt(std::min(part, 1.0))) / std::asinh(1.0);
 }
 
-/// For a function that grows like a polynomial of the degree on that ellipse. The number of nodes is a multiple of four, so that
-/// few rules are kept.
+/// Gauss's rule for a function that grows on that ellipse like a polynomial of the degree. The number of nodes is a
+/// multiple of four, so that few rules are cached.
 std::shared_ptr<const GaussRule> cached_gauss(double degree, double tolerance) {
   static Cache<int, GaussRule> rules(gauss_legendre);
   const double nodes = degree / 2 + 2 - std::log(tolerance) / (2 * nats_of_ellipse);
   return rules.at(4 * static_cast<int>(std::ceil(nodes / 4)));
 }
 
-/// For a polynomial of the degree, up to the next multiple of eight so that few rules are kept.
+/// The double-exponential rule for a polynomial of the degree, which is rounded up so that few rules are cached.
 std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, double degree) {
   using Key = std::pair<double, int>;
   static Cache<Key, std::vector<UnitNode>> rules(
@@ -115,12 +115,12 @@ std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance, doubl
   return rules.at({tolerance, 8 * static_cast<int>(std::ceil(degree / 8))});
 }
 
-/// Points of a product rule, at least so many, in even steps so that few rules are kept.
+/// A number of points of a product rule, `least` rounded up to an even step so that few rules are cached.
 int points_of_rule(double least) {
   const double points = std::min(least, 1e6), step = points < 64 ? 4 : 32;
   return static_cast<int>(step * std::ceil(points / step));
 }
-/// As many as the wanted nats need if each gives so many.
+/// The number of points for an accuracy of `nats`, if each point gives `nats_a_point`.
 int points_of_rule(double nats_a_point, double nats) { return points_of_rule(1 + nats / nats_a_point); }
 
 Eigen::ArrayXd array(const std::vector<double>& values) {
@@ -129,13 +129,13 @@ Eigen::ArrayXd array(const std::vector<double>& values) {
 
 }  // namespace
 
-/// What the rows of one kernel consist of: sums over the nodes of rules on each panel.
+/// Computes the rows of one kernel: sums over the nodes of quadrature rules on each panel.
 class Tractions::Sums {
  public:
   Sums(const Tractions& tractions, const Kernel& kernel, double tolerance)
       : of_(tractions), kernel_(kernel), tolerance_(tolerance), reach_(-std::log(tolerance) / 2.1) {}
 
-  /// `done`: the number of the panel that has been added, or of none.
+  /// Adds all panels to the rows of a place but `done`, if there is such a panel; its mirror image is added, too.
   void add_place(const Place& place, std::size_t done, Rows rows) const {
     Nodes nodes;
     bool layers_left = !of_.layers_.empty();
@@ -172,14 +172,14 @@ class Tractions::Sums {
     return sums_of_layers(on_p + on_q, array(nodes.weight).matrix().transpose(), array(nodes.e));
   }
 
-  /// Adds a panel to the rows of its matching points, of which `first` is the first; false where that needs a rule for
-  /// singular kernels. The kernel's logarithm and its jump are integrated as they are, the rest by a product rule.
+  /// Adds a panel to the rows of its own matching points, which begin at `first`: the kernel's logarithm and jump by
+  /// the singular integrals of the basis, the rest by a product rule. Returns false if the panel is too wide for that.
   bool add_own_panel(std::size_t p, const SplitKernel& split, Eigen::Index first, MatchingRows& result) const;
 
  private:
-  /// Nodes on one panel, those on the half of the place first.
+  /// Quadrature nodes on one panel and its mirror image, those on the half of the place first.
   struct Nodes {
-    std::vector<double> e, other;  ///< distances from the end of this half and of the other
+    std::vector<double> e, other;  ///< distances from the end of the node's half and from the other end
     std::vector<double> weight, alpha;
     std::size_t on_this_half = 0;
 
@@ -192,32 +192,32 @@ class Tractions::Sums {
         values->resize(values->size() + count);
     }
   };
-  /// What is integrated over the pieces of a panel.
+  /// Properties of the integrand on a panel that determine the rules.
   struct Integrand {
     int degree;       ///< of the polynomials
     double width;     ///< of the panel on which they are polynomials
-    double rate;      ///< the largest |rate| of the exponentials beside them
-    double off_axis;  ///< distance of the kernel's poles from the real axis
+    double rate;      ///< the largest |rate| of the exponentials that multiply them
+    double off_axis;  ///< distance of a regular kernel's poles from the real axis; 0 of other kernels
   };
 
-  /// Where the kernel is singular on the half of the place, or, mirrored, on the other.
+  /// e where the kernel is singular, from the end of the half of the place, or, if mirrored, from the other end.
   [[nodiscard]] double singular_at(const Place& place, bool mirrored) const {
     return mirrored ? 2 * of_.half_length_ - place.e : place.e;
   }
-  /// Of a place from the contact.
+  /// The distance of a place from the contact.
   static double outside(const Place& place) { return std::max(-place.e, 0.0); }
-  /// Whether a panel is within the reach of the kernel that is singular at a place.
+  /// Whether the kernel that is singular at this place is more than negligible on a panel.
   [[nodiscard]] bool acts_on(const Panel& panel, double singular) const {
     return kernel_.beyond_reach != Kernel::FarAway::negligible ||
            std::max(panel.left - singular, singular - panel.right) <= reach_;
   }
 
-  /// `singular` is outside the piece or at one of its ends, or, `off_axis` away, beside that place. By Gauss's rule where it and
-  /// the ends of the contact are farther than the piece is wide.
+  /// Appends the nodes of a piece of a panel. The kernel is singular at `singular` or `off_axis` beside it, not inside
+  /// the piece. The rule is Gauss's if the singularity and the ends of the contact are farther than the piece is wide.
   void append_piece(double from, double to, double singular, const Integrand& integrand, bool mirrored,
                     Nodes& nodes) const {
     const double width = to - from, beyond = 2 * of_.half_length_ - to, sign = mirrored ? -1 : 1;
-    // Nearer than any node that counts, the kernels' logarithms would overflow.
+    // All nodes that count are farther than this. Any nearer, the kernels' logarithms would overflow.
     constexpr double nearest = 1e-299;
     std::size_t i = nodes.e.size();
     const auto append = [&](double from_left, double from_right, double weight) {
@@ -235,7 +235,7 @@ class Tractions::Sums {
     const double degree = degree_on_part(integrand.degree, width / integrand.width) +
                           degree_of_exponential(integrand.rate * width);
     if (is_apart && std::min(from, beyond) >= width && width <= 8) {
-      constexpr double of_poles = 2;  // these may be a little inside the ellipse
+      constexpr double of_poles = 2;  // the poles may be a little inside the ellipse
       const auto gauss = cached_gauss(degree + of_poles, tolerance_);
       nodes.grow(gauss->at.size());
       for (std::size_t k = 0; k < gauss->at.size(); ++k)
@@ -247,8 +247,8 @@ class Tractions::Sums {
     for (const UnitNode& node : *rule) append(node.from_left, node.from_right, node.weight);
   }
 
-  /// By the double-exponential rule, in pieces that end where the kernel is singular and where it has decayed. `rates` of
-  /// exponentials in the tractions, which start at the end.
+  /// Appends the nodes of a panel, in pieces that end where the kernel is singular and where it has decayed. `rates`
+  /// are those of exponentials in the tractions that start at the end of the contact.
   void append_panel(const Panel& panel, const Place& place, bool mirrored, const std::vector<Complex>& rates,
                     Nodes& nodes) const {
     const double outside = Sums::outside(place), singular = singular_at(place, mirrored);
@@ -288,7 +288,7 @@ class Tractions::Sums {
     return of_.basis(panel).values(from_left / panel.width(), from_right / panel.width(), degrees(panel));
   }
 
-  /// `with_layers`: the nodes on the leading half resolve the layers, too.
+  /// Adds the sums over the nodes to the rows. `with_layers`: the nodes on the leading half resolve the layers, too.
   void add_rows(std::size_t p, const Nodes& nodes, bool trailing, bool with_layers, Rows rows) const {
     const PanelBasis::Rows basis = basis_at(of_.panels_[p], nodes);
     const Eigen::RowVectorXd weight = array(nodes.weight).matrix().transpose();
@@ -315,7 +315,7 @@ class Tractions::Sums {
     return 0.5 * kernels * weight.asDiagonal() * of_.layers_at(e);
   }
 
-  /// Adds a panel, or its mirror image, by a product rule; false where the kernel is not smooth enough for that.
+  /// Adds a panel, or its mirror image, by a product rule. Returns false if the kernel is not smooth enough for that.
   bool add_by_product_rule(const Place& place, std::size_t p, bool mirrored, Rows rows) const {
     const Panel& panel = of_.panels_[p];
     const double singular = singular_at(place, mirrored), width = panel.width();
@@ -325,8 +325,8 @@ class Tractions::Sums {
     if (!kernel_.rates.empty() &&
         (gap < width || width > 8 || oscillates(kernel_.rates, outside(place), gap, width)))
       return false;
-    // The kernel's other singularities are farther from the panel. On the ellipse through this one the kernel is up to
-    // e^(2.1 gap) as large as on the panel, or not if it has become constant.
+    // The kernel's other singularities are farther from the panel. On the ellipse through this singularity the kernel
+    // is up to e^(2.1 gap) times as large as on the panel, unless it has become constant.
     const double fall = internal::log_of_ellipse(2.0 * (singular - panel.left + off_axis) / width - 1.0);
     const double wanted = -std::log(tolerance_), far = std::max(gap, 0.0);
     const bool is_constant = kernel_.beyond_reach == Kernel::FarAway::constant;
@@ -344,11 +344,11 @@ class Tractions::Sums {
     return true;
   }
 
-  /// Adds the panel that begins at the place, where the kernel is singular on this side alone, by product rules; false where
-  /// it is not, or where its exponentials vary too much over the panel.
+  /// Adds the panel that begins at the place by product rules, for a kernel with a logarithm on this side alone.
+  /// Returns false for other panels and kernels, and if the kernel's exponentials vary too much over the panel.
   ///
-  /// On the ellipse through 2 i, which reaches as far as that, the factor of the logarithm and the rest grow with the kernel's
-  /// exponentials. Where these do not change by more than e^2 over the panel, the two parts hardly cancel.
+  /// The factor of the logarithm and the rest are analytic within the ellipse through 2 i. On it they grow with the
+  /// kernel's exponentials. If the exponentials change by at most e^2 over the panel, the two parts hardly cancel.
   bool add_beside_logarithm(const Place& place, std::size_t p, bool mirrored, Rows rows) const {
     const Panel& panel = of_.panels_[p];
     const double width = panel.width();
@@ -359,12 +359,12 @@ class Tractions::Sums {
     const auto rule = product_rule(of_.basis(panel), points, degrees(panel)),
                times_logarithm =
                    product_rule(of_.basis(panel), points, degrees(panel), RuleFor::times_logarithm);
-    // ln alpha is the logarithm of the place on the panel and that of the width.
+    // ln alpha = ln(place on the panel, from 0 to 1) + ln(width).
     const auto [factor, rest] = kernel_.by_logarithm(width * rule->at, width);
     for (int i = 0; i < kernel_.functionals; ++i) {
       const Eigen::RowVectorXd of_logarithm = width * factor.row(i),
                                of_rest = width * rest.row(i) + std::log(width) * of_logarithm;
-      if (!of_rest.any()) continue;  // as the imaginary part of a memory whose rate is real
+      if (!of_rest.any()) continue;  // the imaginary part of a memory whose rate is real is 0
       of_.add_sums(p, rule->weight, of_rest, of_rest, rows.row(i));
       of_.add_sums(p, times_logarithm->weight, of_logarithm, of_logarithm, rows.row(i));
     }
@@ -374,12 +374,12 @@ class Tractions::Sums {
   const Tractions& of_;
   const Kernel& kernel_;
   double tolerance_;
-  double reach_;  ///< where a kernel that decays is below the tolerance
+  double reach_;  ///< the distance beyond which a kernel that decays is below the tolerance
 };
 
 bool Tractions::Sums::add_own_panel(std::size_t p, const SplitKernel& split, Eigen::Index first,
                                     MatchingRows& result) const {
-  // In much wider panels the logarithm is so much larger than the kernel that it cancels.
+  // On much wider panels the logarithm is so much larger than the kernel that the logarithm and the rest cancel.
   constexpr double widest = 24;
   const Panel& panel = of_.panels_[p];
   const double width = panel.width();

@@ -106,7 +106,7 @@ Complex Tractions::value(double e, const Eigen::VectorXd& coefficients) const {
       panel.about_middle ? (other - e) / panel.width() : 2 * (e - panel.left) / panel.width() - 1;
   const double x = panel.about_middle ? 2 * t * t - 1 : t;
   const auto sum = [&](int component, double first, double second) {
-    double before = second, now = first, total = 0;  // T_-1 and T_0, or T_-1 and T_1 of odd ones
+    double before = second, now = first, total = 0;  // T_-1 and T_0, or of odd terms T_-1 and T_1
     for (int k = 0; k < panel.terms; ++k) {
       total += coefficients(column(p, component) + k) * now;
       now = 2 * x * now - std::exchange(before, now);
