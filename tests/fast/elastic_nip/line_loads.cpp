@@ -12,8 +12,8 @@ using namespace nipref::test;
 using Counts = std::array<std::uint64_t, 7>;
 
 TEST_CASE("a load is carried by the shortest length that carries it, however wide its elements are") {
-  // The loads grow beyond all bounds towards half an element of about 1.24 half-thicknesses, where their kernel
-  // changes its sign; behind that they are nonsense, but may be as large.
+  // As half an element approaches about 1.24 half-thicknesses, where the kernel changes its sign, the loads grow
+  // without bound. Wider elements have meaningless loads, which may be as large.
   const data::ElasticNip film{6, 0.01, {1.45e5, 1.0 / 3}};
   for (const int m : {1, 3, 9}) {
     for (const double half_element : {0.3, 1.0, 1.1, 1.2, 1.23}) {
@@ -56,7 +56,7 @@ TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a s
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
   CHECK(solution.work().systems == 1);
   CHECK(solution.work().unknowns == 8);
-  // The creep asks for I3 at the loads; displacements at one place likewise.
+  // The creep needs I3 at the loads, and a normal displacement needs I1 at the loads.
   (void)solution.creep_ratio();
   CHECK(solution.work().kernel_evaluations == Counts{14, 0, 14, 0, 0, 0, 0});
   (void)solution.normal_displacement(0.2);
@@ -104,7 +104,7 @@ TEST_CASE("residues: as many terms as asked for, and the library's kernels where
   const auto by_library = fast::line_loads_for_length(quarter_inch_nip, 5, 0.1, grip_with(1e-4));
   CHECK(by_residues.indentation == approx(by_library.indentation, 1e-11));
   CHECK(by_residues.peak_shear() == approx(by_library.peak_shear(), 1e-10));
-  // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
+  // Half an element is 0.08 b, so that ten residues leave an error of e^(-0.08 pi 10), which is 8 %.
   const auto by_few = fast::line_loads_for_length(quarter_inch_nip, {5, 10}, 0.1, grip_with(1e-4));
   CHECK(by_few.indentation != approx(by_library.indentation, 1e-3));
 }
@@ -134,6 +134,6 @@ TEST_CASE("bad input to line loads is refused by name") {
   CHECK_REFUSED(of_nip({6.0, not_a_number, thick_nip.material}), "sheet_thickness = nan");
   CHECK_REFUSED(of_nip({6.0, 1.0, {1.0, 0.6}}), "poisson = 0.6");
   CHECK_REFUSED(of_nip({6.0, 1.0, {-1.0, 0.3}}), "young = -1");
-  // Elements so wide that their loads no longer reach the next matching point.
+  // These elements are so wide that their loads no longer reach the next matching point.
   CHECK_REFUSED(fast::line_loads_for_length(data::seed::nip(0.005), 1, 301 * 2 * 0.005), "contact_length = ");
 }

@@ -18,7 +18,7 @@ std::vector<double> side_of(const fast::LineLoadNip& solution, double fast::Face
   return loads;
 }
 
-/// By how much the thesis's conditions are violated, each in units of its own size; <= 0 if they are met.
+/// The largest violation of the thesis's conditions, each divided by its own scale; <= 0 if all conditions are met.
 double violation(const fast::LineLoadNip& solution) {
   const std::vector<double> P = side_of(solution, &fast::FaceLoad::normal),
                             Q = side_of(solution, &fast::FaceLoad::shear);
@@ -34,7 +34,7 @@ double violation(const fast::LineLoadNip& solution) {
   return worst;
 }
 
-/// They do not depend on the creep.
+/// The ranges of creep that meet the conditions. They do not depend on the given creep.
 std::vector<fast::CreepRange> creep_ranges(const data::ElasticNip& where, int m, double length) {
   return fast::line_loads_for_length(where, m, length, grip_with(0)).creep_ranges;
 }
@@ -64,7 +64,7 @@ TEST_CASE("where linear and quadratic functions are not negative") {
   CHECK(parts({{1, 0, 1}}).size() == 1);           // always
   CHECK(parts({{-1, 0, 0}}).empty());              // never
   CHECK(parts({{-6, 2, 0}, {2, -1, 0}}).empty());  // x >= 3 and x <= 2
-  // The root next to 0 of x^2 + 1e8 x + 1 without cancellation.
+  // The root next to 0 of x^2 + 1e8 x + 1 is computed without cancellation.
   CHECK(parts({{1, 1e8, 1}})[1].lower == approx(-1e-8, 1e-15));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("the thesis's creep is the least in size, and there may be none") {
   const auto thin_range = creep_ranges(thin_nip, 10, 0.03)[0];
   CHECK(thin_range.lower > 0);  // squeezed out
   CHECK(*fast::line_loads_for_length(thin_nip, 10, 0.03, thesis_grip).gripped_creep == thin_range.lower);
-  // One factorisation, whatever the number of conditions.
+  // One factorisation serves any number of conditions.
   const auto without = fast::line_loads_for_length(middling_nip, 10, 1.164 * 0.0625, grip_with(0));
   CHECK(without.creep_ranges.empty());
   CHECK(without.work().systems == 1);

@@ -14,7 +14,7 @@ namespace {
 
 /// Numbers of elements of the extrapolation, one for each term of the expansion
 ///   truth + (a ln m + b)/m + (c ln^2 m + d ln m + e)/m^2:
-/// the scheme solves, so to speak, a contact whose ends are off by (alpha ln m + beta)/m.
+/// in effect the scheme solves a contact whose ends are displaced by (alpha ln m + beta)/m.
 const std::vector<int> elements{64, 96, 128, 192, 256, 384};
 
 double extrapolated(const std::vector<double>& values) {
@@ -22,7 +22,7 @@ double extrapolated(const std::vector<double>& values) {
   Eigen::Vector<double, 6> right;
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double h = 100.0 / elements[at], ln = std::log(h);  // columns of like size
+    const double h = 100.0 / elements[at], ln = std::log(h);  // scaled: columns of similar size
     rows.row(i) << 1, h * ln, h, h * h * ln * ln, h * h * ln, h * h;
     right(i) = values[at];
   }
@@ -46,13 +46,13 @@ TEST_CASE("line loads without friction, extrapolated, are the continuous contact
       const double length = truth.contact_length().value;
       CHECK(extrapolated(lengths) == approx(length, 1e-6));
       CHECK(extrapolated(indentations) == approx(truth.indentation().value, 1e-6));
-      CHECK(std::abs(lengths.back() / length - 1) > 1e-3);  // which the best of them is far from
+      CHECK(std::abs(lengths.back() / length - 1) > 1e-3);  // the finest is far off without extrapolation
     }
   }
 }
 
 TEST_CASE("oscillation of known rows") {
-  CHECK(fast::oscillation(std::vector<double>{1, -1, 1, -1, 1, -1, 1, -1}) == 3);  // 6 bends of 4 over 8
+  CHECK(fast::oscillation(std::vector<double>{1, -1, 1, -1, 1, -1, 1, -1}) == 3);  // 6 bends of 4, over 8
   CHECK(fast::oscillation(std::vector<double>{1, 2, 3, 4}) == 0);
   CHECK(fast::oscillation(std::vector<double>{1, 5}) == 0);
   CHECK(fast::oscillation(std::vector<double>{0, 0, 0}) == 0);
@@ -66,7 +66,7 @@ TEST_CASE("condition number of the smallest matrix, by hand") {
   const double norm = std::max(2.0, std::abs(a) + std::abs(c));
   const double inverse_norm = std::max(1 + std::abs(a), 1 + std::abs(c)) / std::abs(a - c);
   CHECK(fast::condition_number(nip, 1, 2.0, data::Friction::none) == approx(norm * inverse_norm, 1e-12));
-  // Friction makes the worse conditioned of the two.
+  // The matrix with friction is the worse conditioned one.
   const auto condition = [](data::Friction friction) {
     return fast::condition_number(data::seed::nip(0.25), 50, 0.113, friction);
   };

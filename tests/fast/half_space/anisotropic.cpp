@@ -15,7 +15,7 @@ constexpr data::TransverselyIsotropicSolid epoxy = data::seed::graphite_epoxy;
 
 double off(double value, double expected, double size) { return std::fabs(value - expected) / size * 0x1p52; }
 
-/// No symmetry at all.
+/// A solid without any symmetry.
 data::Stiffness triclinic() {
   data::Stiffness solid{{}, 2};
   constexpr double upper[] = {20, 7,   6, 1,    -2, 0.5, 31,  8, -1,   1.5, 2,

@@ -23,7 +23,7 @@ using test::isotropic;
 
 namespace {
 
-/// A compliance without any symmetry but that of a line.
+/// A compliance whose only symmetry is that of a line: opposite directions are equal.
 LineResponse skew_line(Direction psi) {
   const double c = psi.cosine, s = psi.sine;
   return {1 + 0.6 * c * c + 0.5 * c * s + 0.3 * c * c * s * s - 0.2 * c * c * c * s, 0};
@@ -45,7 +45,7 @@ TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
     }
   }
   CHECK(worst < 1e-14);
-  // cn(K/2) = sqrt(k'/(1 + k')), small against 1 and yet to its own digits but for those of K.
+  // cn(K/2) = sqrt(k'/(1 + k')) is accurate relative to itself, even if it is small, up to the rounding error of K.
   for (const double complement : {1., 0.9, 0.1, 1e-4, 1e-12}) {
     const fast::JacobiAmplitude jacobi(complement);
     CHECK(jacobi(jacobi.quarter_period() / 2).cn == approx(std::sqrt(complement / (1 + complement)), 5e-14));
@@ -98,7 +98,7 @@ TEST_CASE("elliptic: skew solids under slender bodies") {
     const auto [value, error] = contact.axis_ratio();
     CHECK(value > 0);
     CHECK(error < 1e-11 * value);
-    // The major axis is close to the flat direction; slender: line contact across it, p0 = 2 delta... b/R K.
+    // The major axis is close to the flat direction. A slender contact is a line contact across it: p0 = b/(R K).
     const EllipticLoad load = contact.for_force(1);
     const double across = std::fmax(ratio, 1), b = load.semi_minor.value;
     const double compliance = skew_line(ratio < 1 ? Direction{0, 1} : Direction{1, 0}).compliance;
@@ -109,7 +109,7 @@ TEST_CASE("elliptic: skew solids under slender bodies") {
 TEST_CASE("elliptic: a kinked compliance has an honest error") {
   const SurfaceResponse kinked = [](Direction psi) { return LineResponse{1 + std::fabs(psi.cosine), 0}; };
   const auto [value, error] = EllipticContact(kinked, {1, 1}).axis_ratio();
-  // int (1 + |cos|) cos(2 psi)/w^3 has the kink where panels always end; turned it has not.
+  // The integrand (1 + |cos|) cos(2 psi)/w^3 has its kink where panels always end. The turned one has it elsewhere.
   const SurfaceResponse turned = [](Direction psi) {
     return LineResponse{1 + std::fabs(psi.cosine * std::cos(0.3) + psi.sine * std::sin(0.3)), 0};
   };
@@ -130,7 +130,7 @@ TEST_CASE("elliptic: bad input is one line that names it") {
 }
 
 TEST_CASE("elliptic: under a sphere at rest the surface is displaced as Hertz and Johnson have it") {
-  // (Johnson, Contact Mechanics, 3.41 to 3.42) with mu = 1, r over a
+  // Johnson, Contact Mechanics, (3.41) to (3.42), with mu = 1; r is divided by a.
   const SurfaceResponse response = isotropic(any_poisson, 0);
   const EllipticContact contact(response, Indenter::sphere(7));
   const EllipticLoad load = contact.for_force(0.3);
@@ -212,7 +212,7 @@ TEST_CASE("elliptic: both paths displace a surface without any symmetry alike") 
 }
 
 TEST_CASE("elliptic: below a sphere at rest a solid of any name is displaced as Boussinesq has it") {
-  // The sum over the pressure of what point loads do, r = sin(angle) from the centre, with mu = 1.
+  // Sums over the pressure of the displacements by point loads, at r = sin(angle) from the centre, with mu = 1.
   const data::IsotropicSolid solid{1, any_poisson, 1};
   const SurfaceResponse response = isotropic(any_poisson, 0);
   const EllipticContact contact(response, Indenter::sphere(7));
@@ -246,7 +246,7 @@ TEST_CASE("elliptic: below a sphere at rest a solid of any name is displaced as 
          {isotropic_waves, fast::PressureWaves([&](Direction psi) { return anisotropic.inside(psi); }),
           fast::PressureWaves([&](Direction psi) { return transverse.inside(psi); })}) {
       const auto found = contact.displacement(load, waves, {1, 0}, x * a, z * a);
-      // The rule of the rings leaves out h^2/24 of the integrand's slope in the middle.
+      // The midpoint rule over the rings has the error h^2/24 times the integrand's slope in the middle.
       CHECK(std::fabs(found[0].value - unit * outward) <= 2e-5 * unit * into);
       CHECK(found[2].value == approx(unit * into, 2e-5));
       CHECK(found[2].error < 1e-12 * found[2].value);

@@ -24,7 +24,7 @@ using Real = boost::multiprecision::mpfr_float_100;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 constexpr double degree = std::numbers::pi / 180;
 
-// Pa, where the seed has GPa
+// In Pa; the seed's constants are in GPa.
 const double unit_speed = std::sqrt(1e9 * data::seed::steel.shear / data::seed::steel.density);
 
 constexpr TransverselyIsotropicSolid graphite_epoxy{
@@ -49,7 +49,7 @@ Direction random_direction(std::mt19937_64& generator) {
   return Direction::of_angle(std::uniform_real_distribution<double>(-4, 4)(generator));
 }
 
-/// With what answers to pressure, and to shear along the lines.
+/// The exact stiffness. With a normal axis it is that of the sagittal plane, which determines the normal response.
 ref::ExactStiffness exactly(const TransverselyIsotropicSolid& solid, SymmetryAxis axis) {
   return axis == SymmetryAxis::normal ? ref::sagittal_stiffness(solid) : ref::exact_stiffness(solid, axis);
 }
@@ -82,7 +82,7 @@ TEST_CASE("directions in degrees have two words, and none near 90 loses digits")
 }
 
 TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it") {
-  // A6 = c44 sin^2 - density speed^2 cos^2 is zero, but for roundings
+  // A6 = c44 sin^2 - density speed^2 cos^2 is zero, up to rounding errors.
   const TransverselyIsotropicSolid solid{32, 350, 14, 16, 8, 1};
   const Direction psi{12.0 / 13, 5.0 / 13}, motion{1, 0};
   const double speed = 4 * psi.sine / psi.cosine;
@@ -135,23 +135,23 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
     const auto truth =
         ref::critical_speed(ref::exact_stiffness(solid, SymmetryAxis::in_plane), ref_direction(theta), 17);
     CHECK(std::fabs(truth.speed.error_of(speed)) <= 4 * rounding * speed);
-    // Where a coarser search ends, it is higher.
+    // In the direction in which a coarser search ends, the speed is higher.
     CHECK(fast::rayleigh_speed(solid, SymmetryAxis::in_plane, motion, Direction::of_degrees(shallow_psi)) >
           (1 + 1e-10) * speed);
   };
-  // Bottoms 0.03 degrees from the axis, on both sides of a crest.
+  // Two minima 0.03 degrees from the axis, on both sides of a maximum.
   check({8732.615966221072, 5.206161640027693, -186.282880027052, 1.252853292229777, 96.63621997752217,
          1218.5079266280632},
         90, 90);
-  // The motion a little to one side: the bottom there is the deeper one.
+  // The motion is a little to one side. The minimum on this side is the lower one.
   check({220132.35025845337, 7092.6140465015633, -22778.492806939132, 6.5980425342776119, 24.175487831893292,
          1.7000442657209416},
         90.00029295089729, 89.86824728);
-  // 0.3 degrees wide, 6 degrees off, where a surface wave passes from one bulk wave to another.
+  // A minimum 0.3 degrees wide and 6 degrees off the axis, where a surface wave passes from one bulk wave to another.
   check({639.57693616129563, 0.2194159096995234, 6.9861913661117745, 43.742275887327871, 2.7515726557945337,
          2.1816122195484344},
         90, 90);
-  // 2e-3 degrees off the isotropic plane, where lines a degree from it and from each other do not show it.
+  // A minimum 2e-3 degrees off the isotropic plane, which no line shows that is a degree from the plane.
   check({39.245, 11.428, 17, 1633.193, 0.013, 1}, 75.8, 17.889);
 }
 

@@ -12,17 +12,17 @@ using fast::RollingLine;
 
 namespace {
 
-/// Of shear wave speed 1.
+/// A solid whose shear waves have speed 1.
 const data::IsotropicSolid steel{2.5, 1. / 3, 2.5};
 constexpr double sphere_radius = 4;
 
-/// A point of an interval with its distances to both ends, which keep their digits.
+/// A point of an interval, with its distances to both ends to full relative accuracy.
 struct IntervalPoint {
   double x, to_upper, to_lower;
 };
 
-/// (1/pi) vp int f(xi)/(xi - x) dxi over (lower, upper) for f that vanishes at the ends like a power: with xi
-/// = middle + half tanh v the trapezoidal rule, its nodes half a step off the pole, converges geometrically.
+/// (1/pi) vp int f(xi)/(xi - x) dxi over (lower, upper) for f that vanishes at the ends like a power. With xi = middle
+/// + half tanh v the trapezoidal rule, whose nodes are half a step off the pole, converges geometrically.
 double hilbert(double lower, double upper, double x, const std::function<double(IntervalPoint)>& f) {
   const double half = (upper - lower) / 2, middle = (upper + lower) / 2, step = 0.125;
   const double pole = std::atanh((x - middle) / half);
@@ -77,7 +77,7 @@ TEST_CASE("rolling: compressive up to the compressed radius, and its force has a
   const RollingLine line = contact.along({1, 0});
   CHECK(line.normal_traction(line.compressed_radius().value * (1 - 1e-5)).value < 0);
   CHECK(line.normal_traction(line.compressed_radius().value * (1 + 1e-5)).value > 0);
-  CHECK(contact.force().error > 0);  // at least what rounding makes
+  CHECK(contact.force().error > 0);  // at least the rounding error
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {

@@ -31,7 +31,7 @@ TEST_CASE("sliding: every line has the same peak, where the paper says") {
     CHECK(line.pressure(at + 1e-3 * line.span).value < peak);
     CHECK(line.pressure(at - 1e-3 * line.span).value < peak);
     CHECK(line.pressure(line.leading_end().value * 1.001).value == 0);
-    // The same line, run through backwards.
+    // The same line in the opposite direction.
     const SlidingLine back = contact.along(Direction::of_angle(0.3 * i + pi));
     CHECK(back.leading_end().value == doctest::Approx(-line.trailing_end().value).epsilon(1e-14));
     CHECK(back.pressure(-at).value == doctest::Approx(peak).epsilon(1e-13));
@@ -61,7 +61,7 @@ TEST_CASE("integrals over half a turn keep their digits at poles beside the dire
     CHECK(even.value == approx(pi / std::sqrt(gap), 1e-13));
     CHECK(even.error < 1e-13 * even.value);
     CHECK(std::fabs(odd.value) <= odd.error);
-    // The same peak where no panel ends: how well the angle is known limits it.
+    // The same peak in a direction at which no panel ends. The rounding error of the angle limits the accuracy.
     const Direction off = Direction::of_angle(0.3);
     const auto turned = fast::half_turn_integral<1>([&](Direction psi) {
       const double c = psi.cosine * off.cosine + psi.sine * off.sine;

@@ -44,7 +44,7 @@ TEST_CASE("operators: rates and amplitudes of roots 1e-5 apart are good to a dou
   if (slow > fast) std::swap(slow, fast);
   CHECK(slow == 1);
   CHECK(fast == 1 + 0x1p-17);
-  // -0.125 (p^2 + 4 p + 8)/(p + other rate) at each root, over 2^-17.
+  // -0.125 (p^2 + 4 p + 8)/(p + other rate) at each root, where p + other rate is 2^-17 in size.
   for (const auto& [amplitude, rate] : theta1.terms) {
     const double r = rate.real(), above = 0.125 * (r * r - 4 * r + 8);
     CHECK(amplitude.real() == doctest::Approx((r == 1 ? 1 : -1) * above * 0x1p17).epsilon(4e-16));
@@ -52,7 +52,7 @@ TEST_CASE("operators: rates and amplitudes of roots 1e-5 apart are good to a dou
 }
 
 TEST_CASE("operators: a fluid has a rate that is 0, no -0, and a dashpot beside a spring nothing at once") {
-  // P/Q = 1 + 0.8/p + 0.5/(p + 1) + 0.3/(p + 2) + 0.2/(p + 3): rates that an iteration finds, and 0.
+  // P/Q = 1 + 0.8/p + 0.5/(p + 1) + 0.3/(p + 2) + 0.2/(p + 3): one rate is 0, and an iteration finds the others.
   const auto fluid = factored({{4.8, 19.1, 20.1, 7.8, 1}, {0, 6, 11, 6, 1}, {1}, {7}});
   CHECK(fluid.theta1.is_fluid());
   CHECK(fluid.theta1.terms.size() == 4);
@@ -82,6 +82,6 @@ TEST_CASE("operators: what is no material is refused by the operator or the func
   CHECK(refused({{1, 1, 1}, {1, 1}, {1}, {7}}) == "material.Q = of degree 1");
   CHECK(refused({{1}, {3}, {1}, {-1}}) == "material.Q_dilatation = 0");
   CHECK(refused({{2, 1}, {-1, 1}, {1}, {7}}) == "material.theta1 rate = -1");
-  // It stiffens under a lasting load.
+  // This solid stiffens under a lasting load.
   CHECK(refused({{1, 1}, {2, 1}, {1}, {7}}).starts_with("material.shear loss = "));
 }

@@ -8,7 +8,7 @@ using fast::Modulus;
 
 TEST_CASE("what gives way for ever, or not at once, has its functions of time: Maxwell, Kelvin and Voigt") {
   const Modulus shear{SpringModel::maxwell, 2, 0, 5}, bulk{SpringModel::maxwell, 3, 0, 4};
-  // After long it is a fluid: 3/(6 x 4 + 2 x 5) of an impulse stay, and 1/(2 x 5).
+  // At long times this is a fluid: theta1 tends to 1/(2 x 5), theta2 to 3/(6 x 4 + 2 x 5).
   CHECK(fast::theta1(shear, 1e300).value == 0.1);
   CHECK(fast::theta2(shear, bulk, 1e3).value == doctest::Approx(3.0 / 34).epsilon(1e-14));
   CHECK(fast::creep(shear, 1e10) == doctest::Approx(2e9).epsilon(1e-9));

@@ -8,7 +8,7 @@ using data::PronySeries;
 using fast::Strain;
 
 TEST_CASE("rational solids: roots that are one, or nearly, cost no digit") {
-  // theta1 = (p + 2)^2/(2 (p + 1)^2): 1/2 and e^-t (1 + t/2)
+  // theta1 = (p + 2)^2/(2 (p + 1)^2) has the instantaneous part 1/2 and the memory e^-t (1 + t/2).
   const auto squared = [](double off) {
     return DifferentialOperators{{4, 4, 1}, {1 + off, 2, 1}, {1}, {10}};
   };
@@ -19,7 +19,7 @@ TEST_CASE("rational solids: roots that are one, or nearly, cost no digit") {
       CHECK(fast::theta1(squared(off), t).value == doctest::Approx(truth).epsilon(1e-15 + 1e-12 * t * t));
     }
   }
-  // Four equal roots: 6K + 2G = 8 (p + 1)^4/((p + 2)^2 (p + 2)^2) has 3/8 at once.
+  // Four equal roots: 6K + 2G = 8 (p + 1)^4/((p + 2)^2 (p + 2)^2), so that theta2 is instantaneously 3/8.
   const DifferentialOperators four{{4, 4, 1}, {1, 2, 1}, {4, 4, 1}, {1, 2, 1}};
   const double t = 2;
   CHECK(fast::theta2(four, t).value == doctest::Approx(3.0 / 8 * std::exp(-t) * (2 + t)).epsilon(1e-15));

@@ -8,7 +8,7 @@ TEST_CASE("J5 under the load: no sign there, and nothing remembered before the s
   CHECK(J5(7, 0, 1, 2, 2) == 0);
   CHECK(J5(7, 5, 1, 0, 3) == 7);
   CHECK(J5(7, 5, 1, 0, -3) == -7);
-  CHECK(J5(0, 5, 0, 2, 1) == 0);  // a rate of 0: as long before as after
+  CHECK(J5(0, 5, 0, 2, 1) == 0);  // rate 0: the load is ahead of the point as long as behind it
   CHECK(J5(0, 5, 0, 2, 3) == 10);
   CHECK(J6(7, 5, 1, 2, 0.5) == J5(7, 5, 1, 2, 0.5));
 }

@@ -16,7 +16,7 @@ TEST_CASE("memories of complex rates from tables, or by parts, are those panel b
       const SurfacePoint at = surface_point({w, 0}, Accuracy());
       for (const Kernel kernel : {Kernel::I1, Kernel::I3}) {
         const Complex panels = steady_memory(kernel, at, rate, Accuracy());
-        // Next to the load I3 is what is left of its limit, pi/2.
+        // Near the load I3 is a small difference from its limit pi/4, whose rounding error remains.
         CHECK(std::abs(steady_memory(kernel, at, kept, Accuracy()) - panels) <
               1e-13 * std::abs(panels) + 2e-15 / std::abs(rate));
       }
@@ -47,7 +47,7 @@ TEST_CASE("the memory of a slope is the kernel's memory times the rate less the 
     const Complex expected = rate * steady_memory(kernel, at, kept, Accuracy()) - value;
     const Complex slope = steady_memory_of_slope(kernel, at, kept, Accuracy());
     CHECK(std::abs(slope - expected) < 1e-13 * (std::abs(value) + 1));
-    // It falls like 1/rate, also where the kernel does not.
+    // The memory of the slope falls like 1/rate, even where the kernel itself is not small.
     if (kernel == Kernel::I3) CHECK(std::abs(slope) < 3 / (1 + std::abs(rate)));
   };
   for (const double w : places) {

@@ -13,8 +13,8 @@ nipref::data::ViscoelasticMaterial softening_solid(double rate) {
   return {{1, {{rate, rate}}}, {0.5, {{rate / 2, rate}}}};
 }
 
-/// int_alpha^inf e^(-rate (w - alpha)) I1(w) dw: what a point at alpha remembers of the load while it was
-/// farther ahead.
+/// int_alpha^inf e^(-rate (w - alpha)) I1(w) dw: the memory of a point at alpha of the load, from the time when the
+/// point was farther ahead of the load.
 double steady_I1(double alpha, double rate, Accuracy accuracy = {}) {
   using internal::Kernel;
   return internal::steady_memory(Kernel::I1, internal::surface_point({alpha, 0}, accuracy),

@@ -1,4 +1,4 @@
-// What holds of the converged contact of every kind of nip.
+// Properties of the converged contact of every kind of nip.
 #include "support/covered.hpp"
 #include "support/nip_kinds.hpp"
 #include "support/softening_sheet.hpp"
@@ -50,11 +50,11 @@ TEST_CASE("asking for less costs less, and no more is evaluated than is asked fo
     const auto coarse = kind.fast_of_load(100, 1e-4), fine = kind.fast_of_load(100, 1e-11);
     CHECK(coarse.work().terms <= fine.work().terms);
     CHECK(coarse.work().unknowns <= fine.work().unknowns);
-    if (kind.name == "gripped") continue;  // one level may serve both
+    if (kind.name == "gripped") continue;  // one discretisation may serve both
     CHECK((coarse.work().terms < fine.work().terms || coarse.work().unknowns < fine.work().unknowns));
     if (kind.name == "rolling") continue;
     static_cast<void>(
-        fine.peak_pressure());  // solves the longer contact that tells how numbers change with the length
+        fine.peak_pressure());  // also solves a longer contact, to see how numbers change with the length
     const auto before = fine.work();
     static_cast<void>(fine.indentation());
     CHECK(fine.work().terms == before.terms);

@@ -11,7 +11,7 @@ using namespace nipref::fast;
 
 namespace {
 
-/// The stresses at a place by line loads that act as the contact's tractions, e = A x^4 from either end.
+/// The stresses at a place by line loads in place of the contact's tractions, at the distances A x^4 from the ends.
 SheetStresses by_line_loads(const ConvergedNip& contact, double half_length, double half_thickness,
                             const InnerPoint& at) {
   const GaussRule rule = gauss_legendre(400);

@@ -22,7 +22,7 @@ TEST_CASE("Dawson's integral: values of tables, and its equation D' = 1 - 2 z D 
       const auto at = complex_dawson;
       const Complex z = std::polar(size, angle);
       const double step = 1e-3 / size;
-      // Of sixth order.
+      // A central difference of sixth order.
       const Complex slope =
           (45.0 * (at(z + step) - at(z - step)) - 9.0 * (at(z + 2 * step) - at(z - 2 * step)) +
            (at(z + 3 * step) - at(z - 3 * step))) /

@@ -12,7 +12,7 @@ struct Tried {
   [[nodiscard]] double load() const { return carried; }
 };
 
-/// A search for load_of(length), where it ended and after how many lengths.
+/// A search with the loads load_of(length): the length at which it ends, and the number of lengths that it tries.
 struct Search : LengthSearch {
   template <class Load>
   Search(const LengthSearch& search, Load load_of) : LengthSearch(search) {
@@ -36,7 +36,7 @@ TEST_CASE("length search: pure powers in three steps, whatever the exponent") {
     const Search search({7, 0.3, {.tolerance = 1e-13}},
                         [&](double length) { return std::pow(length, exponent); });
     CHECK(search.met());
-    CHECK(search.solves <= 4);  // the exponent shows in the second
+    CHECK(search.solves <= 4);  // the second trial shows the exponent
     CHECK(search.found == approx(std::pow(7, 1 / exponent), 1e-13));
     CHECK(search.exponent() == doctest::Approx(exponent).epsilon(1e-6));
   }
@@ -57,7 +57,7 @@ TEST_CASE("length search: what is known of the exponent saves a step") {
 }
 
 TEST_CASE("length search: a wrong exponent that is kept gets there as slowly as it must") {
-  // (2.13) on a half-space: each step leaves 1 - 2/3 of the logarithm.
+  // (2.13) on a half-space: each step multiplies the logarithm of load found/load by 1 - 2/3.
   const Search search({std::exp(1.0), 1, {.tolerance = 1e-12, .fixed_exponent = true}}, squared);
   CHECK(search.met());
   CHECK(squared(search.found) == approx(std::exp(1.0), 1e-12));
@@ -76,7 +76,7 @@ TEST_CASE("length search: rounding ends it, and counts as met") {
 }
 
 TEST_CASE("length search: slow steps of an exponent that is not the secant's own are no rounding") {
-  // None is taken below 1: each step leaves 0.6 of the excess.
+  // The search takes no exponent below 1, so that each step leaves 0.6 of the excess.
   const Search search({3, 1, {.tolerance = 1e-13}}, [](double length) { return std::pow(length, 0.4); });
   CHECK(search.residual() < 1e-6);
   CHECK(!search.met());
@@ -114,7 +114,7 @@ TEST_CASE("length search: not beyond the longest, and over as soon as that carri
   CHECK(!search.met());
   CHECK(search.found == doctest::Approx(2).epsilon(1e-15));
   CHECK(search.solves == 2);
-  // Only a way point.
+  // The longest length carries enough here, so that the search goes on from it.
   const Search there({3.9, 1, {.tolerance = 1e-12, .longest = 2}, 1}, squared);
   CHECK(there.found == doctest::Approx(std::sqrt(3.9)).epsilon(1e-12));
   CHECK(there.met());

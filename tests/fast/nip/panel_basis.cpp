@@ -10,7 +10,7 @@ constexpr int degrees = 24;
 const PanelBasis bases[] = {
     {false, false, 0}, {true, false, 0}, {true, false, -0.2}, {true, true, 0}, {true, true, -0.2}};
 
-/// Nodes of the double-exponential rule on eight pieces to both sides of s, which resolve polynomials of all degrees.
+/// Nodes of the double-exponential rule on eight pieces on each side of s, which resolve polynomials of all degrees.
 struct Nodes {
   Eigen::ArrayXd x, rest, weight, distance;
 
@@ -81,7 +81,7 @@ TEST_CASE("a product rule is exact for polynomials, and converges geometrically 
       return largest;
     };
     CHECK(error(8, [](const Eigen::ArrayXd& x) { return (x - 0.3).pow(7).eval(); }) < 2e-15);
-    // Its singularity, x = -0.2, is on the ellipse of 1.4 + sqrt(1.4^2 - 1).
+    // The logarithm is singular at x = -0.2, on the Bernstein ellipse of parameter 1.4 + sqrt(1.4^2 - 1).
     const auto logarithm = [](const Eigen::ArrayXd& x) { return (x + 0.2).log().eval(); };
     const double fall = 1.4 + std::sqrt(1.4 * 1.4 - 1);
     CHECK(error(16, logarithm) < std::pow(fall, -16));

@@ -34,6 +34,6 @@ TEST_CASE("more terms where the singularities are nearer, fewer where the ends a
   const auto cut = panels(1000, {23, 3.14, 2, {}});
   REQUIRE(cut.size() > 3);
   CHECK(cut[cut.size() - 2].terms < cut[1].terms);
-  // There rounding is all that is left of the ends.
+  // In the last panel the effect of the ends is below rounding.
   CHECK(3.14 * cut.back().left > 36.7);
 }

@@ -1,4 +1,4 @@
-// Places of maxima and of sure changes of sign, of functions whose places are known.
+// Positions of maxima and of sure changes of sign, for functions with known positions.
 #include <nipref/fast/nip/internal/places.hpp>
 
 #include "support/test.hpp"
@@ -13,7 +13,7 @@ std::vector<double> even_places(double a, double b, int count) {
   return all;
 }
 
-/// f, known to `error` everywhere.
+/// f with the given error everywhere.
 fast::PlaceFunction known_to(double error, double (*f)(double)) {
   return {f, [=](double x) { return fast::Estimate{f(x), error}; }};
 }
@@ -24,7 +24,7 @@ TEST_CASE("a local slope is the derivative to rounding over its reach") {
   for (const double x : {0.1, 1.0, 7.0})
     CHECK(fast::LocalSlope()([](double y) { return std::sqrt(y); }, x, x / 4) ==
           approx(0.5 / std::sqrt(x), 1e-13));
-  // A polynomial of degree 29 that 16 points do not resolve.
+  // 16 points do not resolve this polynomial of degree 29.
   const auto swings = [](double y) { return std::cos(29 * std::acos(y)); };
   const double slope = 29 * std::sin(29 * std::acos(0.1)) / std::sin(std::acos(0.1));
   CHECK(fast::LocalSlope(30)(swings, 0.1, 0.9) == approx(slope, 1e-12));
@@ -43,7 +43,7 @@ TEST_CASE("zeros lie within their errors, which are the function's over its slop
 }
 
 TEST_CASE("changes of sign that may not be there are not told") {
-  // It touches 0 to 1e-3: known to less, it may cross there or not.
+  // The minimum is 1e-3. With a larger error the function may cross 0 there or not.
   const auto touching = [](double x) { return 1.001 - std::cos(x); };
   CHECK(fast::places_of_sure_zeros(known_to(1e-2, touching), even_places(-1, 1, 41)).empty());
   const auto crossing = [](double x) { return 0.999 - std::cos(x); };

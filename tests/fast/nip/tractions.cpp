@@ -27,7 +27,7 @@ Tractions::Kernel poisson_kernel(double distance) {
   return kernel;
 }
 
-/// Its integrals with all columns, by Gauss's rule on pieces that halve towards the place and towards both ends.
+/// Integrals of Poisson's kernel times all columns, by Gauss's rule on pieces that halve towards place and ends.
 Eigen::RowVectorXd by_pieces(const Tractions& tractions, double place, double distance) {
   const GaussRule rule = gauss_legendre(30);
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(tractions.columns());
@@ -66,7 +66,7 @@ TEST_CASE("rows are the integrals of a kernel with the tractions, however near i
         CAPTURE(half_length, distance, part);
         const double at = part * half_length;
         const Eigen::RowVectorXd row = tractions.rows(at, false, poisson_kernel(distance), 1e-16);
-        // The other half is mirrored.
+        // The other half of the contact is the mirror image.
         const Eigen::RowVectorXd expected =
             by_pieces(tractions, at, distance) + by_pieces(tractions, 2 * half_length - at, distance);
         CHECK((row - expected).cwiseAbs().maxCoeff() < 2e-14);

@@ -3,7 +3,7 @@
 using namespace fast_tests;
 
 namespace {
-/// Four tolerances a decade over everything that can be asked for.
+/// Four tolerances a decade over all tolerances that are allowed.
 std::vector<double> tolerances() {
   std::vector<double> all{Accuracy::best_rtol};
   for (int quarter = -61; quarter < 0; ++quarter) all.push_back(std::pow(10.0, quarter / 4.0));
@@ -22,7 +22,7 @@ TEST_CASE("every tolerance is kept, measured against full accuracy") {
   const std::vector<double> eta = log_uniform(1e-3, 340, static_cast<int>(alpha.size()), 9);
   for (const char* const name : {"I1", "I3", "I4", "I5", "I6", "I7"}) {
     const nipref::verify::Quantity& kernel = nipref::verify::find_quantity(name);
-    double worst_use = 0;  // of the allowance
+    double worst_use = 0;  // largest used part of the allowance
     for (std::size_t i = 0; i < alpha.size(); ++i) {
       std::vector<double> point{alpha[i], eta[i]};
       point.resize(kernel.arguments.size());
@@ -40,7 +40,7 @@ TEST_CASE("every tolerance is kept, measured against full accuracy") {
 }
 
 TEST_CASE("coarse tolerances really do less") {
-  // Otherwise the sweep above would hold trivially.
+  // If coarse tolerances changed nothing, the sweep above would hold trivially.
   int different = 0;
   for (const double x : log_uniform(0.01, 30, 100, 10)) {
     different += nipref::fast::I1(x, Accuracy(1e-3)) != nipref::fast::I1(x) ? 1 : 0;

@@ -1,4 +1,4 @@
-// Line loads with Coulomb's friction: their conditions, by another road than their system; how they tend to the contact.
+// Line loads with Coulomb's friction: their conditions, computed without their system; their limit, the contact.
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/partial_slip/line_loads.hpp>
 #include <nipref/fast/partial_slip/partial_slip.hpp>
@@ -15,7 +15,7 @@ data::PartialSlipNip slipping_seed_nip(double traction) {
   return {data::seed::nip(0.25), friction_here, data::GivenTraction{traction}};
 }
 
-/// The mean of a function over the element around `middle`, where it may be infinite like a logarithm.
+/// The mean of a function over the element about `middle`, where the function may have a logarithmic singularity.
 double mean_over_element(double middle, double width, const std::function<double(double)>& function) {
   constexpr int points = 200;
   double sum = 0;
@@ -80,7 +80,7 @@ TEST_CASE("line loads tend to the contact with Coulomb's friction") {
       CHECK(std::fabs(nip.leading_length - truth.leading_length().value) < nip.element_width());
       return nip;
     };
-    for (const int elements : {20, 40, 80, 160})  // like the square of the elements' width
+    for (const int elements : {20, 40, 80, 160})  // error like the square of the elements' width
       CHECK(creep_error(at(elements)) < 20.0 / (elements * elements));
     const auto fine = at(160);
     CHECK(std::fabs(fine.indentation / truth.indentation().value - 1) < 1e-4);

@@ -13,8 +13,8 @@ using data::GivenCreep, data::GivenTraction;
 
 namespace {
 
-/// A sheet of half-thickness 1 on rollers so large that the parabolas hold, with N such that the unit of loads is 1; that of
-/// creep ratios is 1/100.
+/// A sheet of half-thickness 1 between rollers so large that their profiles are parabolas. N makes the unit of loads 1;
+/// the unit of creep ratios is 1/100.
 data::PartialSlipNip unit_nip(double poisson, double friction, const data::Drive& drive) {
   constexpr double radius = 50;
   return {{radius, 2, {4 * radius * (1 - poisson * poisson), poisson}}, friction, drive};
@@ -39,7 +39,7 @@ TEST_CASE("a thick incompressible sheet has Carter's creep and zones") {
       return std::array{nip.contact_length().value / half, nip.zone_boundaries()[1].value / half,
                         100 * nip.creep_ratio().value / half};
     };
-    // The sheet's thickness adds parts that grow with the length.
+    // The sheet's thickness adds terms that grow with the length.
     const auto longer = at(1e-6), shorter = at(5e-7);
     const double stick = std::sqrt(1 - part), expected[] = {2, 1 - 2 * stick, 2 * mu * (1 - stick)};
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(2 * shorter[i] - longer[i] - expected[i]) < 1e-9);
@@ -47,8 +47,8 @@ TEST_CASE("a thick incompressible sheet has Carter's creep and zones") {
 }
 
 TEST_CASE("dissimilar rollers: what the program CONTACT prints of its example bentall") {
-  // Aluminium on steel, a rigid roller on the sheet that it stands for; rolling to -x there, x = -Y. Creep ratio, power
-  // over 1e9, boundaries of zones to 0.001 as printed: elements are 0.001 wide (eve70a/CONTACT, d431cdbd).
+  // CONTACT has aluminium on steel, here a rigid roller is on the equivalent sheet. There it rolls to -x, x = -Y. Printed:
+  // creep ratio, power over 1e9, boundaries of zones to an element's width 0.001 (eve70a/CONTACT, d431cdbd).
   struct Printed {
     double traction, creep, power;
     std::vector<double> boundaries;
@@ -64,7 +64,7 @@ TEST_CASE("dissimilar rollers: what the program CONTACT prints of its example be
     CHECK(-nip.creep_ratio().value == approx(printed.creep, 2e-3));
     CHECK(nip.dissipation().value == approx(printed.power, 0.015));
     const std::vector<fast::Estimate> boundaries = nip.zone_boundaries();
-    // Driven backwards there are two zones more next to the trailing end, both shorter than an element.
+    // With the backward traction there are two more zones at the trailing end, both shorter than an element.
     REQUIRE(boundaries.size() >= printed.boundaries.size());
     for (std::size_t k = 0; k < printed.boundaries.size(); ++k)
       CHECK(std::fabs(boundaries[k].value + printed.boundaries[k]) < 0.0016);
@@ -98,12 +98,12 @@ TEST_CASE("zones are found however little friction there is, and stick in propor
 TEST_CASE("where elements tell of no zones those of less friction are followed") {
   const auto creep_with = [](double mu) {
     const auto nip = fast::partial_slip_for_load(unit_nip(0.18, mu, GivenTraction{0}), 1e-6, 1e-6);
-    // No traction brings in what slip dissipates: the rolling resistance does.
+    // There is no traction, so the rolling resistance does the work that slip dissipates.
     const Estimate lost = nip.dissipation(), resistance = nip.rolling_resistance();
     CHECK(std::fabs(lost.value - 1e-6 * resistance.value) <= lost.error + 1e-6 * resistance.error);
     return nip.creep_ratio().value;
   };
-  // The creep of those between contacts that elements tell of is between theirs.
+  // Elements find the zones at 1.45 and 1.65. The creep at coefficients of friction between lies between theirs.
   const double less = creep_with(1.45), more = creep_with(1.65);
   for (const double mu : {1.5, 1.6}) {
     CAPTURE(mu);
@@ -154,7 +154,7 @@ TEST_CASE(
     for (const auto& sample : contact->samples())
       largest_slip = std::max(largest_slip, std::fabs(sample.slip));
     for (const auto& sample : contact->samples()) {
-      // In shorter zones rounding is seen.
+      // In shorter zones rounding errors are visible.
       if (contact->zones()[static_cast<std::size_t>(sample.zone)].length < 1e-8 * length) continue;
       CHECK(sample.pressure > 0);
       if (sample.sign == 0) {
@@ -198,10 +198,10 @@ TEST_CASE("with much friction the contact is that of full friction, with little 
 
 TEST_CASE("few elements tell the zones, and how long little friction lets it stick between opposite slips") {
   struct Contact {
-    double beta, friction, load, part;  ///< of full sliding
-    double longest_short;               ///< of what sticks between opposite slips, over the length
+    double beta, friction, load, part;  ///< traction as a part of full sliding
+    double longest_short;               ///< bound of stick zones between opposite slips, over the length
   };
-  // The second has zones of slip at the ends that are shorter than equal elements; the last has mu beta > 1.
+  // The second contact has slip zones at its ends that are shorter than equal elements. The last has mu beta > 1.
   const Contact contacts[] = {{0.3, 1e-5, 0.1, 0, 1e-3},
                               {0.44, 1e-6, 1e-4, 0.999, 1e-3},
                               {0.7, 0.25, 1e-6, 0, 0},
@@ -273,7 +273,7 @@ TEST_CASE(
 }
 
 TEST_CASE("no traction is larger than the peak, and the two humps of a shear are told apart") {
-  // The larger hump has the smaller samples.
+  // The higher hump has the smaller values at the samples.
   const double load = fast::load_guess(0.486);
   const auto nip =
       fast::partial_slip_for_load(unit_nip(0.1742793, 0.76, GivenTraction{-1e-4 * load}), load, 1e-4);
@@ -287,7 +287,7 @@ TEST_CASE("no traction is larger than the peak, and the two humps of a shear are
 }
 
 TEST_CASE("a peak that is nearer to a boundary than all samples is seen") {
-  // The shear goes on rising over 1e-9 of the zone that slips.
+  // The shear rises up to 1e-9 of the slip zone away from the boundary.
   constexpr double length = 2.8751e-4, mu = 0.5013;
   const auto peak = [&](double accuracy) {
     const double traction = 0.167 * mu * fast::load_guess(length / 2);
@@ -300,7 +300,7 @@ TEST_CASE("a peak that is nearer to a boundary than all samples is seen") {
 }
 
 TEST_CASE("a peak at a boundary is the limit of the tractions from both sides") {
-  // The shear falls like the distance to the power 0.14: e^-72 of a panel away it is still 4e-5 smaller.
+  // The shear falls like the distance to the power 0.14: at a distance of e^-72 panels it is already 4e-5 smaller.
   constexpr double mu = 3, load = std::numbers::pi * 0.05 * 0.05;
   const auto nip =
       fast::partial_slip_for_load(unit_nip(-0.8, mu, GivenTraction{-0.1 * mu * load}), load, 1e-10);
@@ -326,7 +326,7 @@ TEST_CASE("where elements slip by turns the zones are found from a contact that 
 }
 
 TEST_CASE("zones that a solution leaves out change it by no more than it says") {
-  // Slip turns around in the last 7e-4 of the contact, and with it the power of the pressure there.
+  // Slip changes its direction in the last 7e-4 of the contact, and with it the exponent of the pressure there.
   const fast::PartialSlipTask task{
       .beta = 0.721047, .friction = 1.60433, .length = 0.175086, .traction = 0.00349224};
   const fast::ZoneContact right = fast::find_zones(task, 26).value();

@@ -26,8 +26,8 @@ TEST_CASE("even kernels are even and odd ones odd, to the last bit") {
 }
 
 TEST_CASE("no jump at any branch point") {
-  // Neighbouring doubles may differ by the slope, taken from points far enough to see it, and by twice the
-  // promised error.
+  // Values at neighbouring doubles may differ by the slope and by twice the promised error. The slope is taken from
+  // points that are far enough apart.
   for (const Kernel& kernel : kernels()) {
     CAPTURE(kernel.name);
     for (const double x : nipref::fast::branch_points()) {
@@ -68,8 +68,7 @@ TEST_CASE("odd kernels vanish at zero, linearly down to the denormal numbers") {
 }
 
 TEST_CASE("logarithmic kernels down to the denormal numbers") {
-  // I1 = -ln x - 0.35167539261870... + O(x^2), notes/thesis.md; I6(a, e) - I1(a) does not depend on a as a ->
-  // 0.
+  // I1 = -ln x - 0.35167539261870... + O(x^2). I6(a, e) - I1(a) tends to a number that does not depend on a as a -> 0.
   const double difference = nipref::fast::I6(1e-20, 0.7) - nipref::fast::I1(1e-20);
   for (const double x : {smallest, 3 * smallest, 0x1p-1022, 1e-300, 1e-100, 1e-20, 1e-9}) {
     CAPTURE(x);

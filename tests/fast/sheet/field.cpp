@@ -7,7 +7,7 @@ using namespace nipref::fast;
 using enum data::SheetLoad;
 
 TEST_CASE("what is odd in alpha stays proportional to it down to the smallest double") {
-  // By a power of two, so that nothing but the range of doubles is between them.
+  // The factor is a power of two, so that only the range of doubles makes a difference.
   const double small = 0x1p-900, least = 0x1p-1074, factor = 0x1p-174;
   for (const double depth : {std::nextafter(1.0, 0.0), 1 - 1e-9, 0.9}) {
     const auto check = [&](double here, double there) {

@@ -1,4 +1,4 @@
-// The converged viscoelastic nip: fluids, two discretisations, memories that are hard, errors of what is small.
+// The converged viscoelastic nip: fluids, two discretisations, memories that are hard, errors of small numbers.
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/rolling_equations.hpp>
@@ -17,7 +17,7 @@ using fast::Solution;
 
 namespace {
 
-/// The same, dimensionless.
+/// Dimensionless equations of a sheet that softens by one half.
 RollingEquations equations(double rate) {
   return RollingEquations({fast::rolling_compliance({{rate, rate}}), 0.25, {{rate / 4, rate}}});
 }
@@ -32,7 +32,7 @@ Solution solve(double half_length, const RollingEquations& equations) {
   return solve(half_length, equations, fast::panels(half_length, equations.resolution(34)));
 }
 
-/// At e from the leading or the trailing end.
+/// The pressure at the distance e from the leading or the trailing end.
 double pressure(const Solution& solution, bool trailing, double e) {
   const std::complex<double> g = solution.traction(e);
   return trailing ? g.real() - g.imag() : g.real() + g.imag();
@@ -52,7 +52,7 @@ TEST_CASE("behind a fluid's contact the sheet keeps its displacement and strain,
   CHECK(slow.surface_strain(-1).value == approx(fluid.surface_strain(-1).value, 1e-9));
   CHECK(fluid.surface_strain(-1e6).value == approx(fluid.surface_strain(-5).value, 1e-12));
   CHECK(fluid.tangential_displacement(-1e6).value == approx(-1e6 * fluid.surface_strain(-5).value, 1e-5));
-  // I1 integrates to pi/2, half-thicknesses; a dashpot forgets no force.
+  // I1 integrates to pi/2 half-thicknesses, and a dashpot forgets no force.
   for (const double y : {-5.0, -1e6})
     CHECK(fluid.normal_displacement(y).value == approx(9e-5 * fluid.load().value * thickness / 4, 1e-11));
 }
@@ -67,7 +67,7 @@ TEST_CASE("what is kept of one contact changes no other, shorter or longer") {
 
 TEST_CASE("two discretisations agree") {
   for (const double half_length : {1e-4, 0.4, 2.0, 15.0}) {
-    for (const double rate_length : {0.01, 1.0, 30.0}) {  // A over the relaxation length
+    for (const double rate_length : {0.01, 1.0, 30.0}) {  // half-length over the relaxation length
       CAPTURE(half_length, rate_length);
       const RollingEquations equations = ::equations(rate_length / half_length);
       std::vector<Panel> panels{{0, half_length / 16, true, false, 26}};
@@ -106,7 +106,7 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
 }
 
 TEST_CASE("the peak is the pressure where it is largest, also where both layers reach over the contact") {
-  // The layers' places coincide there.
+  // The positions that are searched for the two layers coincide there.
   const ViscoelasticNip rolled{6, 0.0224399870581,
                                data::standard_linear_solid({.shear_1 = 7.985999e4,
                                                             .shear_2 = 5.681485e3,
@@ -131,7 +131,7 @@ TEST_CASE("a short memory that softens by thousands loses no digits") {
 }
 
 TEST_CASE("viscoelastic nip: what an endless memory does to all points alike is no rounding of the creep") {
-  // It creeps by 1e-5 of itself while the nip passes, so that of rates below that one is as good as another.
+  // While the nip passes, the memory does not fade at any of these rates, so that all of them give the same creep.
   const auto creep = [](double rate) {
     const ViscoelasticNip nip{6, 0.25,
                               data::prony_solid({9.2e-6, {9.2e-7}, {rate}}, {3.1e-6, {1.5e-7}, {rate}}), 1};

@@ -1,5 +1,5 @@
-// The thesis's own way through the viscoelastic nip: its plain sums against exact displacements, its line
-// loads at their matching points, its search for m2.
+// The thesis's own method for the viscoelastic nip: its plain sums against exact displacements, its line loads at
+// their matching points, its search for m2.
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -14,7 +14,7 @@ using fast::LineLoadNip;
 
 namespace {
 
-/// Started so long before the nip that the start is forgotten.
+/// Line loads that start so long before the nip that the start is forgotten.
 ViscoelasticLineLoads method(int leading, std::optional<int> trailing, int terms = 500) {
   return {leading, trailing, 30, terms};
 }
@@ -35,7 +35,7 @@ TEST_CASE("plain sums: before the load they are exact, after it their rest falls
            (material.functions()->normal_compliance().terms[0].amplitude.real() * unit / std::acos(-1.0));
   };
   CHECK(std::fabs(error(500, 1, 2)) < 1e-13);
-  CHECK(std::fabs(error(500, 2, -1)) < 1e-13);  // passed before it started
+  CHECK(std::fabs(error(500, 2, -1)) < 1e-13);  // the load passed before it started
   const double t = 2.5, T = 1;
   CHECK(std::fabs(error(500, t, T)) == doctest::Approx(0.2 / 500 * std::exp(-(t - T) / 2)).epsilon(0.05));
   CHECK(error(100, t, T) / error(200, t, T) == approx(2, 0.05));
@@ -59,7 +59,7 @@ TEST_CASE("the surface has the roller's shape where it was matched, and the cree
 
 TEST_CASE("the load found is the load asked for") {
   CHECK(fast::line_loads_for_load(nip(0.1), method(5, 4), load).load() == approx(load, 1e-9));
-  // As much as no length below the roller's radius carries.
+  // No length below the roller's radius carries this load.
   data::ViscoelasticNip small = nip(0.1);
   small.roller_radius = 0.2;
   CHECK_THROWS_AS(fast::line_loads_for_load(small, method(2, 2, 0), 1e12), data::BadInput);

@@ -15,7 +15,7 @@ using test::nip_of;
 
 namespace {
 
-/// Between 0 and 1 by double exponential quadrature, to some 30 digits: integrand(distance from 0, from 1).
+/// Integral from 0 to 1 by double-exponential quadrature, to about 30 digits, of integrand(distance from 0, from 1).
 template <class Integrand>
 Float unit_integral(const Integrand& integrand) {
   const Float step = 0.0625;
@@ -40,14 +40,14 @@ struct Displacement {
   Float normal, tangential;
 };
 
-/// With full friction, by panels that leave out e^-nats.
+/// The contact with full friction, by panels with a truncation error of e^-nats.
 std::unique_ptr<NipSolution> gripped_solution(const ref::ElasticSheet& sheet, const Float& half_length,
                                               double nats, ref::SheetKernels& kernels) {
   return sheet.solved(half_length, ref::panels_of(half_length, sheet.resolution(), {1.3, 2, nats}), 100,
                       kernels);
 }
 
-/// What the tractions do at t inside the contact, from the kernels' own values and nothing else.
+/// The displacement at t inside the contact, by quadrature of the kernels' values times the tractions.
 Displacement displacement_by_quadrature(const NipSolution& contact, const Float& beta, const Float& t) {
   const Float length = contact.half_length();
   Displacement sum{0, 0};
@@ -55,7 +55,7 @@ Displacement displacement_by_quadrature(const NipSolution& contact, const Float&
     const auto part = [&](bool tangential) {
       return [&, tangential](const Float& from_point, const Float& from_end) -> Float {
         const Float before_end = width * from_end;
-        const bool is_beyond = before_end > 1;  // of the middle
+        const bool is_beyond = before_end > 1;  // beyond the middle
         const auto traction = contact.tractions(length * (is_beyond ? Float(2 - before_end) : before_end));
         const Float shear = leading == is_beyond ? Float(-traction.shear) : traction.shear;
         const Float alpha = length * width * from_point;
@@ -109,7 +109,7 @@ TEST_CASE("ref contact by panels: the singular integrals are those of a quadratu
                                     {gripped, 0.625},
                                     {gripped, 1.25}}) {
     const ref::SingularIntegrals integrals = ref::singular_integrals(exponent, Float(x), 12);
-    // Between the places where the integrand is singular.
+    // The integral between the singularities of the integrand.
     const auto integral = [&, &m = exponent, &x = x](int k, bool real, const auto& kernel) {
       const auto from_to = [&](double from, double to) {
         return unit_integral([&](const Float& left, const Float& right) -> Float {
@@ -148,8 +148,8 @@ TEST_CASE("ref gripped contact: incompressible and thick it is the proven contac
     const ref::Estimate free = load(data::Friction::none);
     return difference(load(data::Friction::full), free) / free.to_double();
   };
-  // The linear part of I3 is a creep; the cubic one gives a shear of A^3 of the pressure, what that does to
-  // the load is A^6 of it.
+  // The linear part of I3 is a creep. The cubic part gives a shear of A^3 times the pressure, which changes the load by
+  // a part A^6.
   CHECK(excess(1e-4) < 1e-15);
   const double here = excess(0.02);
   CHECK(here > 1e-13);
@@ -157,7 +157,7 @@ TEST_CASE("ref gripped contact: incompressible and thick it is the proven contac
   const auto free = ref::converged_for_length(nip_of(0.5), data::Friction::none, 1e-5, 20);
   const auto gripped = ref::converged_for_length(nip_of(0.5), data::Friction::full, 1e-5, 20);
   CHECK(meet(gripped.pressure(2e-6), free.pressure(2e-6)));
-  // The shear's moment under the linear part of I3 moves all of the surface by A^4 of that.
+  // The moment of the shear under the linear part of I3 displaces the whole surface by a part A^4.
   const double moved = 1e-20 * free.leading_displacement().to_double();
   CHECK(difference(gripped.leading_displacement(), free.leading_displacement()) <=
         moved + error(gripped.leading_displacement()) + error(free.leading_displacement()));

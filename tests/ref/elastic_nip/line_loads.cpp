@@ -31,7 +31,7 @@ TEST_CASE("ref line loads: fewer digits enclose more digits") {
 TEST_CASE("ref line loads displace the sheet to the roller, summed load by load without the symmetry") {
   const int m = 3;
   const ref::Exact young(quarter_inch_nip.material.young), poisson(quarter_inch_nip.material.poisson);
-  const double length = 0.375, creep = -0.0009765625;  // exact in binary, so that all distances are
+  const double length = 0.375, creep = -0.0009765625;  // exact in binary, and so are all distances
   const auto solution = ref::line_loads_for_length(quarter_inch_nip, m, length, 40, grip_with(creep));
   const auto loads = solution.face_loads();
   for (int i = -m; i <= m; ++i) {
@@ -120,7 +120,7 @@ TEST_CASE("ref line loads refuse bad input by name") {
   CHECK_REFUSED(of_length(2, -0.1, 30), "contact_length");
   CHECK_REFUSED(of_length(2, 0.1, 5), "digits");
   CHECK_REFUSED(of_length(2, 0.1, 30, grip_with(HUGE_VAL)), "creep");
-  // One value for all distances: every row of the matrix is the same, and no digits make up for that.
+  // With one value for all distances the rows of the matrix are equal, and no number of digits helps.
   const std::array<double, 3> odd{1, 2, 3};
   const std::array<double, 4> singular{1, 1, 1, 1};
   CHECK_REFUSED(ref::line_loads_from_kernel_values(quarter_inch_nip, odd, 0.1, 30), "kernel");

@@ -1,4 +1,4 @@
-// The proof of the contact with full friction: that its bounds hold, that it notices what is wrong, and what it rests on.
+// The proof of the contact with full friction: that its bounds hold, that it notices errors, and what it rests on.
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
@@ -15,7 +15,7 @@ using ref::Interval;
 
 namespace {
 
-/// All that a proof gives of a contact.
+/// All results of a contact that its proof gives.
 std::vector<Interval> results_of_gripped(const ref::Proof& proof) {
   const ref::WorkingDigits working(proof.working_digits);
   const ref::ProvenResults& contact = *proof.contact;
@@ -124,7 +124,7 @@ TEST_CASE("ref gripped contact: the stiffness of long waves and all shorter ones
       const double least = highest(ref::gripped_stiffness(Interval(z, 128), Interval(beta, 128)));
       double found = 1;
       for (double x = z; x < 40; x *= 1.03) {
-        // Of [[a, i c], [-i c, d]].
+        // The smaller eigenvalue of [[a, i c], [-i c, d]].
         const double S = std::sinh(2 * x) + 2 * x, a = 2 * std::pow(std::sinh(x), 2) / S,
                      d = 2 * std::pow(std::cosh(x), 2) / S, c = beta - 2 * x / S;
         found = std::fmin(found, (a + d) / 2 - std::hypot((a - d) / 2, c));

@@ -7,7 +7,7 @@ using namespace nipref;
 using ref::Exact;
 
 TEST_CASE("the reference's ellipse under a compliance with a narrow peak, wherever that lies") {
-  // K = 1 + 1/(gap + sin^2(psi - peak)) turns with its peak, and a sphere's ellipse with it.
+  // K = 1 + 1/(gap + sin^2(psi - peak)). The ellipse of a sphere turns with the peak.
   const auto peaked = [](double gap, const Exact& peak) -> ref::SurfaceAnswer {
     return [=](const Exact& degrees, int digits) -> ref::LineAnswer {
       const ref::WorkingDigits working(digits + 20);
@@ -59,7 +59,7 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
     return line;
   };
   refused(no_number, Exact(1.0), "surface = nan");
-  // A surface whose lines are no smooth function of their direction.
+  // A surface whose response is not a smooth function of the direction.
   const ref::SurfaceAnswer broken = [&](const Exact& degrees, int digits) {
     ref::LineAnswer line = surface(degrees, digits);
     if (degrees.value() > 33) line.compliance /= 2;

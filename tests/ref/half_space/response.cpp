@@ -148,7 +148,7 @@ TEST_CASE("a search for a root of what is no number finds nothing") {
 
 TEST_CASE("surface waves next to the limiting speed and moduli powers of ten apart are proven") {
   const ref::WorkingDigits working(60);
-  // Stiff along the surface: 1 - v/v_limit = C44^2/(2 C11 C33) in the limit.
+  // For a solid that is stiff along the surface 1 - v/v_limit tends to C44^2/(2 C11 C33).
   for (const double stiff : {1e7, 1e9}) {
     const auto solid =
         ref::sagittal_stiffness(data::TransverselyIsotropicSolid{stiff, 160.7, 6.44, 7.07, 3.5, 1});
@@ -160,11 +160,11 @@ TEST_CASE("surface waves next to the limiting speed and moduli powers of ten apa
 }
 
 TEST_CASE("where no proof is found, that is said of the solid") {
-  // Moduli so far apart that a double sees nothing of the smaller ones.
+  // The moduli are so far apart that a double loses the smaller ones.
   const auto solid = ref::exact_stiffness(data::TransverselyIsotropicSolid{2e-60, 1e60, 0, 1e-60, 1e-60, 1},
                                           data::SymmetryAxis::in_plane);
   CHECK_REFUSED(ref::critical_speed(solid, degrees(30), 20), "solid = (as given): must be");
-  // Here rounding of the largest makes valleys everywhere, of which there is no end.
+  // Here the rounding error of the largest modulus makes minima everywhere, so that the search would not end.
   const auto stiff = ref::exact_stiffness(
       data::TransverselyIsotropicSolid{1e16, 160.7, 6.44, 7.07, 3.5, 1688}, data::SymmetryAxis::in_plane);
   CHECK_REFUSED(ref::check_subcritical(stiff, Exact(0.01), degrees(0)),
@@ -172,8 +172,8 @@ TEST_CASE("where no proof is found, that is said of the solid") {
 }
 
 TEST_CASE("however near a direction whose limiting wave leaves the surface free a surface wave is found") {
-  // In the isotropic plane of this solid its slowest wave is polarised across it. Off that plane by psi the surface wave
-  // is slower by a part of the order of psi^4.
+  // In the isotropic plane of this solid the slowest wave is polarised across the plane. At an angle psi off the plane
+  // the surface wave is slower than the limiting speed by a part of the order of psi^4.
   const data::TransverselyIsotropicSolid solid{452.1195822851164, 106.19561867964458, 16.527558334339567,
                                                75.78427765697768, 341.9812791367929,  0.9470167972555632};
   const ref::ExactStiffness stiffness =

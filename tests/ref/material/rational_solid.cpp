@@ -21,13 +21,13 @@ void check_holds(const Enclosure& found, const Float60& truth) {
 }  // namespace
 
 TEST_CASE("rational solids: equal roots have the terms t e^-t that their formula has, proven") {
-  // theta1 = (p + 2)^2/(2 (p + 1)^2): e^-t (1 + t/2)
+  // theta1 = (p + 2)^2/(2 (p + 1)^2) has the fading part e^-t (1 + t/2).
   const auto solid =
       exact_operators(exacts({"4", "4", "1"}), exacts({"1", "2", "1"}), exacts({"1"}), exacts({"10"}));
   for (const std::string t : {"1e-30", "0.7", "30", "1000"}) {
     const Float60 time(t);
     check_holds(fading_part(solid.theta1, exact(t), forty_digits), exp(-time) * (1 + time / 2));
-    // 1/(2 theta1) = (p + 1)^2/(p + 2)^2, over p: 1/4 and e^-2t (3/4 - t/2)
+    // 1/(2 theta1) = (p + 1)^2/(p + 2)^2; divided by p it is 1/4 and e^-2t (3/4 - t/2) in time.
     check_holds(relaxation(solid.shear, exact(t), forty_digits), (1 + exp(-2 * time) * (3 - 2 * time)) / 4);
   }
 }

@@ -18,7 +18,7 @@ double lambda_of(const ExactRatio& theta, int number, ComplexPart part = Complex
 }  // namespace
 
 TEST_CASE("terms of a material: of a pair the one with negative imaginary part is first") {
-  // (p + 1)(p^2 + 4 p + 8): rates 1 and 2 -+ 2i; 1 over it has 1/5 and -1/10 +- i/20 there.
+  // (p + 1)(p^2 + 4 p + 8) has the rates 1 and 2 -+ 2i. The amplitudes of its reciprocal are 1/5 and -1/10 +- i/20.
   const ExactRatio theta{{1}, {8, 12, 5, 1}};
   CHECK(lambda_of(theta, 1) == 1);
   CHECK(lambda_of(theta, 1, ComplexPart::im) == 0);

@@ -20,7 +20,7 @@ TEST_CASE("memory integrals are exactly 0 where nothing is integrated") {
   CHECK(is_zero(J2(one, one, one, zero, two, 20)));
   CHECK(is_zero(J5(zero, one, one, zero, two, 20)));
   CHECK(is_zero(J5(one, zero, one, one, one, 20)));
-  // Nothing fades and the load has passed half the time ago.
+  // Nothing fades, and the load passes after half of the time.
   CHECK(is_zero(J6(zero, one, zero, two, one, 20)));
 }
 

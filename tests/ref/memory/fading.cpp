@@ -1,5 +1,5 @@
-// The memory of a load from infinity: what its paths are proven with, on a mesh of cells in interval arithmetic, and its values
-// against the residue series, which shares nothing with the paths but the symbols, and against themselves by other nodes.
+// The memory of a load from infinity: the constants of the proof of its paths, on a mesh in interval arithmetic; its
+// values against the residue series, which shares only the symbols with the paths, and against other nodes.
 
 #include <nipref/ref/memory/internal/fading.hpp>
 
@@ -27,7 +27,7 @@ struct Hyperbola {
 
 double decay_of(Symbol kernel) { return kernel == Symbol::I1 ? 0 : bounds(kernel).decay; }
 
-/// |G| e^{r Re z}; for `normal` of I1's whole symbol, (1 - e2)^2/(z Q), and r = 0.
+/// |G| e^{r Re z}; for `normal` with r = 0 and the whole symbol of I1, (1 - e2)^2/(z Q).
 Interval symbol_size(Symbol kernel, const ComplexInterval& z) {
   const SymbolSizes at(z);
   return kernel == Symbol::I1 ? square(abs(at.one - at.e2)) / abs(z * at.q) : at.of(kernel);
@@ -38,7 +38,7 @@ Interval integrand_size(Symbol kernel, const Hyperbola& at) {
   return symbol_size(kernel, at.z) * abs(at.slope) / abs(at.z);
 }
 
-/// [0, 6] in cells that are narrow near 0, and wide beyond 3, where Q and the brackets of G are nearly 1.
+/// The interval [0, 6] in cells, narrow near 0 and wide beyond 3, where Q and the brackets of G are nearly 1.
 void over_mesh(const std::function<void(const Interval& t, double width)>& visit) {
   over_cells(
       6, [](double left) { return left < 0.5 ? 1.0 / 256
@@ -59,7 +59,7 @@ double edge_integral(Symbol kernel, double angle) {
 
 Interval half_pi() { return Interval::pi(mesh_precision) / 2; }
 
-/// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
+/// Checks that two enclosures meet and that neither is much wider than 2 e^{-nats}.
 void check_same(const Interval& x, const Interval& y, double nats) {
   CHECK(width_of(x - y) <= 5 * std::exp(-nats));
   CHECK(has_zero(x - y));
@@ -71,7 +71,7 @@ ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
   return {Interval(exact(real), fading_bits), Interval(exact(imaginary), fading_bits)};
 }
 
-/// A real rate that is not known to be real, for which the paths are taken at all places.
+/// A real rate as an interval with an imaginary part, for which the paths are taken at all places.
 ComplexInterval nearly_real(const std::string& rate) {
   const ComplexInterval real = rate_interval(exact(rate), 100);
   return {real.re, real.im.widened(exp(Interval(-1000L, 64)))};
@@ -79,8 +79,8 @@ ComplexInterval nearly_real(const std::string& rate) {
 
 }  // namespace
 
-// Beyond t = 6, where Re z > 110, Q and the factors of G in brackets are 1 to 90 digits: there |G z'/z| is, but for
-// that, 4, 2 or 2/|z| times e^{-r Re z} |z'/z|, or |z'|/|z|^2, and |z'/z| <= 1/cos(15/16) < 1.7. The integrals gain
+// Beyond t = 6, where Re z > 110, Q and the bracketed factors of G are 1 to 90 digits. Up to these digits |G z'/z| is
+// 4, 2 or 2/|z| times e^{-r Re z} |z'/z|, or |z'|/|z|^2, and |z'/z| <= 1/cos(15/16) < 1.7. The integrals gain
 // less than 2 * 1.7 int |z|^{-1} dt < 0.02.
 TEST_CASE("memory by contour: the constants of its error hold on an interval mesh, and are not loose") {
   for (const Symbol kernel : fading_kernels) {
@@ -130,7 +130,7 @@ TEST_CASE("memory by contour: what its strip sweeps meets no root of S") {
   CHECK(cells > 1000);
 }
 
-// |z|/|z - z_p| at random points of the strips and poles beside them: below its bound, and not far below everywhere.
+// |z|/|z - z_p| at random points of the strips and poles beside them: its maximum is below the bound and not far below.
 TEST_CASE("memory by contour: no pole is nearer to a path's strip than its error says") {
   std::mt19937_64 random(16);
   std::uniform_real_distribution<double> unit;
@@ -192,7 +192,7 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
   }
 }
 
-// What is left beside pi/(4 rate) counts from the point, at rate 0 from 0: pi/4 alpha lies between.
+// At small rates the rest beside pi/(4 rate) is counted from the point, at rate 0 from 0: they differ by pi/4 alpha.
 TEST_CASE("memory by contour: at rate 0 it is the limit, of odd kernels beside pi/(4 rate)") {
   for (const Symbol kernel : fading_kernels) {
     for (const std::string alpha : {"-7", "-1", "-0.4", "1e-3", "0.8", "3"}) {

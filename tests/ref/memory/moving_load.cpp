@@ -14,8 +14,8 @@ using nipref::test::exacts;
 
 namespace {
 
-/// A solid whose memory oscillates four times as fast as it decays in theta1 and has two real rates in theta2, and
-/// which flows.
+/// A solid that flows. In theta1 its memory oscillates four times as fast as it decays; in theta2 it has two real
+/// rates.
 ExactMaterial oscillating_solid() {
   return {
       {mpq_class(1),
@@ -29,7 +29,7 @@ const Exact unit(1.0);
 }  // namespace
 
 TEST_CASE("moving load: operators are the solids that their roots make") {
-  // G = 3/8 (1 + p)/(2 + p), K = (1 + p)/(2 + p): the thesis's solid; and with a factor 3 + p on both sides of G.
+  // G = 3/8 (1 + p)/(2 + p), K = (1 + p)/(2 + p): the thesis's solid, also with a factor 3 + p on both sides of G.
   const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, unit, unit);
   for (const ExactMaterial& other :
        {exact_material(exact_operators(exacts({"2", "1"}), exacts({"0.375", "0.375"}), exacts({"2", "1"}),
@@ -70,7 +70,7 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
   CHECK(thesis.theta2.terms[0].amplitude == solid.theta2.terms[0].amplitude);
   CHECK(solid.normal().terms.size() == 1);
   CHECK(thesis.normal().terms.size() == 2);
-  // The same from doubles.
+  // The thesis's solid from doubles.
   const ExactMaterial rounded = exact_material(nipref::data::single_relaxation_time_solid(
       3, 3 * nipref::data::thesis_shear_over_bulk, 0.25, nipref::data::misprinted_rate_factor));
   CHECK(rounded.theta2.terms[0].rate == thesis.theta2.terms[0].rate);
@@ -101,7 +101,7 @@ TEST_CASE("moving load: a standard linear solid is as its constants say, to more
 }
 
 TEST_CASE("moving load: the bounds hold against more digits, whatever the rate and the place") {
-  // More digits mean another step and other nodes: nothing of the quadrature's error is shared.
+  // More digits mean another step and other nodes, so that the two share no quadrature error.
   for (const std::string tau : {"1e-6", "0.3", "1e6"}) {
     const MovingLoad load(exact_solid(Solid::thesis, exact("1"), exact(tau)), unit, unit);
     for (const std::string alpha : {"-900", "-30", "-0.01", "1e-9", "2.5", "30", "900"}) {
@@ -109,7 +109,7 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
       const Exact passing(mpq_class(exact(alpha).value() + 4));
       const auto check = [&](auto value) {
         const Enclosure few = value(16), many = value(24);
-        // Far from the load a value may have far more digits than were asked for, and fewer when more were.
+        // Far from the load a value may have far more digits than requested, and fewer for a larger request.
         CHECK(meet(few, many));
       };
       check([&](int n) { return load.steady_normal_displacement(exact(alpha), n); });
@@ -120,7 +120,7 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
   }
 }
 
-// What lies before the start has faded by e^-1000: to work it out to as many digits takes a minute.
+// The memory of the time before the start has faded to e^-1000. To compute it to full accuracy would take a minute.
 TEST_CASE("moving load: a start that has faded is worked out to the digits that are left of it") {
   const MovingLoad load(exact_solid(Solid::standard_linear_solid, unit, unit), exact("0.5"), unit);
   const auto value = [&](const char* T) { return load.normal_displacement(exact("1000"), exact(T), 40); };
@@ -152,7 +152,7 @@ TEST_CASE("moving load: what a displacement changes by is bounded, and not loose
     const mpq_class alpha = sign() * rational(0.01, 5), t = rational(0.1, 5),
                     eta = sign() * rational(0.01, 5);
     const int which = i % 3,
-              terms = i % 4 == 3 ? i % 50 + 1 : 0;  // what is off: the place, the start, the memory
+              terms = i % 4 == 3 ? i % 50 + 1 : 0;  // what is changed: the place, the start, the memory
     const mpq_class amplitude = rational(0.1, 10), rate = rational(1e-2, 30);
     const auto material_with = [&](const mpq_class& share) {
       return ExactMaterial{{1, {{amplitude * (1 + share), rate * (1 - share)}}, {}},

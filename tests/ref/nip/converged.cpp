@@ -11,14 +11,14 @@ using data::ElasticNip, data::Friction, data::ViscoelasticNip;
 
 namespace {
 
-/// Relaxation lengths `way` and three times that, the compliances grow by `growth` of themselves.
+/// A nip with the relaxation lengths `way` and 3 `way`, whose compliances grow by the part `growth`.
 ViscoelasticNip rolled_nip(double thickness, double way, double growth) {
   const data::MaterialFunction theta1{9e-6, {{9e-6 * growth / way, 1 / way}}};
   const data::MaterialFunction theta2{3e-6, {{1e-6 * growth / way, 1 / (3 * way)}}};
   return {6, thickness, data::ViscoelasticMaterial(theta1, theta2), 1};
 }
 
-/// The same, and a pair of conjugate rates whose imaginary part is `swing` times the real one.
+/// A nip with the real rate 0.5/`way` and conjugate rates, whose imaginary part is `swing` times the real part 1/`way`.
 ViscoelasticNip swinging_nip(double thickness, double way, double swing) {
   const auto function = [&](double compliance) -> data::MaterialFunction {
     const std::complex<double> amplitude{compliance * 0.1 / way, -compliance * 0.05 / way};
@@ -200,7 +200,7 @@ TEST_CASE("ref contact: a memory that fades slowly is none, and conjugate rates 
   const double length = 0.1, way = 1e6;
   const auto slow = ref::converged_for_length(test::nip(way), length, 16),
              proven = ref::converged_for_length(test::elastic(1), Friction::none, length, 16);
-  // To first order in the contact over the way.
+  // The difference is of first order in the contact length over the relaxation length.
   const double near = 5 * length / way;
   CHECK(difference(slow.load(), proven.load()) <= near * proven.load().to_double());
   CHECK(difference(slow.creep_ratio(), proven.creep_ratio()) <= near * length / test::radius);
@@ -233,7 +233,7 @@ TEST_CASE("ref contact: the length of a load is that whose load it is") {
     CHECK(std::fabs(back.load().error_of(load)) <= error(back.load()));
     CHECK(error(back.contact_length()) <= 4 * least * length);
     CHECK(back.contact_length().proven);
-    // ln W grows 2 to 3 times as fast as ln L, of a sheet that softens as it rolls by less.
+    // ln W grows 2 to 3 times as fast as ln L, but less fast for a sheet that softens as it rolls.
     const double of_load = -there.load().error_of(load) / load;
     const double of_length = -back.contact_length().error_of(length) / length;
     CHECK(std::fabs(of_length) <= std::fabs(of_load) / (kind.name == "rolling" ? 1 : 2) + 10 * least);
@@ -248,7 +248,7 @@ TEST_CASE("ref contact: tractions end with it, and displacements go on as they w
     const double end = 0.25, creep = contact.creep_ratio().to_double();
     CHECK(error(contact.pressure(end)) == 0);
     CHECK(contact.pressure(end).to_double() == 0);
-    // With friction it swings there.
+    // With friction the pressure oscillates at the end.
     if (error(contact.peak_shear()) == 0) CHECK(contact.pressure(end * (1 - 0x1p-52)).to_double() > 0);
     CHECK(contact.pressure(1e300).to_double() == 0);
     CHECK(contact.shear(-0.3).to_double() == 0);
@@ -257,7 +257,7 @@ TEST_CASE("ref contact: tractions end with it, and displacements go on as they w
     CHECK(contact.tangential_displacement(-0.4).to_double() ==
           -contact.tangential_displacement(0.4).to_double());
     CHECK(difference(contact.pressure(0.05), contact.pressure(-0.05)) <= error(contact.pressure(0.05)));
-    // By quadrature beyond the end, and in closed form before it.
+    // Displacements beyond the end are by quadrature, displacements before it in closed form.
     const double step = 0x1p-40;
     const double edge = contact.leading_displacement().to_double();
     CHECK(difference(contact.normal_displacement(end), contact.leading_displacement()) <=
@@ -265,7 +265,7 @@ TEST_CASE("ref contact: tractions end with it, and displacements go on as they w
     CHECK(contact.normal_displacement(end + step).to_double() == doctest::Approx(edge).epsilon(1e-11));
     CHECK(contact.tangential_displacement(end + step).to_double() ==
           doctest::Approx(creep * end).epsilon(1e-6));
-    // u' = -2y/(2R) there, and u'' is infinite as the root of the distance.
+    // At the end u' = -2y/(2R). Beyond it u' changes like the root of the distance, so that u'' is infinite.
     const double slope =
         difference(contact.normal_displacement(end + step), contact.leading_displacement()) / step;
     CHECK(slope == doctest::Approx(end / 1e3).epsilon(1e-4));
@@ -276,7 +276,7 @@ TEST_CASE("ref contact: the strain is as sure next to the ends as elsewhere, and
   struct Row {
     Kind kind;
     double length, radius;
-    double per_root;  // the strain beyond an end is off the creep by this times a root of the distance
+    double per_root;  // at a distance from the ends strain - creep is at most this times its root
   };
   const Kind grip = gripped(nip_of(0.3)), swinging = rolling(swinging_nip(0.25, 0.2, 1.5));
   for (const auto& [kind, length, radius, per_root] :
@@ -309,7 +309,7 @@ TEST_CASE("ref contact: what it cannot give is refused by name") {
   CHECK_REFUSED(contact.normal_displacement(113), "y = 113: ");
   CHECK_REFUSED(contact.tangential_displacement(NAN), "y = nan: ");
   CHECK_REFUSED(contact.pressure(NAN), "y = nan: ");
-  // Too small and too large for a double once they are made dimensionless.
+  // These loads are too small or too large for a double once they are dimensionless.
   CHECK_REFUSED(free.of_load(5e-324, 30), "load = ");
   CHECK_REFUSED(frictionless({6, 0.25, {1e-60, 0.3}}).of_load(1e308, 30), "load = ");
   CHECK_REFUSED(grip.of_length(0.5, 15), "digits = 15: ");
@@ -326,6 +326,6 @@ TEST_CASE("ref contact: what it cannot give is refused by name") {
   CHECK_REFUSED(rolling({6, 0.25, ringing, 1}).of_length(0.1, 16), "nip.material = 19.97");
   CHECK_REFUSED(frictionless(nip_of(0.3, 0.0002)).of_length(0.0162, 16).greatest_shear(),
                 "contact_length = 0.0162");
-  // More than the proof's terms give.
+  // No number of the proof's terms suffices here.
   CHECK(ref::proven_terms({1000, 2, {1, 0.3}}, Friction::none, 150, 60) == 0);
 }

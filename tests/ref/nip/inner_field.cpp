@@ -1,5 +1,5 @@
-// The stresses inside the sheet by quadrature and Fourier transforms of the tractions: against line loads' proven fields
-// summed over the contact, a half-plane in closed form, and the resultants.
+// The stresses inside the sheet by quadrature and Fourier transforms of the tractions: against sums of the proven
+// fields of line loads over the contact, a half-plane in closed form, and the resultants.
 #include <nipref/ref/nip/internal/inner_field.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/sheet/field.hpp>
@@ -20,13 +20,13 @@ double largest_difference(const FloatStresses& a, const FloatStresses& b) {
       std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)}));
 }
 
-/// (left right)^(1/2) times polynomials that are neither even nor odd, the shear's force not 0.
+/// Tractions (left right)^(1/2) times polynomials that are neither even nor odd. The total shear is not 0.
 ref::PressureAndShear lopsided(const Float& left, const Float& right) {
   const Float root = sqrt(left * right);
   return {root * (1 + left / 3), root * (left - right / 5)};
 }
 
-/// The fields of the single loads, by Gauss's rule in the angle: t = -cos(pi x).
+/// The sums of the fields of single loads, by Gauss's rule in the angle: t = -cos(pi x).
 struct Summed {
   FloatStresses stresses;
   ref::FloatDisplacements moved;  ///< theta1/N = 7/10
@@ -55,7 +55,7 @@ struct Summed {
   }
 };
 
-/// A pressure that is even and a shear that is odd.
+/// An even pressure and an odd shear.
 ref::PressureAndShear symmetric(const Float& left, const Float& right) {
   const Float root = sqrt(left * right);
   return {root, root * (left - right)};
@@ -103,7 +103,7 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
   for (const double half_length : {0.25, 1.0}) {
     const InnerField field({0, half_length, lopsided}, {18, 1, 1});
     for (const double alpha : {0.3, -3.5}) {
-      // Far enough from the faces for forty loads.
+      // Far enough from the faces for a sum of forty loads.
       const double depth = half_length < 1 ? 0.25 : 0.0;
       CAPTURE(half_length, alpha);
       CHECK(largest_difference(field.at({alpha, depth}),
@@ -117,12 +117,12 @@ TEST_CASE("it is the sum of the proven fields of its line loads, pressure and sh
 
 TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from the face to deep") {
   const ref::WorkingDigits working(40);
-  const double a = 0x1p-56;  // the other face sees a load of this size
+  const double a = 0x1p-56;  // the load, and with it the effect of the other face, is of this size
   const auto hertz = [&](const Float& left, const Float& right) -> ref::PressureAndShear {
     return {sqrt(left * right) / a, 0};
   };
   const InnerField field({0, a, hertz}, {22, 1, 1});
-  // sigma_x + sigma_y = -2 Im F, F = i (Z - sqrt(Z^2 - 1)) and so on: Muskhelishvili's function of an ellipse of pressure.
+  // sigma_x + sigma_y = -2 Im F, F = i (Z - sqrt(Z^2 - 1)): Muskhelishvili's function of an elliptic pressure.
   for (const double y : {0.0, 0.5, 0.9999999, 1.25, -0.75}) {
     for (const double d : {0.0, 0x1p-10, 0.75, 4.0}) {
       CAPTURE(y, d);
@@ -161,7 +161,7 @@ TEST_CASE("on a face it has the tractions, and far away it is nothing but what t
     CHECK(static_cast<double>(abs(here.across + there.pressure)) < 1e-17);
     CHECK(static_cast<double>(abs(here.shear - face * there.shear)) < 1e-17);
   }
-  // Both faces' shear, over both halves of the sheet: half of it pushes on either side.
+  // The shear force of both faces over both halves of the sheet. Half of it pushes on either side.
   Float force = 0;
   const ref::UnitRule rule = ref::gauss_rule(30);
   for (std::size_t i = 0; i < rule.size(); ++i) {

@@ -1,4 +1,4 @@
-// What the proofs of the reference's contacts rest on, and that they notice what is wrong.
+// What the proofs of the reference's contacts rest on, and that the proofs notice errors.
 #include <Eigen/Eigenvalues>
 
 #include <nipref/ref/elastic_nip/internal/proven_elastic.hpp>
@@ -20,14 +20,14 @@ Interval load_of(double half_length, int digits, const NormalKernel& kernel) {
   return proof->contact->load();
 }
 
-/// Right-hand sides of both parities: that of the elastic contact, and one that falls steadily.
+/// Right-hand sides of both parities: that of the elastic contact, and one with steadily falling coefficients.
 std::vector<SlopeSeries> both_sides(int size) {
   SlopeSeries wave{{Interval(working_bits())}, exp(Interval(-3.0 * size, working_bits()))};
   for (int m = 1; m < 2 * size; ++m) wave.coefficients.push_back(exp(Interval(-1.5 * m, working_bits())));
   return {SlopeSeries::line(size), wave};
 }
 
-/// Their columns, solved at the half length `system` for an interval about it.
+/// The columns of both right-hand sides, solved at the half-length `system` and proven for an interval about it.
 std::vector<BoundedColumn> columns_of(const Float& system, int size, SmoothKernel& kernel,
                                       const Interval& half_length) {
   const ChebyshevSystem both(system, size, kernel, true);
@@ -37,7 +37,7 @@ std::vector<BoundedColumn> columns_of(const Float& system, int size, SmoothKerne
   return columns;
 }
 
-/// sqrt(m k) g_mk/2, m and k from `first` in steps of two, by the quadrature of the system.
+/// The entries sqrt(m k) g_mk/2, m and k from `first` in steps of two, by the quadrature of the system.
 DenseMatrix<double> symmetric_form(const ChebyshevSystem& system, int first) {
   const int n = system.size();
   const ChebyshevSystem::Parity& parity = system.parities()[static_cast<std::size_t>(first - 1)];
@@ -52,7 +52,7 @@ DenseMatrix<double> symmetric_form(const ChebyshevSystem& system, int first) {
   return transform * part * transform.transpose();
 }
 
-/// What the coefficients of `rough` miss: sum m |dc_m|.
+/// The error of the coefficients of `rough`: sum m |dc_m|.
 double missed_by(const ProvenExpansion& rough, const ProvenExpansion& truth) {
   double missed = 0;
   for (std::size_t m = 0; m < truth.coefficients.size(); ++m) {
@@ -122,7 +122,7 @@ TEST_CASE("the contact's quadratic form is at least what the proof takes for it,
           for (int i = 0; i < form.rows(); ++i) {
             for (int j = 0; j < form.rows(); ++j) {
               const double most = factor * std::exp(-(2 * i + first) * tau - (2 * j + first) * other);
-              // Of the kernel's values and of double.
+              // 1e-14 n is for the errors of the kernel's values and of double.
               largest_part = std::fmax(largest_part, (std::fabs(form(i, j)) - 1e-14 * n) / most);
             }
           }
@@ -153,7 +153,7 @@ TEST_CASE("the bound of entries and the rounding of arguments that the proof tak
     if (A > 0.01)
       CHECK(lowest(coercivity(Interval(A, 64), frictionless_stiffness)) ==
             doctest::Approx(lambda).epsilon(1e-12));
-    // Half a difference of two values of J, |J'| <= 2, whose arguments are rounded as the system rounds them.
+    // An entry is half a difference of two values of J, |J'| <= 2, whose arguments are rounded as in the system.
     const WorkingDigits working(40);
     const Cosines cosines(2L * n, working_bits());
     const double unit = static_cast<double>(std::numeric_limits<Float>::epsilon());

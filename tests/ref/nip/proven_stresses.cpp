@@ -17,7 +17,7 @@ using ref::Interval;
 
 namespace {
 
-/// In the middle, beside an end, beyond it and far away; on the faces, next to them and in the middle plane.
+/// Places in the middle, beside an end, beyond it and far away; on the faces, next to them and in the middle plane.
 std::vector<ref::InnerPoint> places_inside(double length) {
   std::vector<ref::InnerPoint> places;
   for (const auto& [share, depth] :
@@ -26,7 +26,7 @@ std::vector<ref::InnerPoint> places_inside(double length) {
   return places;
 }
 
-/// That stresses of 16 digits are proven and meet those of 20 and estimates, and that those in double are off by what they say.
+/// Checks that stresses of 16 digits are proven and meet those of 20 digits and estimates; that errors in double cover.
 void check_stresses(const ref::ConvergedNip& few, const ref::ConvergedNip& many,
                     const ref::ConvergedNip* panels, const fast::ConvergedNip& computed, double length) {
   const auto places = places_inside(length);

@@ -23,7 +23,7 @@ std::vector<char> make(const int& key) {
 
 std::size_t size(const std::vector<char>& value) { return value.size(); }
 
-/// A kernel and what a sheet remembers of a load: everything that this room keeps has a part in one of them.
+/// A kernel and a displacement that has a memory. Every cache of the reference takes part in one of them.
 std::vector<std::string> values() {
   const Exact one(1.0);
   const Enclosure kernel = I1(Exact(0.75), 60);

@@ -61,7 +61,7 @@ TEST_CASE("the bound reaches both ends of the interval, wherever its middle was 
 }
 
 TEST_CASE("next to a zero of the kernel the digits are those of the value") {
-  // I1 changes sign between these; the closer end of each bracket is small.
+  // I1 changes its sign within the bracket, which is halved until I1 is small at its ends.
   Float160 left("1");
   Float160 right("2");
   const auto at = [](const Float160& x) { return value(I1(exact(x.str(60)), 20)); };
@@ -112,7 +112,7 @@ TEST_CASE("what cannot be told from zero is refused, not looked at for ever") {
   };
   CHECK_REFUSED(enclose(20, 0, around_zero), "arguments = (as given): ");
   CHECK(evaluations < 20);
-  // Small values are told from it, as those of arguments near a zero with thousands of digits.
+  // Small values are told from zero, for example at an argument of thousands of digits near a zero.
   const auto small = [](double nats) {
     return exp(Interval(-11'000L, 20'000)).widened(exp(Interval(-nats, 64)));
   };

@@ -9,7 +9,7 @@ using namespace nipref::ref;
 
 namespace {
 
-/// 1/(i + k + 1), whose inverse has whole entries.
+/// Hilbert's matrix 1/(i + k + 1). The entries of its inverse are integers.
 Matrix hilbert(Matrix::Index size) {
   Matrix result(size, size);
   for (Matrix::Index i = 0; i < size; ++i) {
@@ -37,7 +37,7 @@ TEST_CASE("a Float has the working digits, or those of its operands where they a
     CHECK(bits_of(Float(1) / 3) < 80);
     CHECK(working_bits() < 80);
     CHECK(bits_of(third + 1) == bits_of(third));
-    // Boost computes in place of a temporary, with its bits.
+    // Boost computes in place in a temporary, with the temporary's number of bits.
     const Float three = 3;
     CHECK(bits_of(three * third - 1) == bits_of(third));
     CHECK(bits_of(Float(3) * third) == working_bits());

@@ -6,7 +6,7 @@ using namespace nipref::ref;
 
 namespace {
 
-/// The largest difference over the largest entry.
+/// The largest difference divided by the largest entry.
 double difference(const Vector& x, const Vector& y) {
   Float apart = 0, largest = 0;
   for (Vector::Index i = 0; i < x.size(); ++i) {
@@ -33,7 +33,7 @@ TEST_CASE("a refined solution is the eliminated one, of random and of nearly sin
     }
   }
   CHECK(difference(refined_solution(well, well * truth), truth) <= 1e-56);
-  // Its condition number is 1e44.
+  // The condition number of Hilbert's matrix is 1e44 here.
   CHECK(difference(refined_solution(hilbert, hilbert * truth), truth) <= 1e-14);
   const Vector nothing(n);
   CHECK(refined_solution(well, nothing).squaredNorm() == 0);

@@ -11,7 +11,7 @@ TEST_CASE("a system that may be singular within its errors is not solved") {
   system.right(0) = 1;
   for (const double apart : {1e-3, 1e-6}) {
     system.matrix(1, 1) = 1 + Float(apart);
-    // Its determinant is `apart`, and changes by up to four times the error.
+    // The determinant is `apart`. Errors of the entries change it by up to four times their bound.
     system.error = apart / 2;
     CHECK_FALSE(enclosed_solutions(system));
     system.error = apart / 1000;

@@ -35,7 +35,7 @@ data::PartialSlipNip slipping_nip(double poisson, double friction, const data::D
 
 Float apart(const Float& a, const Float& b) { return abs(a - b); }
 
-/// The power lost is what traction and load bring in.
+/// Checks that the dissipation is the power of traction and load.
 void check_balance(const PartialSlipNip& nip) {
   const Estimate lost = nip.dissipation();
   CHECK(lost.value > 0);
@@ -72,7 +72,7 @@ TEST_CASE("ref partial slip: a small contact without coupling is Carter's") {
   const double traction = 0.4375 * friction * static_cast<double>(load) * slope;
   const PartialSlipNip nip = partial_slip_for_length(slipping_nip(0.5, friction, GivenTraction{traction}),
                                                      2 * static_cast<double>(a), 16);
-  // Corrections are a^2 of it, but for the strain under the whole load.
+  // The relative corrections of Carter's contact are a^2, except for the strain under the whole load.
   const Float coupling = ref::SheetKernels(30).coupling_slope(0) / ref::pi();
   const Float carried = nip.load().value / slope,
               stick = sqrt(1 - traction / (friction * carried * slope)) * a,
@@ -101,13 +101,13 @@ TEST_CASE(
   const Estimate d0 = nip.indentation();
   const Float trailing = nip.trailing_length().value;
   CHECK(apart(nip.trailing_displacement().value, d0.value - trailing * trailing * slope) <= 4 * d0.error);
-  // Where it sticks the surface is stretched by the creep.
+  // In the stick zone the strain of the surface is the creep.
   const double y = 0.5 * nip.leading_length().to_double();
   const Estimate v = nip.tangential_displacement(y);
   CHECK(apart(v.value - nip.tangential_displacement(y / 2).value, nip.creep_ratio().value * y / 2) <=
         4 * v.error);
   for (double place : {-0.02, 0., 0.003}) CHECK(nip.pressure(place).value < nip.peak_pressure().value);
-  // The shear has a peak at either end of the zone that sticks, with opposite signs.
+  // The shear has a peak at either end of the stick zone, with opposite signs.
   const Estimate highest = nip.peak_shear(), place = nip.peak_shear_position();
   for (const Estimate& end : nip.zone_boundaries())
     CHECK(abs(nip.shear(end.to_double()).value) < highest.value + highest.error);
@@ -217,8 +217,8 @@ TEST_CASE("ref partial slip: with little friction, zones are guessed as half-spa
   ref::SheetKernels kernels(20);
   const ref::Row<ref::SlipZone> zones = ref::plain_zones(problem, kernels, 2 * a);
   REQUIRE(zones.count() == 5);
-  // p = 2 (a^2 - x^2)^(1/2) stretches the surface by beta p. Without traction half of the load is between -x and x. An element is
-  // a sixtieth of a long, which makes some hundredths of the slope of the slip.
+  // p = 2 (a^2 - x^2)^(1/2) strains the surface by beta p. Without traction half of the load is between -x and x. An
+  // element is a sixtieth of a long, which makes errors of some hundredths of the slope of the slip.
   constexpr double x = 0.40397 * a;
   for (int outer : {0, 4}) CHECK(apart(zones[outer].length, a - x) < 0.02 * a);
   for (int sticks : {1, 3}) {

@@ -12,7 +12,7 @@ using data::SheetLoad;
 
 namespace {
 
-/// Upper bound on a cell of |z|^3 (|2z/(S cosh z)| + |2z/(S sinh z)|) e^{3x}: the symbols are 8 z e^{-3z}/(Q (1 +- e2)).
+/// Upper bound on a cell of |z|^3 (|2z/(S cosh z)| + |2z/(S sinh z)|) e^{3x}; the symbols: 8 z e^{-3z}/(Q (1 +- e2)).
 double weight(double left, double right) {
   const SymbolSizes at({cell(left, right), Interval(field_line, SymbolSizes::bits)});
   return highest(8 * square(square(abs(at.z))) / abs(at.q) *
@@ -22,8 +22,8 @@ double weight(double left, double right) {
 }  // namespace
 
 TEST_CASE("the integral that bounds the field's aliasing holds on an interval mesh") {
-  // Times e^{-3x} e^{x}; both halves of the line. From x = 20 on |z|^4 8 (1/|Q|)(1/|1+q| + 1/|1-q|) < 17 x^4, and the
-  // rest of the integral is below 1e-11.
+  // The integrand is the weight times e^{-3x} e^{x}, over both halves of the line. From x = 20 on
+  // |z|^4 8 (1/|Q|)(1/|1+q| + 1/|1-q|) < 17 x^4, and the rest of the integral is below 1e-11.
   double sum = 0;
   constexpr double width = 1.0 / 512;
   for (double left = 0; left < 20; left += width)
@@ -35,7 +35,7 @@ TEST_CASE("the integral that bounds the field's aliasing holds on an interval me
 }
 
 TEST_CASE("the curvature of the field along the sheet is bounded by 160 over the fourth power of the depth") {
-  // 2 z e^{2z}/S <= 1/2 + 4z: below 0.01 as S >= 4z, from 0.25 on as S >= e^{2z}/2, between on a mesh.
+  // 2 z e^{2z}/S <= 1/2 + 4z: below 0.01 because S >= 4z, from 0.25 on because S >= e^{2z}/2, in between on a mesh.
   for (double z = 0.01; z < 0.3; z += 1e-4) {
     const Interval x = cell(z, z + 1e-4), twice = 2 * x;
     const Interval left = twice * exp(twice) / (sinh(twice) + twice);
@@ -69,12 +69,12 @@ TEST_CASE("the curvature of the field along the sheet is bounded by 160 over the
 }
 
 TEST_CASE("what the field's sum and series leave out is bounded by 25 and 1300") {
-  // The second parts times e^{3x}/x from x = 8 on, q = e^{-2x}: at most 8/((1 - q^2)(1 - q)).
+  // From x = 8 on the second parts times e^{3x}/x are at most 8/((1 - q^2)(1 - q)), q = e^{-2x}.
   const Interval q = cell(0, std::exp(-16.0) * (1 + 1e-12)), second = 8 / ((1 - square(q)) * (1 - q));
   CHECK(highest(second) <= 9.3);
   CHECK(highest(4 * Interval(9.3, SymbolSizes::bits) / (2 - Interval(4L, SymbolSizes::bits) / 8)) <=
         field_sum_remainder);
-  // e^x over |cosh z| at a root; |c_n| over |z_n|, y_n and y_n^2; and the sum beyond N, where alpha = 1 is the worst.
+  // Bounds of e^x/|cosh z| at a root; of |c_n| over |z_n|, y_n and y_n^2; of the sum beyond N, largest at alpha = 1.
   CHECK(highest(sqrt(1 / Interval(0.98, SymbolSizes::bits) + 1) + 1) <= 3.02);
   CHECK(highest(Interval(3.02, SymbolSizes::bits) * Interval(1.61, SymbolSizes::bits) / 2) <= 2.5);
   CHECK(highest(Interval(2.5, SymbolSizes::bits) * sqrt(Interval(2L, SymbolSizes::bits))) <= 5);
@@ -123,7 +123,7 @@ TEST_CASE("the field keeps its digits towards the load, and is exactly 0 where i
   }
   CHECK(sheet_shear(zero, just_inside, n, 30).to_double() == 0);
   CHECK(sheet_v(tiny, tiny, zero, s, Exact(0.25), 30).to_double() == 0);
-  // The load over its distance: -2/pi 2^53 and what the far face adds.
+  // The load over its distance 2^-53, times -2/pi, and the small effect of the far face.
   CHECK(sheet_across(zero, just_inside, n, 30).to_double() ==
         doctest::Approx(-0x1p53 * 2 / 3.141592653589793).epsilon(1e-14));
 }

@@ -13,12 +13,12 @@ using namespace nipref::ref;
 
 namespace {
 
-/// The k-th node of a block, units of 2^-F.
+/// The k-th node of a block, in units of 2^-F.
 mpz_class node(const NodeBlock& block, std::size_t k) {
   return signed_integer(&block.values[k * block.limbs], block.limbs);
 }
 
-/// Largest difference between nodes of `coarse` and of `fine`, units of `coarse`.
+/// The largest difference between nodes of `coarse` and `fine`, in units of `coarse`.
 double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   const long extra = fine.key.fraction_bits - coarse.key.fraction_bits;
   double worst = 0;
@@ -34,7 +34,7 @@ double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   return worst;
 }
 
-/// Half the width of an interval of 128 bits or so, in units of 2^-128, over its smallest magnitude if it is relative.
+/// Half the width of an interval of about 128 bits, in units of 2^-128; if `relative`, over the smallest magnitude.
 double units(const Interval& x, bool relative) {
   Float width = zero_of_bits(64), least = zero_of_bits(64);
   mpfi_diam_abs(raw(width), x.get());
@@ -60,7 +60,7 @@ TEST_CASE("nodes are within a unit of nodes with many more digits") {
 }
 
 TEST_CASE("a node's rounding is as counted: 70, 145 and 1500 units of its exponentials, 2^12/h, 2^13/h^2") {
-  // By the same steps in intervals, rounded outwards with a bit more than the 128 of the count.
+  // The same steps in intervals, rounded outwards with one bit more than the 128 bits of the count.
   constexpr mpfr_prec_t bits = 129;
   for (const double h : {0.25, 0.1875, 0x1p-6, 0x1.cp-9}) {
     for (const long first : {0L, 32L, 160L, 3200L}) {

@@ -9,7 +9,7 @@ using namespace nipref::ref;
 
 namespace {
 
-/// What the poles of tanh, which the trapezoidal rule subtracts from I1, contribute: ln coth(pi x/3).
+/// The contribution of the poles of tanh, which the trapezoidal rule subtracts from I1: ln coth(pi x/3).
 Interval subtracted_part(Symbol symbol, const Exact& x, mpfr_prec_t precision) {
   if (symbol != Symbol::I1) return Interval(precision);
   return log1p(2 / expm1(2 * Interval::pi(precision) * Interval(x, precision) / 3));

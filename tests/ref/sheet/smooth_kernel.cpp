@@ -8,7 +8,7 @@ using namespace nipref::ref;
 
 TEST_CASE("the smooth kernels' constants 28, 127 and 226 are those of their ellipse") {
   constexpr mpfr_prec_t bits = 64;
-  // In half lengths of a panel, 1/8, its semi-axes are 14 and sqrt(197).
+  // In units of a panel's half-length, 1/8, the semi-axes of the ellipse are 14 and sqrt(197).
   const Interval semi_major = sqrt(Interval(197L, bits));
   CHECK(lowest(semi_major + 14) > 28);
   CHECK(highest(semi_major / 8) <= 1.76);
@@ -16,7 +16,7 @@ TEST_CASE("the smooth kernels' constants 28, 127 and 226 are those of their elli
   CHECK(highest(reach * Q) < I1_shape.variation);
   CHECK(highest(reach * (Interval(1.75, bits) * Q + 1)) < 226.5);
   CHECK(highest(reach * (Interval(1.75, bits) * Q + 1)) < I3_integral_shape.variation);
-  // Si(pi)/2 by its series, whose terms alternate and fall from the second on.
+  // Si(pi)/2 by its series, whose terms alternate and decrease from the second on.
   Interval term = Interval::pi(bits), sum = term;
   for (long k = 1; k <= 10; ++k) {
     term = -(term * square(Interval::pi(bits)) / (2 * k * (2 * k + 1)));
@@ -32,7 +32,7 @@ TEST_CASE("Clenshaw's sum in Float is as near to that in intervals as the count 
   double largest = 0;
   for (int round = 0; round < 200; ++round) {
     const long terms = 1 + round % 40;
-    // At the ends, where the recurrence grows, as often as between.
+    // Half of the points are near the end, where the recurrence grows.
     const Float x =
         round % 2 == 0 ? Float(within(random)) / 3 : Float(1 - within(random) * within(random) / 1e6);
     std::vector<Float> coefficients;

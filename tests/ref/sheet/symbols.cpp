@@ -5,10 +5,10 @@
 
 // Proves the constants of ref/sheet/internal/symbols.hpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
-// symbol_sizes.hpp has the symbols times e^{r z} but for normal, [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z with u = e^{-3z/2}.
-// The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80} and all factors but the leading constants are 1
-// to 30 digits or fall with x, so |G| e^{r x} stays below its supremum on the mesh (which those constants
-// approach) and the integrals gain less than e^{-39}.
+// symbol_sizes.hpp has the symbols times e^{r z}, except normal, [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z, u =
+// e^{-3z/2}. The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80}, and all factors but the leading constants are 1
+// to 30 digits or decrease with x. So |G| e^{r x} stays below its supremum on the mesh (which those constants
+// approach), and the integrals gain less than e^{-39}.
 
 using namespace nipref::ref;
 
@@ -17,11 +17,11 @@ namespace {
 constexpr mpfr_prec_t precision = SymbolSizes::bits;
 constexpr double mesh_end = 40;
 
-/// The lines that aliasing is bounded on.
+/// The lines on which aliasing is bounded.
 const Interval low_line(2L, precision);
 const Interval high_line = 4 * Interval::pi(precision);
 
-/// sup of |G| e^{r x} on the cell x + iy, y > 0; of `normal` on the line y = 4 pi of its bound, symbols.hpp.
+/// sup of |G| e^{r x} on the cell x + iy, y > 0; for `normal` on the line y = 4 pi that of its bound in symbols.hpp.
 Interval scaled_modulus(Symbol symbol, const Interval& x, const Interval& y) {
   const SymbolSizes at({x, y});
   if (symbol != Symbol::I1) return at.of(symbol);
@@ -39,7 +39,7 @@ Interval scaled_modulus(Symbol symbol, const Interval& x, const Interval& y) {
   return 2 * abs(numerator) / abs(at.z * at.q * one_plus_u);
 }
 
-/// (1 - e^{-k x})/x on a cell of the real axis: it falls from k at 0.
+/// (1 - e^{-k x})/x on a cell of the real axis. It decreases from its value k at 0.
 Interval falling_ratio(double k, double left, double right) {
   const auto at = [k](double x) {
     return x == 0 ? Interval(k, precision)

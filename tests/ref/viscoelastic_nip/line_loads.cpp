@@ -30,7 +30,7 @@ void check_like_fast(const ref::LineLoadNip& mine, const fast::LineLoadNip& thei
 }  // namespace
 
 TEST_CASE("ref rolling line loads of random nips: fewer digits enclose more digits, and what double gives") {
-  constexpr int nips = 3;  // 200 were run once
+  constexpr int nips = 3;  // 200 pass as well
   std::mt19937_64 random(1);
   const auto count = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
   for (int i = 1; i <= nips; ++i) {
@@ -76,7 +76,7 @@ TEST_CASE("ref rolling line loads: an error of 1e-25 in a memory or a length is 
   const auto solved = [&](const mpq_class& of_memory, const mpq_class& unknown, const mpq_class& element,
                           const mpq_class& spread) {
     auto contact = ref::solve_loads(problem_of(of_memory, unknown), {element, spread});
-    // Over the compliance at once, 4/3, it has the unit of the loads.
+    // The indentation divided by the instantaneous compliance, 4/3, has the unit of the loads.
     contact->normal.push_back(3L * contact->indentation / 4L);
     return contact->normal;
   };

@@ -1,4 +1,4 @@
-// The proof of the rolling contact: that its bounds hold, that it notices what is wrong, and what it rests on.
+// The proof of the rolling contact: that its bounds hold, that it notices errors, and what it rests on.
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
@@ -81,7 +81,7 @@ TEST_CASE("bounded columns: the even part of a slope has no more of the low freq
 }
 
 TEST_CASE("ref rolling contact: the proof's memory of the kernel is that of the reference's integral") {
-  // |M| <= 4, which the moments' bounds take, at all distances and rates.
+  // |M| <= 4 at all distances and rates, which the bounds of the moments assume.
   for (const char* const rate : {"0", "1e-3", "1", "50"}) {
     for (const double x : {1e-9, 0.01, 0.5, 3.0}) {
       const double M =

@@ -1,4 +1,4 @@
-// The sheet's compliances as the rolling contact has them, whatever they are described by.
+// The sheet's compliances in the rolling contact, for every description of a material.
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
@@ -13,7 +13,7 @@ RollingMaterial rolled(const data::ViscoelasticMaterial& material) {
   return rolling_material({6, 0.25, material, 0.5});
 }
 
-/// Largest difference of the constants, relative to them.
+/// The largest relative difference of the constants.
 double apart(const RollingMaterial& x, const RollingMaterial& y) {
   Float most = abs(x.compliance / y.compliance - 1);
   const auto take = [&](const Float& a, const Float& b) { most = std::max(most, Float(abs(a / b - 1))); };
@@ -32,7 +32,7 @@ double apart(const RollingMaterial& x, const RollingMaterial& y) {
 
 TEST_CASE("rolling material: one solid in several words is one, to every digit") {
   const WorkingDigits working(40);
-  // 1/0.375 is no double, the others' products are.
+  // 1/0.375 is no double, but the products of the other solids' constants are.
   const auto single = rolled(data::single_relaxation_time_solid(3, 0.75, 0.375));
   CHECK(apart(rolled(data::standard_linear_solid({0.75, 0.75, 3, 3, 0.75 * 0.375, 3 * 0.375})), single) <
         1e-38);

@@ -1,4 +1,4 @@
-// The rolling contact's solution: what it leaves of its equations.
+// The rolling contact's solution: the residuals of its equations.
 #include <nipref/ref/viscoelastic_nip/internal/rolling_sheet.hpp>
 
 #include "support/test.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr int digits_here = 20;
 constexpr double nats_here = digits_here * std::numbers::ln10;
 
-/// To the working precision of the first call.
+/// A sheet with the working precision of the first call.
 const RollingSheet& sheet_here() {
   static const RollingSheet sheet(RollingMaterial{1,
                                                   {{ComplexFloat(1), ComplexFloat(1)},
@@ -35,13 +35,13 @@ TEST_CASE("ref: the rolling sheet's surface meets the roller at both ends, with 
   const Float size = Float(1) / 3, step = 1e-9;
   const auto contact = solution_of(size, kernels);
   const auto u = [&](const Float& x) { return contact->normal(x); };
-  // Ahead only memories of what comes; behind it those of all of the contact, whose f is by the roller alone.
+  // Ahead u has memories of the coming load only; behind it has those of the whole contact, where the roller sets f.
   for (const Float& end : {Float(0), Float(2 * size)}) {
     const int outwards = end == 0 ? -1 : 1;
     CHECK(abs(u(end + outwards * Float(1e-24)) - u(end)) <= 1e-16 * size * size);
     const Float inside = (u(end) - u(end - outwards * step)) / step,
                 outside = (u(end + outwards * step) - u(end)) / step;
-    CHECK(abs(outside - inside) <= 1e-3 * size);  // as a root
+    CHECK(abs(outside - inside) <= 1e-3 * size);  // the slope changes like a root of the distance
   }
 }
 

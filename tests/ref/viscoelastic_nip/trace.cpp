@@ -1,4 +1,4 @@
-// Functions of the way along a sheet, and what memories make of them: against closed forms.
+// Functions of the position along a sheet, and their integrals with fading memories, against closed forms.
 #include <nipref/ref/viscoelastic_nip/internal/trace.hpp>
 
 #include "support/test.hpp"
@@ -31,7 +31,7 @@ TEST_CASE("ref: what memories make of an exponential, whatever their rates") {
       CHECK(is_near(trace.faded(rate, x), faded));
       CHECK(is_near(trace.faded_integral(rate, x), (ComplexFloat(1 - left) - faded) / rate));
     }
-    // Behind its panels it is 0.
+    // Behind its panels the function is 0.
     const ComplexFloat at_end = (exp(-(rate * Float(4))) - ComplexFloat(exp(Float(-4)))) / (one - rate);
     CHECK(is_near(trace.faded(rate, 5), at_end * exp(-rate)));
   }
@@ -50,7 +50,7 @@ TEST_CASE("ref: a trace with the roots of its ends") {
     CHECK(is_near(trace.faded({}, x), ComplexFloat(power(x))));
   for (const Float& x : {Float(3) / 2, Float(2)})
     CHECK(is_near(trace.faded({}, x), ComplexFloat(2 * power(1) - power(2 - x))));
-  // int_0^1 e^(-r (1 - t)) sqrt t dt over r: as r grows, e^(-r w) weighs the root's Taylor series at 1.
+  // int_0^1 e^(-r (1 - t)) sqrt t dt: as r grows, e^(-r w) weighs the Taylor series of the root at 1.
   const ComplexFloat rate(1e9);
   const Float weight = 1 / rate.re;
   CHECK(abs(trace.faded(rate, 1).re - weight * (1 - weight / 2)) <= weight * weight * weight);

@@ -6,7 +6,7 @@ using namespace fast_tests;
 using nipref::data::BadInput;
 
 namespace {
-/// All regimes and both signs, mixed.
+/// Arguments from all regimes and of both signs, mixed.
 std::vector<double> mixed_arguments(int count, unsigned seed) {
   std::vector<double> x = log_uniform(1e-5, 500, count, seed);
   for (std::size_t i = 0; i < x.size(); i += 3) x[i] = -x[i];
