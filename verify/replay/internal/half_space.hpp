@@ -73,7 +73,7 @@ struct SphereOnHalfSpace {
   /// v_0, the speed of shear waves in the sphere.
   [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
 
-  /// The joint response of both bodies to a line load, by the angle between the line and the motion. c0 is the speed
+  /// The response of both bodies in contact along a line, by the angle between the line and the motion. c0 is the speed
   /// divided by that of the sphere's shear waves. The contact moves over the sphere, as in the paper.
   [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
                                                  double c0) const;
