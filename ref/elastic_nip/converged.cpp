@@ -10,7 +10,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Sheet thicknesses.
+/// In sheet thicknesses.
 double longest_proven(data::Friction friction) { return friction == data::Friction::full ? 4 : 80; }
 
 /// theta2/N

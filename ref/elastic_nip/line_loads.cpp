@@ -19,26 +19,26 @@ namespace {
 using data::BadInput;
 using data::Grip;
 
-/// A system that needs more counts as singular.
+/// Extra digits of the kernels. A system that needs more of them counts as singular.
 constexpr ExtraDigits extra_kernel_digits{12, 400};
 
 struct Problem {
   const data::ElasticNip& nip;
   LineLoadMethod method;
   Grip grip;
-  std::span<const double> given_I1 = {};  ///< at odd multiples, where it is not to be computed
+  std::span<const double> given_I1 = {};  ///< values of I1 at odd multiples, if they are given
 
   [[nodiscard]] bool grips() const { return grip.kind != Grip::Creep::none; }
   [[nodiscard]] int elements() const { return method.elements_per_side; }
 };
 
-/// theta2/N I2 of a positive distance.
+/// theta2/N I2 at a positive distance.
 Interval theta2_part(const data::ElasticNip& nip) {
   const Interval share(ThetaShares(Exact(nip.material.poisson)).theta2, working_bits());
   return share / 2 * Interval::pi(working_bits());
 }
 
-/// What displacements have of loads over kernels.
+/// N/pi: displacements are this factor times the sum of loads times kernels.
 Interval compliance_over_pi(const data::ElasticNip& nip) {
   const Exact young(nip.material.young), poisson(nip.material.poisson);
   return Interval(normal_compliance(young, poisson), working_bits()) / Interval::pi(working_bits());
@@ -49,8 +49,8 @@ Enclosure kernel_at(PlainKernel kernel, const Exact& alpha, int digits) {
   return kernel == PlainKernel::I3 ? I3(alpha, digits) : I6(alpha, Exact(0.0), digits);
 }
 
-/// Contains the values of I1, I3 or I6_alpha_part on an interval of arguments. Its width is about 10^-digits plus the effect
-/// of the argument's width, |alpha dI/dalpha| < 2 (1 + |alpha|). residue_terms is 0, or the number of terms of
+/// Contains the values of I1, I3 or I6_alpha_part on an interval of arguments. Its width is about 10^-digits plus the
+/// effect of the argument's width, |alpha dI/dalpha| < 2 (1 + |alpha|). residue_terms is 0, or the number of terms of
 /// plain_series(), which then replaces the kernel.
 Interval kernel_over(PlainKernel kernel, const Interval& alpha, int residue_terms, int digits) {
   if (sign_of(alpha) == 0)
@@ -64,7 +64,7 @@ Interval kernel_over(PlainKernel kernel, const Interval& alpha, int residue_term
       .widened(slope * distance_from(middle, alpha));
 }
 
-/// A kernel at the odd multiples 1, 3 .. 4m - 1 of half an element over half a sheet.
+/// The values of a kernel at 1, 3 .. 4m - 1 times the half width of an element over the half-thickness.
 std::vector<Interval> evaluate(const Problem& problem, const Lengths& lengths, PlainKernel kernel,
                                int digits) {
   const Interval half_element = lengths.interval() / (4L * problem.elements()),
@@ -76,13 +76,14 @@ std::vector<Interval> evaluate(const Problem& problem, const Lengths& lengths, P
   return values;
 }
 
-/// An even kernel at an odd multiple.
+/// The value of a kernel at the magnitude of an odd multiple.
 const Interval& at(const std::vector<Interval>& values, int odd_multiple) {
   return values[static_cast<std::size_t>(std::abs(odd_multiple) / 2)];
 }
 
-/// Unknowns: d0, then the normal loads of a side. Rows: the normal displacement at all i. With friction its shear loads, too, and
-/// v = creep Y at i = 1 .. m; the right-hand sides of creep 0 and of creep 1 on an undeformed roller.
+/// The unknowns are d0 and the normal loads of a side, the rows the normal displacements at i = 0 .. m. With friction
+/// the shear loads, too, with the rows v = creep Y at i = 1 .. m. The right sides are the roller's shape, and a creep
+/// of 1.
 NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int digits) {
   const int m = problem.elements();
   const auto of = [&](PlainKernel kernel) { return evaluate(problem, lengths, kernel, digits); };
@@ -99,7 +100,7 @@ NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int 
       problem.grips() ? NearlyKnownSystem::of_size(2 * m + 1, 2) : NearlyKnownSystem::of_size(m + 1, 1);
   const Interval diameter = 2 * Interval(problem.nip.roller_radius, working_bits());
   for (int i = 0; i <= m; ++i) {
-    // Where the displacements are equated, 2 i a.
+    // The collocation point, 2 i a.
     const Interval place = i * lengths.interval() / (2L * m);
     system.set_right(i, 0, square(place) / diameter);
     system.matrix(i, 0) = 1;
@@ -117,7 +118,8 @@ NearlyKnownSystem system_of(const Problem& problem, const Lengths& lengths, int 
   return system;
 }
 
-/// N/pi I1 and N/pi (I3 - theta2/N I2) of a normal load, N/pi I6 and minus the latter of a shear load.
+/// A unit normal load causes u = N/pi I1 and v = N/pi (I3 - theta2/N I2), a shear load u = -N/pi (I3 - theta2/N I2) and
+/// v = N/pi I6.
 UnderLoad displacement_by(const data::ElasticNip& nip, int residue_terms, int digits) {
   return [=](const SolvedLineLoads& loads, std::size_t load, const LineLoadPlace& place, bool is_normal) {
     const mpfr_prec_t bits = working_bits();
@@ -134,7 +136,7 @@ UnderLoad displacement_by(const data::ElasticNip& nip, int residue_terms, int di
   };
 }
 
-/// The loads of both sides, from those of one times N/pi.
+/// The loads of both sides, from N/pi times the loads of one side.
 std::vector<Interval> both_sides(const Interval& unit, std::span<const Interval> side, long sign) {
   std::vector<Interval> loads;
   for (std::size_t k = side.size(); k-- > 0;) loads.push_back(unit * side[k]);
@@ -201,7 +203,7 @@ void check_digits_and_elements(const Problem& problem, int digits) {
   if (!std::isfinite(problem.grip.creep)) throw BadInput("creep", problem.grip.creep, "must be finite");
 }
 
-/// Farther loads than the reference kernels reach do not occur within 1000 half-thicknesses.
+/// In sheet thicknesses: no two places are farther apart than the reference's kernels reach, 1000 half-thicknesses.
 constexpr double longest_length = 500;
 
 void check(const Problem& problem, double contact_length, int digits) {

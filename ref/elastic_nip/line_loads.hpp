@@ -15,7 +15,7 @@ struct LineLoadMethod {
   /// 0: the kernels themselves. N > 0: their first N residues, as plain_series.hpp sums them.
   int residue_terms;
 
-  /// Implicit, as the number of elements alone says what is usually meant.
+  /// Implicit, so that a number of elements alone is a method.
   LineLoadMethod(int elements, int residues = 0) : elements_per_side(elements), residue_terms(residues) {}
 };
 
@@ -25,14 +25,14 @@ struct LineLoadMethod {
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, int digits, const data::Grip& grip = {});
 
-/// The same for a `load` per unit width, > 0 and finite. Proven is that some length within the bounds carries it, not that
-/// no other does: ref/elastic_nip/README.md, Line loads. BadInput where none is found, as where the loads are not positive.
+/// The same for a `load` per unit width, > 0 and finite. It is proven that some length within the bounds carries it,
+/// not that no other does: ref/elastic_nip/README.md. BadInput if none is found, for example if loads are not positive.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                 int digits, const data::Grip& grip = {});
 
-/// Without friction, from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
-/// these values would find without rounding. Set beside that solver it tells its rounding, beside
-/// line_loads_for_length the error of the values. BadInput unless `kernel` has 2m finite values whose system
+/// The contact without friction from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
+/// these values would find without rounding. The difference from that solver is its rounding error; the difference from
+/// line_loads_for_length is due to the errors of the values. BadInput unless `kernel` has 2m finite values whose system
 /// is not singular.
 LineLoadNip line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
                                           double contact_length, int digits);

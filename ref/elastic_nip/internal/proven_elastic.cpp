@@ -11,18 +11,18 @@
 namespace nipref::ref {
 namespace {
 
-constexpr int first_digits = 12;  ///< of a length before it is checked
+constexpr int first_digits = 12;  ///< digits to which a length is found before it is checked
 
 /// How many digits each part of a solution is computed to.
 struct ContactPrecision {
   int expansion;  ///< the coefficients' radius
-  int kernel;     ///< after the point
+  int kernel;     ///< digits after the point
   int working;
 };
 
-/// A radius of the coefficients reaches displacements times (1 + A) or so. A length found for a load ends
-/// between doubles: at the one next to the end half of its digits count. Kernel values are summed over the
-/// terms twice, and divided by the least eigenvalue.
+/// The radius of the coefficients enters displacements times about 1 + A. A contact of given load ends between doubles;
+/// the pressure at the double next to the end, which falls like a square root, loses half of a double's digits. Kernel
+/// values are summed over the terms twice, and divided by the least eigenvalue.
 ContactPrecision precision_for(double half_length, int digits, bool for_load) {
   const int expansion =
       digits + (for_load ? 8 : 2) + static_cast<int>(std::ceil(std::log10(1 + half_length)));
@@ -41,7 +41,7 @@ struct SolvedSystem {
       : system(half_length, size, kernel, false), right(SlopeSeries::line(size)), c(system.solution(right)) {}
 
   [[nodiscard]] Float load() const { return pi() * system.half_length() * system.half_length() * c[1]; }
-  /// d ln W/d ln A = 2 (sum m c_m)^2/c_1, as dW/dA goes with the square of how p' grows at the ends.
+  /// d ln W/d ln A = 2 (sum m c_m)^2/c_1: dW/dA grows as the square of the root's coefficient in p at the ends.
   [[nodiscard]] Float growth() const {
     Float sum = 0;
     for (std::size_t m = 1; m < c.size(); m += 2) sum += m * c[m];
@@ -56,7 +56,7 @@ struct SolvedSystem {
   }
 };
 
-/// Seeks the half length to about so many digits from one good to `known`: half of them first. Nothing is proven.
+/// Finds the half length to about `digits` digits, from one with `known` digits by way of half. Nothing is proven.
 void seek(LengthSearch& search, int known, int digits, SmoothKernel& kernel) {
   if (digits > 2 * known) seek(search, known, digits / 2 + 1, kernel);
   search.seek(digits, [&](const Lengths& at) {
@@ -97,7 +97,7 @@ std::optional<Proof> proven_elastic_for_load(const Exact& load, double guess,
   if (!is_allowed(near) || size > most_terms) return std::nullopt;
   seek(search, first_digits - 1, precision.expansion, *smooth);
   const SolvedSystem solved(search.length, size, *smooth);
-  // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
+  // The length lies between `here` and `there`, as W(lA) >= l^2 W(A).
   const Interval here = interval_of(solved.system.half_length());
   const Interval found = solved.proven(here, beta, smooth, precision).contact->load();
   const Interval there = here * sqrt(Interval(load, working_bits()) / found);

@@ -21,7 +21,7 @@ std::size_t at(long k) { return static_cast<std::size_t>(k); }
 
 // The equations in double, Float or intervals. (ref/elastic_nip/README.md, Contacts with full friction, (2) and (3))
 
-/// x times i^m, over i where m is odd.
+/// x i^m if m is even, x i^{m-1} if m is odd.
 template <class Number>
 Number with_sign_of(long m, const Number& x) {
   return (m & 2) != 0 ? Number(-x) : x;
@@ -33,14 +33,14 @@ Number times(long m, const Number& x) {
   if constexpr (!std::is_same_v<Number, double>) return m * x;
 }
 
-/// Numbers of one contact of half length A at the Chebyshev points t_i = cos((2i + 1) pi/(2N)), i < N.
+/// The system of a contact of half length A, with the Chebyshev points t_i = cos((2i + 1) pi/(2N)), i < N.
 template <class Number>
 struct GrippedSystem {
   long size;                    ///< N, even
   Number zero, root, share;     ///< 0, sqrt(1 - beta^2) and 4/N^2
   std::vector<Number> cosines;  ///< cos(k pi/(2N)), k < 4N
-  std::vector<Number> powers;   ///< omega_j, over i^j
-  /// J, I3 and J - int I3 at A (t_i - t_j), a row for each t_i > 0: at -t_i follows by parity.
+  std::vector<Number> powers;   ///< omega_j divided by i^j
+  /// J, I3 and J - int I3 at A (t_i - t_j), with a row for each t_i > 0. The rows of -t_i follow by parity.
   std::vector<Number> normal, coupling, along;
 
   [[nodiscard]] const Number& cosine(long k) const {
@@ -48,7 +48,7 @@ struct GrippedSystem {
     return cosines[at((k % period + period) % period)];
   }
 
-  /// The coefficient of zeta^n in 4 Omega h, over i^{1 - n}.
+  /// The coefficient of zeta^n in 4 Omega h, divided by i^{1 - n}.
   [[nodiscard]] Number outer(const std::vector<Number>& alpha, long n) const {
     Number sum = zero;
     for (long k = std::max(0L, n - 1); k < static_cast<long>(alpha.size()); ++k) {
@@ -60,7 +60,7 @@ struct GrippedSystem {
     return sum;
   }
 
-  /// Coefficients of sin(m theta) in the tractions over 2A: of odd m in the pressure, of even m in the shear.
+  /// Coefficients of sin(m theta) in the tractions over 2A. Odd m belong to the pressure, even m to the shear.
   [[nodiscard]] std::vector<Number> sines(const std::vector<Number>& alpha) const {
     std::vector<Number> result(at(size), zero);
     for (long m = 1; m < size; ++m) {
@@ -85,7 +85,7 @@ struct GrippedSystem {
     return {std::move(u), std::move(v)};
   }
 
-  /// sum of m c_m cos(m theta_i) over odd m, or even ones.
+  /// sum of m c_m cos(m theta_i) over m = first, first + 2, ..
   [[nodiscard]] std::vector<Number> slopes(const std::vector<Number>& sines, long first) const {
     std::vector<Number> result(at(size), zero);
     for (long i = 0; i < size; ++i)
@@ -94,7 +94,7 @@ struct GrippedSystem {
     return result;
   }
 
-  /// Coefficients of T_m in the slopes that the tractions cause, over -2A^2: of odd m that of u, of even m that of v.
+  /// Coefficients of T_m in the slopes that the tractions cause, over -2A^2. Odd m belong to u, even m to v.
   [[nodiscard]] std::vector<Number> rows(const std::vector<Number>& alpha,
                                          const std::vector<Number>& sines) const {
     const auto [u, v] = smooth(slopes(sines, 1), slopes(sines, 2));
@@ -109,7 +109,7 @@ struct GrippedSystem {
   }
 };
 
-/// Its middles in double or Float.
+/// The system with the midpoints of its intervals in double or Float.
 template <class Number>
 GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
   const auto one = [](const Interval& x) -> Number {
@@ -127,7 +127,7 @@ GrippedSystem<Number> converted(const GrippedSystem<Interval>& from) {
           all(from.powers), all(from.normal), all(from.coupling), all(from.along)};
 }
 
-/// Coefficients f_j of ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, over i^j, j < count.
+/// The coefficients of y^j in ((1 + y)/(1 - y))^{2 i epsilon} (1 - y^2)^{order}, order 0 or 1, j < count, over i^j.
 std::vector<Interval> power_series(const Interval& epsilon, long order, long count) {
   std::vector<Interval> f{Interval(1L, epsilon.precision()), 4 * epsilon};
   for (long j = 1; j + 1 < count; ++j)
@@ -151,11 +151,11 @@ Interval capacity(const Interval& epsilon) {
     sum = (k & 2) != 0 ? sum - term : sum + term;
     power = power * ratio;
   }
-  // (2 - 2^-k) zeta(k + 1) < 3.
+  // The remainder, as (2 - 2^-k) zeta(k + 1) < 3.
   return sum.widened(3 * power / (1 - ratio));
 }
 
-/// What entry_bounds() is for J, for the entries of all kernels together.
+/// The C' and tau of (3), for the entries of all kernels together; those of entry_bounds() are for J.
 EntryBounds gripped_bounds(const Interval& half_length, long size) {
   EntryBounds bounds = entry_bounds(half_length, static_cast<int>(size));
   bounds.amplitude = bounds.amplitude * (half_length * cosh(bounds.rate) + 1);
@@ -166,14 +166,14 @@ Interval gripped_coercivity(const Interval& half_length, const Interval& beta) {
   return coercivity(half_length, [&](const Interval& x) { return gripped_stiffness(x, beta); });
 }
 
-/// What an expansion is computed to, and its size.
+/// The size of an expansion, and the digits with which it is computed.
 struct GrippedPlan {
   long size;
   int kernel_digits, working_digits;
 };
 
-/// Tractions and their coefficients are of the size (1 + A)^2. The residual's share in the error of tractions grows by what
-/// the smooth kernels make of it; of what is left out, that of tractions beyond N falls most slowly.
+/// Tractions and their coefficients are of the order (1 + A)^2. The smooth kernels amplify the residual's part in the
+/// error of the tractions. Of all truncation errors, that of the coefficients c_m beyond N falls most slowly.
 GrippedPlan plan_of(double half_length, double beta, int digits) {
   constexpr mpfr_prec_t coarse = 64;
   const Interval A(half_length, coarse);
@@ -255,7 +255,7 @@ class GrippedContact final : public ProvenResults {
     return system;
   }
 
-  /// By iterations in Float: no proof relies on it, as prove() bounds what it leaves.
+  /// Solves by iterative refinement in Float. No proof relies on the solution: prove() bounds its residual.
   void solve(const GrippedSystem<Interval>& system) {
     const long unknowns = size_ - 1;
     const auto in_double = converted<double>(system);
@@ -281,7 +281,7 @@ class GrippedContact final : public ProvenResults {
       alpha_.push_back(solution ? interval_of((*solution)(k)) : Interval(working_bits()));
   }
 
-  /// The errors of the page: in energy, of the slopes of the tractions, and of the creep.
+  /// Computes the bounds of (4) and (5): of |dx|, of max |f'|, and of the error of the creep.
   void prove(const GrippedSystem<Interval>& system) {
     const long N = size_;
     const std::vector<Interval> sines = system.sines(alpha_), rows = system.rows(alpha_, sines);
@@ -290,7 +290,7 @@ class GrippedContact final : public ProvenResults {
       residual = residual + m * m * magnitude_of(m == 1 ? 1 - rows[at(m)] : rows[at(m)]);
       unknowns = unknowns + sqrt(Interval(m, working_bits())) * magnitude_of(sines[at(m)]);
     }
-    // What the values of the kernels miss: by themselves, by their rounded arguments, and as A is an interval.
+    // The errors of the kernels' values: their own, those of rounded arguments, and those of an A that is an interval.
     const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
     const Interval entry_error =
         kernels_->error() + 3 * (argument_units * ((A_ + 1) * unit) + 4 * distance_from(middle_of(A_), A_));
@@ -313,7 +313,7 @@ class GrippedContact final : public ProvenResults {
     find_displacement(system, sines, decay, entry_error);
   }
 
-  /// d1 of the page, and what its sums miss.
+  /// Computes d1 of (6), with the errors of its sums.
   void find_displacement(const GrippedSystem<Interval>& system, const std::vector<Interval>& sines,
                          const EntryBounds& decay, const Interval& entry_error) {
     const long N = size_;
@@ -344,7 +344,7 @@ class GrippedContact final : public ProvenResults {
         square(A_) * (2 * (singular + smooth - 2 * epsilon_ * creep_) - (4 * square(epsilon_) + 1) / 2);
   }
 
-  /// |g - w p| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
+  /// By (5) |d gamma| <= sqrt(1 - t^2) slope_error/(1 - beta^2).
   [[nodiscard]] Interval traction(const SurfacePoint& place, bool shear) const {
     const mpfr_prec_t bits = working_bits();
     if (mpfr_sgn(place.before_end.upper()) <= 0) return Interval(bits);
@@ -365,8 +365,8 @@ class GrippedContact final : public ProvenResults {
     return shear && place.is_trailing ? -traction : traction;
   }
 
-  /// gamma = g sin(theta) h, where g has the modulus 1 and the slope -2 i epsilon g/sin(theta), and h is a polynomial. As the
-  /// shear is odd, its largest value is that of its magnitude.
+  /// gamma = g sin(theta) h, where g has the modulus 1 and the slope -2 i epsilon g/sin(theta), and h is a polynomial.
+  /// As the shear is odd, its largest value is that of its magnitude.
   [[nodiscard]] std::optional<Interval> peak(bool shear) const {
     const mpfr_prec_t bits = working_bits();
     const ComplexInterval zero{Interval(bits), Interval(bits)}, twist{Interval(bits), -(2 * epsilon_)};
@@ -390,7 +390,7 @@ class GrippedContact final : public ProvenResults {
     const Interval end(0x1p-10, bits), error = slope_error_ / (1 - square(beta_));
     const auto found = largest_value(traction_over, hull(end, Interval::pi(bits) - end), magnitude_of(error),
                                      Interval(bits));
-    // Nearer the ends tractions are smaller: the shear is at most sin(theta) (|turn| even + odd), |turn| <= 2 epsilon ln(2/theta).
+    // Nearer the ends tractions are smaller: |q| <= sin(theta) (|turn| even + odd), |turn| <= 2 epsilon ln(2/theta).
     Interval even(bits), odd(bits);
     for (std::size_t k = 0; k < alpha_.size(); ++k)
       (k % 2 == 0 ? even : odd) = (k % 2 == 0 ? even : odd) + magnitude_of(alpha_[k]);
@@ -403,7 +403,7 @@ class GrippedContact final : public ProvenResults {
   long size_;
   Interval A_, beta_, epsilon_, offset_;
   std::shared_ptr<SheetKernels> kernels_;
-  std::vector<Interval> alpha_;  ///< of g = w sum_k alpha_k i^k T_k
+  std::vector<Interval> alpha_;  ///< coefficients of gamma = w sum_k alpha_k i^k T_k
   Interval first_{working_bits()}, creep_{working_bits()}, edge_displacement_{working_bits()};
   Interval energy_error_{working_bits()}, slope_error_{working_bits()}, creep_error_{working_bits()};
 };
@@ -423,7 +423,7 @@ std::optional<Proof> proven_gripped_for_load(const Exact& load, double guess,
                                              const std::function<bool(double half_length)>& is_allowed,
                                              const Exact& beta, int digits, const GrippedKernels& kernels,
                                              int most_terms) {
-  // A length that is off changes the contact as kernel values that are off do.
+  // An error of the length changes the contact as much as an error of the kernels, so it is found to as many digits.
   const int known = plan_of(guess, beta.approximate(), digits).kernel_digits;
   const GrippedPlan plan = plan_of(1.5 * guess, beta.approximate(), known);
   if (plan.size > most_terms) return std::nullopt;
