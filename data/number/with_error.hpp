@@ -2,8 +2,8 @@
 
 namespace nipref::data {
 
-/// A computed number and its error in the same unit: |value - truth| <= error. Whether the error is a proven bound or an
-/// estimate is said by what derives from this.
+/// A computed number and its error in the same unit: |value - truth| <= error. Derived classes say whether the error is
+/// proven (a bound) or an estimate.
 template <class Number, class Error = Number>
 struct WithError {
   Number value;

@@ -52,8 +52,8 @@ struct SceneText {
 ///
 /// `overrides` replace the values that the file has at these keys, or add keys: "TABLE.KEY" or "KEY" with a number, a
 /// text (quotes may be left out) or a list in TOML's notation. Each adds ", with KEY = VALUE" to the title. They are
-/// checked like the file; BadInput "KEY = VALUE: ALLOWED" shows them as they were given. Refused are an empty key, a key
-/// given twice and a table.
+/// checked like the file; BadInput "KEY = VALUE: ALLOWED" shows them as they were given. An empty key, a
+/// key given twice and a table are refused.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// The same for a scene that was read already.

@@ -60,7 +60,7 @@ verify::Assignments assignments_of(const verify::Quantity& quantity, const char*
   return assignments;
 }
 
-/// name=value texts up to a null pointer.
+/// The pairs of name=value texts up to a null pointer.
 verify::Assignments pairs_of(const char* name, const char* const* texts) {
   verify::Assignments pairs;
   for (; *texts != nullptr; ++texts) {

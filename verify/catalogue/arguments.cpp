@@ -20,7 +20,7 @@ std::string text_of(const Argument& argument, const Quantity& quantity, const As
   refuse(argument.name, "(missing)", "{} needs it: must be {}", quantity.name, domain(argument));
 }
 
-/// The name of a choice stands for its number.
+/// Reads an argument exactly. The name of a choice stands for its number.
 ref::Exact parse(const Argument& argument, const std::string& text) {
   if (argument.kind != ArgumentKind::choice) {
     const ref::Exact number = ref::Exact::parse(text, argument.name);
@@ -40,7 +40,7 @@ const Argument* material_of(const Quantity& quantity) {
   return found == quantity.arguments.end() ? nullptr : &*found;
 }
 
-/// Whether it is written within the material, whatever the model.
+/// Whether the argument is written within the material in any of its models.
 bool is_of_material(const Argument* material, const std::string& argument) {
   return material != nullptr && std::ranges::any_of(material->models, [&](const MaterialModel& model) {
            return model.holds(argument);
@@ -68,7 +68,7 @@ std::vector<std::string> items_of(const std::string& text) {
   return items;
 }
 
-/// KEY=VALUE or KEY=[VALUE, ...] of a model, as pairs of the arguments that hold the values; 0 where a list lacks them.
+/// Appends the values of KEY=VALUE or KEY=[VALUE, ...] as pairs with their arguments. Values that a list lacks are 0.
 void append_key(const std::vector<Argument>& arguments, const MaterialModel& model, const std::string& item,
                 const BadInput& not_so, Assignments& all) {
   const std::size_t equals = item.find('=');
@@ -97,8 +97,8 @@ std::size_t number_of(const Argument& material, const auto& is_wanted) {
   return static_cast<std::size_t>(found - material.models.begin());
 }
 
-/// Several models may have the name that the user writes: the first one that has all keys in `items`, or, if none has, the
-/// first one.
+/// The number of the model that the user writes: among the models of that name the first one that has all keys in
+/// `items`, or, if none has, the first one.
 std::size_t model_written(const Argument& material, const std::string& name,
                           const std::vector<std::string>& items) {
   const std::size_t fitting = number_of(material, [&](const MaterialModel& model) {
@@ -117,7 +117,7 @@ std::string written_models(const Argument& material, const std::string& name) {
   return fmt::format("{}", fmt::join(written, " or "));
 }
 
-/// A solid has one model, of which a point has no number.
+/// Appends the model of a material that the user writes, and its numbers. A solid has only one model, without a number.
 void append_material(const Quantity& quantity, const Argument& material, const std::string& given,
                      Assignments& all) {
   const std::string text = without_blanks(given), name = text.substr(0, text.find('('));
@@ -148,7 +148,7 @@ std::string toml_text(const toml::node& node) {
 }
 
 /// MODEL(KEY=VALUE, ...) of the material of the scene in that file, or of its half-space for an argument "solid". Keys
-/// that are arguments of their own, such as the direction of an axis, are left out. BadInput for a file that holds none.
+/// that are arguments of their own, such as the direction of an axis, are left out. BadInput if the file holds none.
 std::string solid_of_scene(const Quantity& quantity, const Argument& material, const std::string& path) {
   const std::string name = quantity.solid ? "half_space" : "material";
   const BadInput not_so(material.name, "@" + path,
@@ -232,7 +232,7 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
     auto values = mapped(key.arguments, [&](const std::string& name) {
       return text[argument_number(quantity.arguments, name)];
     });
-    // What a list lacks at its end is 0.
+    // Numbers that are missing at the end of a list are 0.
     while (!key.is_whole && values.size() > 1 && std::strtod(values.back().c_str(), nullptr) == 0)
       values.pop_back();
     const std::string list = fmt::format("{}", fmt::join(values, ", "));

@@ -10,16 +10,16 @@
 
 namespace nipref::verify {
 
-/// name=value pairs as they were given.
+/// Pairs of name and value as they were given.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
-/// Replaces material=MODEL(KEY=VALUE, KEY=[VALUE, ...]), as a user writes it, by the model and the arguments that hold its
-/// numbers, and solid=MODEL(...) likewise. @FILE means the material, or the half-space, of the scene in that file. If a
-/// list is shorter than the model's, the missing numbers are 0, unless the model needs all of them. Throws BadInput for a
-/// text of another form, a key that the model does not have, and an argument of the material that is given outside of it.
+/// Replaces material=MODEL(KEY=VALUE, KEY=[VALUE, ...]), as a user writes it, by the model and the arguments that hold
+/// its numbers, and solid=MODEL(...) likewise. @FILE means the material, or the half-space, of the scene in that file.
+/// Numbers at the end of a list may be missing and are then 0, unless the model needs them. Throws BadInput for another
+/// form, a key that the model does not have, and an argument of the material that is given outside of it.
 Assignments with_material_numbers(const Quantity& quantity, const Assignments& given);
 
-/// The text of each of the quantity's arguments as a user writes it: a material is one text with the numbers of its model.
+/// The texts of the arguments as a user writes them: a material is one text with the numbers of its model.
 Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text);
 
 /// The same for a point; `number` turns its numbers into text.
@@ -47,7 +47,7 @@ struct ParsedArguments {
 /// BadInput for a pair that names no argument of the quantity.
 void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments);
 
-/// What is given for the argument, if anything is. BadInput if it is given twice.
+/// The text that is given for the argument, if there is one. BadInput if it is given twice.
 std::optional<std::string> argument_text(const Argument& argument, const Assignments& assignments);
 
 /// Matches the pairs with the quantity's arguments and fills in defaults. BadInput naming the argument if one

@@ -22,9 +22,9 @@ struct Axis {
 /// Whether a text means several values: "lo..hi", which may have a spacing as in ranges.hpp, or "a,b,c".
 bool is_swept(const std::string& text);
 
-/// The values of a list are its items without the blanks around them; those of a range are about `points` different
-/// doubles in ascending order, including its ends; any other text is its own value. Throws BadInput naming `name` for an
-/// empty item of a list, for a comma between digits, "1,5", which may be a decimal comma ("1, 5" and "1.0,5.0" are
+/// The values of a list are its items without the blanks around them. Those of a range are about `points` different
+/// doubles in ascending order, both ends included. Any other text is its own value. Throws BadInput naming `name` for
+/// an empty item of a list, for a comma between digits, "1,5", which may be a decimal comma ("1, 5" and "1.0,5.0" are
 /// lists), and where parse_range does; naming "points" for a range of no points or of more than 1e7.
 Axis axis_of(const std::string& name, const std::string& text, std::size_t points);
 

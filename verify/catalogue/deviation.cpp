@@ -40,7 +40,7 @@ double quotient(const ref::Float& distance, double unit) {
   return quotient(distance, ref::raw(divisor));
 }
 
-/// 0 where it is not known.
+/// The envelope at these arguments, or 0 if it is unknown.
 double known_envelope(const Quantity& quantity, const ParsedArguments& arguments) {
   const auto envelope = unless_refused([&] { return quantity.envelope(arguments.nearest(quantity)); });
   return envelope && std::isfinite(*envelope) ? *envelope : 0;

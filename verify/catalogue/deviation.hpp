@@ -27,12 +27,12 @@ Deviation deviation(double approximation, const ref::Estimate& truth, double env
 //
 //     error <= accuracy * scale,    scale = max(|value|, envelope).
 //
-// The accuracy is 10^-digits for the reference and rtol for fast. The scale is what the quantity's errors are measured
-// against, as the results of a scene are measured against data::Scale. The error is the stated one before it is rounded up
-// to two digits.
+// The accuracy is 10^-digits for the reference and rtol for fast. The errors of the quantity are measured against the
+// scale, as the results of a scene are measured against data::Scale. The error is the stated one before it is rounded
+// up to two digits.
 
-/// Whether the reference's value at these arguments is accurate enough. Where the envelope is no finite double, the scale is
-/// the value alone, which is no larger.
+/// Whether the value of the reference at these arguments is accurate enough. If the envelope is not a finite double,
+/// the scale is the value alone, which is no larger.
 bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const ref::Estimate& found,
             int digits);
 

@@ -19,7 +19,7 @@ inline std::size_t argument_number(std::span<const Argument> arguments, std::str
   return static_cast<std::size_t>(found - arguments.begin());
 }
 
-/// The numbers of a point by the names of the quantity's arguments: point["poisson"]. It refers to both.
+/// The numbers of a point by the names of the arguments: point["poisson"]. It refers to the data of the caller.
 template <class Number>
 class Named {
  public:
@@ -39,7 +39,7 @@ class Named {
   [[nodiscard]] std::span<Number> from(std::string_view name) const {
     return numbers_.subspan(argument_number(arguments_, name));
   }
-  /// The numbers of that argument and of those that follow it under the same name but for the number at its end.
+  /// The numbers of that argument and of the next ones whose names differ from it only in the number at the end.
   [[nodiscard]] std::span<Number> list(std::string_view first) const {
     const auto stem = [](std::string_view name) {
       const std::size_t last = name.find_last_not_of("0123456789");

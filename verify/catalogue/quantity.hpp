@@ -17,7 +17,7 @@ namespace nipref::verify {
 /// Values of a quantity's arguments, in its order.
 using Point = std::vector<double>;
 
-/// What an argument is; its domain in words and the way it is sampled follow from this.
+/// The kind of an argument, which determines its domain in words and the way it is sampled.
 enum class ArgumentKind {
   nonzero_position,  ///< distance/half-thickness at which the kernel is infinite at 0
   position,          ///< distance/half-thickness
@@ -27,8 +27,8 @@ enum class ArgumentKind {
   index,             ///< number of a root
   rate,              ///< 1/time
   amplitude,         ///< constant of a material function
-  time,              ///< since a load started
-  passing_time,      ///< at which a load passes a point
+  time,              ///< time since a load started
+  passing_time,      ///< time at which a load passes a point
   positive,          ///< speed, half-thickness, modulus, relaxation time
   nonnegative,       ///< speed, coefficient of friction
   degrees,           ///< an angle
@@ -42,7 +42,7 @@ struct ModelKey {
   bool is_whole = false;  ///< all numbers must be given; otherwise those that are missing at the end are 0
 };
 
-/// A model of a material as a user writes it, MODEL(KEY=VALUE, KEY=[VALUE, ...]). Models of one name differ by their keys.
+/// A model of a material as a user writes it, MODEL(KEY=VALUE, KEY=[VALUE, ...]). Models of one name have other keys.
 struct MaterialModel {
   std::string name;
   std::vector<ModelKey> keys;
@@ -67,14 +67,14 @@ struct Argument {
   }
 };
 
-/// What a kind of numbers is.
+/// The properties of a kind of arguments.
 struct KindOfNumber {
   ArgumentKind kind;
   std::string_view name, domain;  ///< the domain in words that continue "must be ..."
-  // Audits keep to numbers from `least` to `most`.
+  // Audits take only numbers from `least` to `most`.
   double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
-  // Numbers are spread from `from` to `to`: evenly in the logarithm where both are positive. Quantities with arguments of
-  // kinds without these draw their own points.
+  // Audits spread numbers from `from` to `to`, evenly in the logarithm if both are positive. For kinds without these
+  // two, the quantity draws its own points.
   double from = 0, to = 1;
 };
 const KindOfNumber& kind_of_number(ArgumentKind kind);
@@ -88,14 +88,14 @@ double choice_number(const Argument& argument, const std::string& name);
 /// Domain of an argument, in words that continue "must be ...".
 std::string domain(const Argument& argument);
 
-/// A way of another library, or of the thesis, to compute a quantity of one argument in double; it is timed beside fast.
+/// A method of another library, or of the thesis, for a quantity of one argument in double, timed beside fast.
 struct Peer {
   std::string method;
   /// Makes the evaluator, with everything that can be reused for many arguments.
   std::function<std::function<double(double)>()> make;
 };
 
-/// A way of another library to compute such a quantity to a given number of digits.
+/// A method of another library for such a quantity, to a given number of digits.
 struct MultiprecisionPeer {
   std::string method;
   /// Decimal text of the value at a decimal argument; only the numbers of digits in bench's ladder are
@@ -103,7 +103,7 @@ struct MultiprecisionPeer {
   std::function<std::string(const std::string& argument, int digits)> evaluate;
 };
 
-/// A formula of the seed that is wrong or was evaluated coarsely, in double: for users who compare with the seed.
+/// A formula of the seed that is wrong or was evaluated coarsely, in double, for users who compare with the seed.
 struct SeedForm {
   std::string
       name;  ///< "printed": the equation as it stands; "table": the formula that gives the seed's table
@@ -111,45 +111,44 @@ struct SeedForm {
   std::function<double(std::span<const double> arguments)> value;
 };
 
-/// An entry of the catalogue: everything that the verbs need to know about one quantity. Its texts and numbers come from
+/// An entry of the catalogue: all that the verbs need to know about a quantity. Texts and numbers are in
 /// quantities.toml.
 struct Quantity {
   std::string name;
   std::string definition;  ///< one line
   std::string notation;    ///< the same with its formulas between backticks, see formula.hpp
   std::string source;      ///< seed and equation number
-  std::string scale;       ///< what errors are measured against, in words
+  std::string scale;       ///< the size against which errors are measured, in words
   std::string unit = "1";  ///< of the value; 1: none
   std::vector<Argument> arguments;
-  /// The argument in which a user writes the constants of a half-space, solid=MODEL(KEY=VALUE, KEY=[VALUE, ...]). It has
-  /// only one model, so that a point needs no number for the model.
+  /// The argument in which a user writes the constants of a half-space, solid=MODEL(KEY=VALUE, KEY=[VALUE, ...]). It
+  /// has only one model, which needs no number in a point.
   std::optional<Argument> solid = {};
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
-  /// The error that fast states for its value, in the unit of the quantity; it must cover the true error, as the promise
-  /// must. If it is empty, fast states the promise alone.
+  /// The error that fast states for its value, unit of the quantity; it must cover the true error, as the promise must.
+  /// If it is empty, fast states the promise alone.
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> fast_error;
   /// Whether the reference, too, takes the doubles nearest to the arguments, because its problem is given in doubles.
   bool ref_takes_doubles = false;
   int most_digits = 1000;  ///< largest number of digits that the reference computes
-  /// The values at many points, given as one column for each argument, by a loop over the scalar interface and by the batch
-  /// interface, which is empty where there is none.
+  /// The values at many points, given as one column for each argument: by a loop over the scalar interface, and by the
+  /// batch interface, which is empty if there is none.
   using Columns = std::span<const std::span<const double>>;
   std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_loop;
   std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_batch;
-  /// The size that the value would have away from its zeros, unit of the quantity; 0 where it is the value
-  /// itself.
+  /// The size that the value would have away from its zeros, unit of the quantity; 0 if it is the value itself.
   std::function<double(std::span<const double> arguments)> envelope;
 
   /// Draws a point for audits, if the arguments depend on each other so much that they cannot be drawn one by one.
   std::function<Point(Random&)> draw;
-  /// Moves a point away from places where the quantity is infinite or where the reference alone refuses it, if these places
+  /// Moves a point away from places where the quantity is infinite or where the reference alone refuses it, if these
   /// depend on several arguments.
   std::function<void(Point&)> keep_off;
-  /// Whether each value needs the solution of a contact or a new material. The bench times such a quantity only if it is
-  /// named, and at a few points.
+  /// Whether each value needs the solution of a contact or a new material. The bench times such a quantity only if it
+  /// is named, and only at a few points.
   bool is_costly = false;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
   /// The name that quantities share if one solution gives them all: they are audited at the same points, so that each

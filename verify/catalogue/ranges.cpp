@@ -11,7 +11,7 @@ using data::BadInput;
 
 constexpr auto dots = "..";
 
-/// The number of a double if doubles are counted from 0: neighbours differ by 1, and negative doubles have negative numbers.
+/// The number of a double, counted from 0: neighbours differ by 1, and negative doubles have negative numbers.
 std::int64_t ordinal(double value) {
   const auto magnitude = std::bit_cast<std::int64_t>(std::fabs(value));
   return std::signbit(value) ? -magnitude : magnitude;

@@ -17,7 +17,7 @@ data::ElasticNip unit_nip(const NamedPoint& x) {
   return {nip_roller_radius, 1, {1, x["poisson"]}};
 }
 
-/// In the order of the entries; the compliance and the length are doubles or exact.
+/// The results, dimensionless, in the order of the entries. Compliance and length are doubles or exact.
 template <class Number>
 auto numbers_of(const auto& contact, const Number& compliance, const Number& length) {
   const Number stress = compliance * nip_roller_radius / length, slope = nip_roller_radius / length;
@@ -56,9 +56,9 @@ NipReferences nip_by_ref(const NamedPoint& x, int digits) {
 std::vector<Quantity> elastic_nip_entries() {
   std::vector<Quantity> entries = nip_entries("nip", {nip_by_fast, nip_by_ref});
   for (Quantity& entry : entries) {
-    // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding
-    // errors. The scale of long ones is such that the promise is the error that fast states. An ulp is at least 2^-53 of the
-    // scale.
+    // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies
+    // rounding errors. For long ones the scale makes the promise equal the stated error; an ulp is at least 2^-53 of
+    // the scale.
     entry.envelope = [least = entry.envelope, promise = entry.promise, error_of = entry.fast_error,
                       amplifies = of_point(entry, [](const NamedPoint& x) {
                         return is_gripped(x) && x["L_over_B"] > 7;

@@ -35,7 +35,7 @@ ExactLine subcritical_anisotropic(const NamedExact& x) {
   return line.checked();
 }
 
-/// The seed's graphite epoxy with its axis along x2. With its density in g/cm^3 speeds are in km/s.
+/// The seed's graphite epoxy with its axis along x2. The density is in g/cm^3, so that speeds are in km/s.
 data::Stiffness epoxy() {
   data::Stiffness solid = data::Stiffness::of(data::seed::graphite_epoxy, data::SymmetryAxis::in_plane);
   solid.density = 1.688;
@@ -48,8 +48,8 @@ void put_stiffness(const NamedNumbers& x, const data::Stiffness& solid) {
   x["density"] = solid.density;
 }
 
-/// Draws a triclinic solid, a monoclinic one about x3 or an orthotropic one, with moduli over one decade or three, sometimes
-/// the seed's.
+/// Draws a triclinic solid, a monoclinic one about x3 or an orthotropic one, whose moduli spread over one decade or
+/// three. Sometimes it is the solid of the seed.
 data::Stiffness draw_stiffness(Random& random) {
   if (random.chance(0.1)) return epoxy();
   const double spread = random.chance(0.3) ? 30 : 4;
@@ -68,12 +68,12 @@ data::Stiffness draw_stiffness(Random& random) {
   return {data::Stiffness::squared(factor), random.log_uniform(0.5, 20)};
 }
 
-/// Replaces a solid that does not exist, to which a step of the audit's search may lead.
+/// Replaces a solid that is not physical, to which a step of the search of an audit may lead.
 void keep_physical_stiffness(const NamedNumbers& x) {
   if (is_refused([&] { stiffness_of(x).check(); })) put_stiffness(x, epoxy());
 }
 
-/// The speed at which the line is critical, but no more than 1e12, as it is infinite across the motion.
+/// The critical speed of the line, but at most 1e12: across the motion it is infinite.
 double largest_speed(const NamedPoint& x) {
   return std::min(
       1e12, fast::rayleigh_speed(stiffness_of(x), direction_of(x, "theta_deg"), direction_of(x, "psi_deg")));
@@ -115,8 +115,8 @@ Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure r
   });
 }
 
-/// Draws a nearly isotropic solid. In others a bulk wave may make the first line critical, or almost, and the reference
-/// proves the speed of surface waves only.
+/// Draws a nearly isotropic solid. In other solids a bulk wave may (nearly) determine the smallest critical speed, but
+/// the reference proves the speed of surface waves only.
 data::Stiffness draw_mild_stiffness(Random& random) {
   const data::Stiffness isotropic =
       data::Stiffness::of(data::IsotropicSolid{random.log_uniform(1, 100), random.uniform(0, 0.4), 1});

@@ -1,5 +1,5 @@
-// Contacts of rigid bodies on isotropic half-spaces, and of the seed's steel sphere on a transversely isotropic half-space
-// (brock2013): by the papers' contour rule, and the exact contacts without friction.
+// Contacts of rigid bodies on isotropic half-spaces, and of the seed's steel sphere on a transversely isotropic
+// half-space (brock2013): by the papers' contour rule, and exactly without friction.
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
@@ -91,7 +91,7 @@ const Number& number_of(const Named<const Number>& x, const char* name) {
 }
 const auto& number_of(const auto&, const auto& number) { return number; }
 
-/// A function of the bodies' surface, of the arguments of those names or of numbers themselves, and of the digits.
+/// Makes an evaluator from a function of the bodies' surface, numbers (or names of arguments), and the digits.
 template <class Bodies>
 ExactFunction exactly(auto function, auto... numbers) {
   return [=](const NamedExact& x, int digits) -> ref::Estimate {
@@ -104,7 +104,7 @@ struct ContactRow {
   const char* name;
   ExactFunction by_ref;
   double (*by_fast)(const NamedPoint& x);
-  double (*size)(const NamedPoint& x) = nullptr;  ///< if it is none of its row
+  double (*size)(const NamedPoint& x) = nullptr;  ///< if the row of the table has none
 };
 
 std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
@@ -134,7 +134,7 @@ double longest_span(const NamedPoint& x) {
   return 0.99 * largest;
 }
 
-/// sqrt(wS/wD), P and Q of a line, and the span up to which brock2012 (52) has a root there that goes with it.
+/// sqrt(wS/wD) and P of a line, and B1 Q1/Q. The root of brock2012 (52) for a span exists while square(span) > 0.
 struct FiniteSpan {
   double slowness, index, share;
 
@@ -155,7 +155,7 @@ double finite_span_ratio(const NamedPoint& x) {
   return 2 * of.share / (of.slowness + std::sqrt(of.square(span)));
 }
 
-/// Half of the span at which the root ends.
+/// Half of the span at which the root ceases to exist, on the line or along the motion.
 double longest_finite_span(const NamedPoint& x) {
   const FiniteSpan of(x, 1e-12);
   const fast::RollingLine along = roll(x, 1e-12).along(along_motion);
@@ -164,7 +164,7 @@ double longest_finite_span(const NamedPoint& x) {
   return std::min(of_line / 2, of_motion / 2);
 }
 
-/// V0 of (brock2012 48) as printed. Wrong: the sign of P.
+/// V0 of (brock2012 48) as printed, where P has the wrong sign.
 double creep_as_printed(const NamedPoint& x) {
   const fast::RollingLine line = roll(x, x["span_over_radius"]).along(psi_of(x));
   return line.span * (line.span / 16 * (1 - 4 * line.index * line.index) - line.index / line.shear_share);

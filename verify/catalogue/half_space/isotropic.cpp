@@ -39,9 +39,8 @@ Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
                     [of_fast](const auto&... line) { return fast::isotropic_response(line...).*of_fast; });
 }
 
-/// The answer of lines along which the load is faster than Rayleigh waves and slower than shear waves, which line_response()
-/// has as it solves the equations there too. Throws BadInput at other
-/// speeds.
+/// The response of lines along which the load is faster than Rayleigh waves and slower than shear waves;
+/// line_response() solves the equations there, too. Throws BadInput at other speeds.
 ref::LineResponse response_beyond(const NamedExact& x, int digits) {
   ref::LineResponse found = isotropic_line_at(x).response(digits);
   if (!(found.compliance.value < ref::Float(0)))
@@ -57,14 +56,14 @@ Quantity response_beyond_entry(const char* name, double fast::LineResponse::*of_
       [of_fast](const auto&... line) { return fast::isotropic_response_beyond(line...).*of_fast; });
 }
 
-/// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
+/// The response to shear along or across a line. Shear across it needs the waves that sagittal_stiffness leaves out.
 ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const NamedExact& x, int digits) {
   const Exact unit(1.0);
   ExactLine line = subcritical_isotropic(x);
   line.solid = ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, x["poisson"], unit),
                                     data::SymmetryAxis::normal);
-  // Near the critical speed the bound is that of the compliance, which is much larger than the response across the line:
-  // more digits make up for it.
+  // Near the critical speed the bound is that of the compliance, which is much larger than the response across the
+  // line. More digits make up for this.
   const auto bound_over_value = [](const ref::Enclosure& found) {
     return mpfr_get_exp(ref::raw(found.error)) - mpfr_get_exp(ref::raw(found.value));
   };

@@ -28,7 +28,7 @@ Quantity transverse_line(const char* name, double LineResponse::*of_fast,
       [=](NamedPoint x) { return response(x).compliance; });
 }
 
-// The order of their names on the command line.
+// In the order of their names on the command line.
 constexpr fast::BranchWave branch_waves[] = {
     fast::BranchWave::transverse, fast::BranchWave::quasi_longitudinal, fast::BranchWave::quasi_transverse};
 constexpr ref::BulkWave bulk_waves[] = {ref::BulkWave::upright, ref::BulkWave::faster, ref::BulkWave::slower};

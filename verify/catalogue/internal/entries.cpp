@@ -26,7 +26,7 @@ const toml::table& definitions_table() {
   return table;
 }
 
-/// The words of a text, with NAME_2..9REST as NAME_2REST to NAME_9REST.
+/// The words of a text, where NAME_2..9REST stands for NAME_2REST to NAME_9REST.
 std::vector<std::string> names_of(const std::string& text) {
   std::vector<std::string> names;
   for (const std::string& word : words_of(text)) {
@@ -55,7 +55,7 @@ MaterialModel model_of(const std::string& text) {
   return model;
 }
 
-/// NAME:KIND, NAME:KIND=DEFAULT, NAME:ONE|OTHER=DEFAULT, NAME:@MODELS=DEFAULT.
+/// Reads NAME:KIND, NAME:KIND=DEFAULT, NAME:ONE|OTHER=DEFAULT or NAME:@MODELS=DEFAULT.
 Argument argument_of(const std::string& text) {
   const std::size_t colon = text.find(':'), equals = text.find('=');
   Argument argument{text.substr(0, colon), ArgumentKind::choice, {}, {}};
@@ -76,7 +76,7 @@ Argument argument_of(const std::string& text) {
   return argument;
 }
 
-/// Adds the arguments. A material that has only one model needs no number in a point to say which model it is.
+/// Adds the arguments. A material with only one model becomes `solid`: a point needs no number for its model.
 void add_arguments(Quantity& quantity, const std::string& text) {
   for (const std::string& word : names_of(text)) {
     if (word.starts_with('@')) {
@@ -92,7 +92,7 @@ void add_arguments(Quantity& quantity, const std::string& text) {
   }
 }
 
-/// What the functions of [sampling] or of [sizes] are.
+/// The definitions of the functions of [sampling] or of [sizes].
 std::string functions_in(const char* part) {
   return definitions_table()[part]["functions"].value<std::string>().value();
 }
@@ -122,8 +122,8 @@ bool has_argument(const std::vector<Argument>& arguments, const std::string& nam
   return std::ranges::find(arguments, name, &Argument::name) != arguments.end();
 }
 
-/// What formulas of [sampling] have in brackets: a kind of number and formulas without blanks. `random`: null where a point is
-/// only moved.
+/// The value of the brackets in a formula of [sampling], which hold a kind of number and formulas without blanks.
+/// `random` is null if a point is only moved.
 double sampled_number(const std::string& words, Formulas& scope, const std::vector<Argument>& arguments,
                       Random* random) {
   static Cache<std::string, std::vector<Formulas::Expression>> read;
@@ -147,7 +147,8 @@ double sampled_number(const std::string& words, Formulas& scope, const std::vect
   return point_functions().at(kind)(NamedPoint(arguments, point));
 }
 
-/// The lines for these arguments, with those of [sampling] in place of @NAME.
+/// The lines for a quantity with these arguments. @NAME is replaced by lines of [sampling]; ?ARGUMENT begins a line
+/// that is left out if the quantity has no such argument.
 std::string whole_lines(const std::string& text, const std::vector<Argument>& arguments) {
   std::string lines;
   for (const std::string& line : parts_of(text, "\n")) {
@@ -161,7 +162,7 @@ std::string whole_lines(const std::string& text, const std::vector<Argument>& ar
   return lines;
 }
 
-/// Changes a point by such lines.
+/// Makes a function that changes a point by such lines.
 std::function<void(Point& point, Random* random)> changed_by(const std::string& text, double nearest,
                                                              const std::vector<Argument>& arguments,
                                                              const std::vector<ModelKey>& solid) {
@@ -186,7 +187,7 @@ std::function<void(Point& point, Random* random)> changed_by(const std::string& 
   };
 }
 
-/// How audits draw points of the quantity, by a table of [sampling].
+/// Sets how audits draw points of the quantity, by a table of [sampling].
 void set_sampling(Quantity& quantity, const std::string& name, double nearest) {
   const auto table = definitions_table()["sampling"][name];
   const auto lines_of = [&](const char* key) {
@@ -206,7 +207,7 @@ void set_sampling(Quantity& quantity, const std::string& name, double nearest) {
   if (!keep.empty()) quantity.keep_off = [kept = change(keep)](Point& point) { kept(point, nullptr); };
 }
 
-/// What a quantity has of its own, or else what its section has.
+/// The values of a quantity, or, for keys that the quantity lacks, those of its section.
 class Row {
  public:
   Row(const toml::table& section, const toml::node& own) : section_(section), own_(own) {}
@@ -280,7 +281,7 @@ Quantity quantity_of(std::string_view name, const Row& row) {
   return quantity;
 }
 
-/// In the order of their lines: a table does not keep it.
+/// The quantities in the order of their lines, which a TOML table does not keep.
 std::vector<Quantity> quantities_of(const toml::table& section) {
   std::vector<std::pair<toml::source_position, Quantity>> found;
   for (const auto& [name, own] : *section["quantities"].as_table())

@@ -9,31 +9,31 @@ namespace nipref::verify {
 // The quantities with their evaluators. A new quantity is a row of quantities.toml and an entry of one of
 // these groups.
 
-/// Roots of sinh 2z + 2z = 0, thesis appendix IV; I1 to I7, thesis (4.9), (4.20); F1, F2, un, vn, us, vs, thesis (4.24), (4.25).
+/// Roots of sinh 2z + 2z = 0, thesis appendix IV; I1 to I7, (4.9), (4.20); F1, F2, un, vn, us, vs, (4.24), (4.25).
 std::vector<Quantity> kernel_entries();
 std::vector<Quantity> memory_entries();       ///< J1 to J6, thesis (6.20)
 std::vector<Quantity> moving_load_entries();  ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
 std::vector<Quantity> half_space_entries();   ///< K, S, isotropic, brock2012 (18a)
 std::vector<Quantity> transverse_half_space_entries();  ///< K, S, critical speeds, brock2013 (19), (43), (46)
 std::vector<Quantity> half_space_contact_entries();     ///< dies and spheres, brock2012 (26) to (53)
-std::vector<Quantity> seed_sphere_entries();            ///< the seed's sphere, brock2013 (34), also exactly
+std::vector<Quantity> seed_sphere_entries();  ///< the seed's sphere, brock2013 (34), and its exact contact
 std::vector<Quantity> anisotropic_entries();  ///< K, S, critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, dimensionless, thesis chapter V
-std::vector<Quantity> field_entries();        ///< inside the sheet, thesis (3.19), (3.20), (3.26), (3.27)
-std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelastic one, thesis chapter VII
+std::vector<Quantity> field_entries();        ///< fields in the sheet, thesis (3.19), (3.20), (3.26), (3.27)
+std::vector<Quantity> viscoelastic_nip_entries();  ///< contacts of a rolling nip, thesis chapter VII
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
 /// Draws a time at which a load that started a time t ago passes a point, by passing_time() of quantities.toml.
 double draw_passing_time(double t, Random& random);
 
-/// Values of an argument of that kind at which large errors are likely, for quantities that do not draw their own points.
+/// Values of an argument of that kind at which large errors are likely; for quantities that do not draw their points.
 std::vector<double> hard_values(ArgumentKind kind);
 
-/// The table's rows in their order, without evaluators.
+/// The rows of quantities.toml in their order, without evaluators.
 const std::vector<Quantity>& described_quantities();
 
-/// The row of that name, which stays where it is. std::logic_error if the table has none.
+/// The row of that name; the reference stays valid. std::logic_error if the table has no such row.
 const Quantity& described(std::string_view name);
 
 template <std::size_t n>
@@ -57,7 +57,7 @@ auto of_point(const Quantity& entry, ArgumentNames<n> names, Function function) 
   };
 }
 
-/// The same from a function that asks the point for its numbers by name.
+/// The same for a function that takes the whole point and gets its numbers by name.
 template <class Function>
 auto of_point(const Quantity& entry, Function function) {
   return [arguments = std::span<const Argument>(described(entry.name).arguments), function](auto numbers,
@@ -81,8 +81,8 @@ double drawn(const std::string& formula, Random& random, const GivenNumbers& giv
 /// The largest number of arguments of a quantity; the catalogue's test checks every entry.
 inline constexpr std::size_t most_arguments = 160;
 
-/// Sets the scalar evaluator and the loop over it. As `evaluate` has its own type here, the loop calls it directly, and the
-/// bench does not time a call of std::function.
+/// Sets the scalar evaluator and the loop over it. As `evaluate` has its own type here, the loop calls it directly, and
+/// the bench does not time a call of std::function.
 template <class Evaluate>
 void set_fast(Quantity& entry, Evaluate evaluate) {
   entry.by_fast = evaluate;
@@ -97,7 +97,8 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
   };
 }
 
-/// An entry by functions of the numbers of those names, followed by the digits or the accuracy. `size`: if its row has none.
+/// Makes an entry from functions of the numbers of these arguments, then digits or accuracy. `size` if the row has
+/// none.
 template <std::size_t n, class Ref, class Fast, class... Size>
 Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size... size) {
   Quantity entry = described(name);
@@ -107,8 +108,7 @@ Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_
   return entry;
 }
 
-/// An entry by functions `by_ref` of a NamedExact and digits, `by_fast` of a NamedPoint and an accuracy, and `size` of a
-/// NamedPoint.
+/// Makes an entry. `by_ref` takes a NamedExact and digits, `by_fast` a NamedPoint and an accuracy, `size` a NamedPoint.
 template <class Ref, class Fast, class... Size>
 Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size... size) {
   Quantity entry = described(name);
@@ -119,7 +119,7 @@ Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size... size) {
   return entry;
 }
 
-/// The entry with the points of its audits: `draw` changes a point of the defaults at random.
+/// The entry with a function that draws the points of its audits: `draw` changes a point of the defaults at random.
 template <class Draw>
 Quantity sampled(Quantity entry, Draw draw) {
   entry.draw = [arguments = std::span<const Argument>(described(entry.name).arguments),

@@ -9,8 +9,8 @@
 
 namespace nipref::verify {
 
-// What the entries about nips have in common. The sheet has the thickness 1 and the instantaneous Young's modulus 1. The
-// rollers are so large that their radius is no shorter than any contact; all results are proportional to 1/R.
+// Common parts of the entries about nips. The sheet has the thickness 1 and the instantaneous Young's modulus 1. The
+// radius of the rollers is no shorter than any contact; all results are proportional to 1/R.
 
 inline constexpr double nip_roller_radius = 1024;
 inline constexpr double shortest_nip = 1e-8, longest_nip = 1e3;  ///< L/B
@@ -22,10 +22,10 @@ using NipReferences = std::vector<ref::Estimate>;
 /// Throws BadInput unless L/B is within these limits.
 void check_nip_length(double L_over_B);
 
-/// fast's accuracy asked of a contact.
+/// The accuracy that fast is asked for in a contact.
 double nip_accuracy(fast::Accuracy accuracy);
 
-/// The number in another unit: the factor is exact or rounded, and a proven bound stays proven.
+/// The number in another unit. The factor is exact or rounded; a proven bound stays proven.
 ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor);
 fast::Estimate in_unit(const fast::Estimate& number, double factor);
 
@@ -35,12 +35,11 @@ struct NipSolver {
   std::function<NipReferences(const NamedPoint& x, int digits)> ref;
 };
 
-/// The quantities of a family, in the order of the table, without sampling. The solution at a point is cached for the other
-/// quantities of the family.
+/// The quantities of a family in the order of the table, without sampling. They share the cached solution at a point.
 std::vector<Quantity> nip_entries(std::string_view family, const NipSolver& solver);
 
-/// Estimates, from the number of unknowns, of the seconds that the reference takes for the converged contact of that length
-/// on one core of a server of 2022; they are right to a factor of about two. They throw BadInput where the reference does.
+/// Estimates of the seconds that the reference takes for the converged contact of that length on one core of a server
+/// of 2022, from the number of unknowns, right to a factor of about two. They throw BadInput where the reference does.
 [[nodiscard]] double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length,
                                     int digits, int most_terms = ref::most_proof_terms);
 [[nodiscard]] double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits);

@@ -21,7 +21,7 @@ using ref::Exact;
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
 constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
-/// The last model, the standard linear solid with one relaxation time, is not drawn, as it is a special case of the first.
+/// The last model, the standard linear solid with one relaxation time, is not drawn: it is a special case of the first.
 constexpr std::size_t drawn_models = 7;
 
 std::size_t model_of(const auto& x) { return x.choice("material"); }
@@ -72,7 +72,7 @@ double draw_material(Random& random, const NamedNumbers& x) {
   return time;
 }
 
-/// variable: "t", or "omega" or "p", drawn as 1/t.
+/// The same with a value for `variable`: "t", or "omega" or "p", which is drawn as 1/t.
 void draw_material(Random& random, const NamedNumbers& x, const char* variable) {
   const double time = draw_material(random, x);
   const double t = random.chance(0.05) ? 0 : time * random.log_uniform(1e-12, random.chance(0.1) ? 1e7 : 1e3);
@@ -97,7 +97,8 @@ double fastest_rate(const NamedPoint& x) {
   return fastest;
 }
 
-/// Values of rational solids, which `found` gives with their size, are accurate to a unit in the last place.
+/// Sets the error that fast states for the value and size that `found` gives: one unit in the last place of the size
+/// for rational solids, the promise for springs and dashpots.
 void set_fast_error(Quantity& entry, auto found) {
   entry.fast_error = of_point(entry, [found, promise = entry.promise](const NamedPoint& x) {
     const auto [value, size] = found(x);
@@ -192,7 +193,7 @@ Quantity growth_entry(const char* name, bool is_shear) {
   });
 }
 
-/// theta1 or theta2 of the point, terms in their order.
+/// theta1 or theta2 of the point, its terms in the order of their rates.
 data::MaterialFunction terms_of(const NamedPoint& x) {
   const data::MaterialFunctions both =
       is_of_springs(model_of(x)) ? fast::material_functions(modulus_in(x, "shear"), modulus_in(x, "bulk"))

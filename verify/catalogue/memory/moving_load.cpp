@@ -35,8 +35,8 @@ data::MaterialFunction joined_series(const data::PronyList& list) {
   return function;
 }
 
-/// A series, operators, a solid of two moduli, or the thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau] with
-/// theta2 a third of theta1, which the thesis misprints with e^(-2t/tau).
+/// The material of the point: a series, operators, a solid of two moduli, or the thesis's solid,
+/// theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau] and theta2 = theta1/3, which the thesis misprints with e^(-2t/tau).
 data::ViscoelasticMaterial material_of(const NamedPoint& x) {
   const double model = x["material"];
   if (model == prony_solid) {
@@ -72,7 +72,7 @@ ref::ExactMaterial exact_material_of(const NamedExact& x) {
       x["relaxation_time"]);
 }
 
-// Of the kernels, by those of quantities.toml.
+// Magnitudes of the kernels, from the sizes in quantities.toml.
 double magnitude_I1(double w) {
   return std::max(2 * pi * 0.25584797756897609 * std::exp(-2.1061961152453303 * std::fabs(w)),
                   -std::log(std::fabs(w)));
@@ -81,8 +81,8 @@ double magnitude_I3(double w) { return std::min(0.76858 * std::fabs(w), 0.787); 
 double magnitude_I4(double w) { return std::min(1.05372 * std::fabs(w), 0.791); }
 double magnitude_I5(double w) { return std::min(1.83496 * std::fabs(w), 0.905); }
 
-/// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`, by Gauss's rule on pieces that
-/// resolve the exponential, the logarithm at 0 and the kernels.
+/// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`, by Gauss's rule on pieces
+/// which resolve the exponential, the logarithm at 0 and the kernels.
 template <class Magnitude>
 double remembered(Magnitude magnitude, double rate, double rounded, double from, double to) {
   // Some memories decay more slowly than the kernels grow towards the load, which must therefore be within the range.
@@ -103,7 +103,7 @@ double remembered(Magnitude magnitude, double rate, double rounded, double from,
   return sum;
 }
 
-/// The distances at which a load is and at which it started.
+/// The distance of a load from a point, and that of the place where the load started.
 struct LoadPath {
   double from, to;
 };
@@ -163,8 +163,7 @@ void keep_passive(const NamedNumbers& x) {
   std::ranges::copy(x.list("theta1_rate"), x.list("theta2_rate").begin());
 }
 
-/// Whether the material exists, and its memory makes so few oscillations while it decays that a second method does not take
-/// minutes.
+/// Whether the material exists and its memory oscillates so little that a second method does not take minutes.
 bool is_soon_confirmed(const NamedPoint& x) {
   constexpr double most_turns = 30;
   const auto material = unless_refused([&] { return fast::material_functions(material_of(x)); });
@@ -173,7 +172,7 @@ bool is_soon_confirmed(const NamedPoint& x) {
          });
 }
 
-/// Relaxation rates from 1e-12 to 1e12 speed/half_thickness, or 0.
+/// Draws a sheet with relaxation rates from 1e-12 to 1e12 speed/half_thickness, or 0.
 void draw_sheet(Random& random, const NamedNumbers& x) {
   do {
     x["speed"] = random.log_uniform(1e-3, 1e3);
@@ -189,8 +188,8 @@ void draw_sheet(Random& random, const NamedNumbers& x) {
   } while (x["material"] == solid_of_operators && !is_soon_confirmed(x));
 }
 
-/// A step of a search may lead from a passive solid to one that gains energy, which is then replaced by a passive one. Where
-/// a load is farther away than the reference allows for operators, they are replaced by the standard linear solid.
+/// Replaces a solid that gains energy, to which a step of a search may lead, by a passive one. If a load is farther
+/// away than the reference allows for operators, they are replaced by the standard linear solid.
 void keep_material(const NamedNumbers& x, double farthest) {
   constexpr double near = 199;
   keep_passive(x);
@@ -200,8 +199,8 @@ void keep_material(const NamedNumbers& x, double farthest) {
   set_defaults(x, material.models[static_cast<std::size_t>(solid_of_operators)].keys);
 }
 
-/// The largest distance of the load, or of the place where it started, from a point. The first number and the others are
-/// times or distances.
+/// The largest of these times or distances, and of their differences from the first one. It bounds the distance of the
+/// load, and of the place where it started, from a point.
 double farthest_load(const NamedPoint& x, const std::vector<const char*>& names) {
   double farthest = 0;
   for (const char* name : names)
@@ -209,8 +208,8 @@ double farthest_load(const NamedPoint& x, const std::vector<const char*>& names)
   return farthest;
 }
 
-/// The load, which is cached: a search along one argument asks for the same sheet many times, and the check that a material
-/// is passive takes longer than a displacement.
+/// The load, cached: a search along one argument asks for the same sheet many times, and the check that a material is
+/// passive takes longer than a displacement.
 const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   struct Last {
     std::vector<double> sheet;
@@ -236,7 +235,7 @@ Quantity load_entry(const char* quantity, auto displacement, auto size, auto... 
       [=](NamedPoint x, Accuracy accuracy) { return displacement(load_of(x, accuracy), x[names]...); }, size);
 }
 
-/// `size`: a member of Sizes; `passing`: names of the times at which the load passes the points.
+/// An entry of a started load. `size`: a member of Sizes; `passing`: names of the times of passing the points.
 template <class... Names>
 Quantity started_entry(const char* quantity, auto displacement, auto size, Names... passing) {
   const std::vector<const char*> names{"t", passing...};
@@ -254,7 +253,7 @@ Quantity started_entry(const char* quantity, auto displacement, auto size, Names
   });
 }
 
-/// `distances`: names of those from the load.
+/// An entry of a steady load. `distances`: names of the distances from the load.
 template <class... Names>
 Quantity steady_entry(const char* quantity, auto displacement, auto size, Names... distances) {
   const std::vector<const char*> names{distances...};

@@ -14,7 +14,7 @@ using ref::Exact;
 SheetLoad load_of(double number) { return number == 0 ? SheetLoad::normal : SheetLoad::shear; }
 SheetLoad load_of(const ref::Exact& number) { return load_of(number.approximate()); }
 
-/// A function of a place, a load and more, as one of the numbers of their arguments.
+/// Makes a function of numbers from a function of a place, a load and more: the load is given as a number.
 auto at_place(auto function) {
   return [function](const auto& alpha, const auto& depth, const auto& load,
                     const auto&... more) -> decltype(function(alpha, depth, load_of(load), more...)) {

@@ -7,9 +7,9 @@
 namespace nipref::verify {
 namespace {
 
-/// The factor by which rounding errors of the kernel are amplified. At the distance L the kernel is about ln(1 + B/L), and
-/// a sheet that softens later has a pressure that is larger by the softening. Over the whole domain the errors of random
-/// contacts grow like this factor.
+/// The factor by which rounding errors of the kernel are amplified. At the distance L the kernel is about ln(1 + B/L),
+/// and a sheet that softens with time has a pressure that is larger by the softening. The errors of random contacts
+/// over the whole domain grow like this factor.
 double amplification(double L_over_B, double softening) { return 1 + softening * std::log1p(1 / L_over_B); }
 
 constexpr double shortest_rolling = 1e-6;
@@ -39,7 +39,7 @@ mpq_class exact_compliance(const data::ViscoelasticNip& nip) {
   return mpq_class(functions.theta1.instantaneous) + mpq_class(functions.theta2.instantaneous);
 }
 
-/// In the order of the entries; the compliance and the length are doubles or exact.
+/// The results, dimensionless, in the order of the entries. Compliance and length are doubles or exact.
 template <class Number>
 auto rolling_numbers_of(const auto& contact, const Number& compliance, const Number& length) {
   const Number slope = nip_roller_radius / length;

@@ -6,7 +6,7 @@ namespace nipref::verify {
 
 /// Evaluates formulas of numbers with their errors. A formula is made of
 ///   - decimal numbers, pi and names that were defined,
-///   - + - * / ^ (the exponent is a whole number), parentheses, and x < y and x > y, which compare values and are 1 or 0,
+///   - + - * / ^ (whole exponents), parentheses, and x < y and x > y, which compare values and are 1 or 0,
 ///   - sqrt(x) and others of words.cpp, min(x, ...) and max(x, ...) by value, and defined ones, found first,
 ///   - if(condition, x, y), which evaluates x or y alone,
 ///   - integral(t, a, b, f(t)) and the other functionals of words.cpp, whose first argument names the variable,

@@ -33,11 +33,11 @@ std::string with_fields(const std::string& text,
                         const std::function<std::string(const std::string&, const std::string&)>& written);
 
 /// Computes what formulas name in brackets, [KIND NAME KEY=VALUE ...]; the values are formulas without spaces:
-///   - ref, fast, printed, double: a quantity of the catalogue by ref, by fast, as the seed prints it, or by fast without
-///     an error. Its arguments are decimal texts as on the command line; $x is the value of x;
-///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
-///     for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory, speed. The
-///     defaults are the thesis's. In place of friction, elastic may have mu, Coulomb's coefficient, and traction;
+///   - ref, fast, printed, double: a quantity of the catalogue by ref, by fast, as the seed prints it, or by fast
+///     without an error. Its arguments are decimal texts as on the command line; $x is the value of x;
+///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy,
+///     `at` for the place of a distribution or the index in a list, and young, poisson, friction or solid, memory,
+///     speed. The defaults are the thesis's. Elastic may have mu, Coulomb's coefficient, and traction for friction;
 ///   - started: mu_R by the thesis's line loads. Keys: thickness, load, memory, and distance, from which they start;
 ///   - sliding_sphere: a result of the exact contact of (brock2013 4). Keys: direction from x1, degrees, and speed over
 ///     that of the sphere's shear waves;

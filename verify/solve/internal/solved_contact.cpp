@@ -74,8 +74,8 @@ Number product_of(const SolvedContact<Number>& contact, ResultId id) {
   return result * exactly(given_factor(contact, id), result);
 }
 
-/// The velocity of sliding over F_0, the strain of the surface less the creep ratio: by (2.5) the surface moves at F_0
-/// (1 + v') and the rollers at F_0 (1 + creep ratio). Without friction the creep ratio is the mean strain in the
+/// The velocity of sliding over F_0, the strain of the surface less the creep ratio: by (2.5) the surface moves at
+/// F_0 (1 + v') and the rollers at F_0 (1 + creep ratio). Without friction the creep ratio is the mean strain in the
 /// contact, so that the mean slip is 0. Outside the contact it is the slip that there would be if the surfaces touched.
 ref::Estimate slip_at(const SolvedContact<ref::Estimate>& contact, double y) {
   const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),

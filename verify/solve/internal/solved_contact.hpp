@@ -159,12 +159,13 @@ using SolvedByRef = Solved<RefPath>;
 // A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if
 // the contact's length is not allowed.
 
-/// A nip by its problem's method; `accuracy` is the scene's, or the digits. Without a method it is the continuous contact.
+/// A nip by the method of its problem; `accuracy` is the scene's, or the digits. The default is the continuous contact.
 ///
-/// In double the error of a result of line loads is its distance to the same result of the continuous contact, solved to
-/// 1e-5, whose own error is added. The kernels of line loads of a rolling nip are exact to rounding, or the truncated
-/// series that the scene asks for. The reference's errors are proven bounds for line loads, and for much of what the
-/// continuous contacts have (ref/README.md, What is proven), otherwise estimates. Instantiated for the problems of nips.
+/// In double the error of a result of line loads is its distance to the same result of the continuous contact, solved
+/// to 1e-5, plus the error of that result. The kernels of line loads of a rolling nip are exact to rounding, or the
+/// truncated series that the scene asks for. The reference's errors are proven bounds for line loads and for many
+/// results of continuous contacts (ref/README.md, What is proven), otherwise estimates. Instantiated for the problems
+/// of nips.
 template <class Path = FastPath, class Problem>
 Solved<Path> solve_nip(const Problem& problem, typename Path::Accuracy accuracy);
 

@@ -8,12 +8,12 @@
 namespace nipref::verify {
 namespace {
 
-// The seed's steel: 77.2 and sqrt(77.2/7860) for the printed decimal numbers, each as the sum of two doubles.
+// The seed's steel: the decimals 77.2 and sqrt(77.2/7860) as sums of two doubles each.
 constexpr double steel_shear = 0x1.34ccccccccccdp+6, steel_shear_low = -0x1.999999999999ap-49;
 constexpr fast::SpeedUnit steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
 
-/// With the axis normal to the surface, waves polarised across the line do not contribute to u3, and the speed may exceed
-/// theirs.
+/// If the axis is normal to the surface, waves polarised across the line do not contribute to u3, and the speed may
+/// exceed theirs.
 ref::ExactStiffness stiffness_of(const ref::ExactTransverse& solid, data::SymmetryAxis axis) {
   return axis == data::SymmetryAxis::normal ? ref::sagittal_stiffness(solid)
                                             : ref::exact_stiffness(solid, axis);
@@ -88,8 +88,8 @@ ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis 
 void check_subcritical(const NamedExact& x) {
   const ref::ExactStiffness solid = exact_transverse_of(x, symmetry_axis(x));
   const auto motion = direction_of(x, "theta_deg");
-  // If the axis is normal to the surface, lines differ only in the speed of the load along them, which is largest in the
-  // direction of motion.
+  // If the axis is normal to the surface, lines differ only in the speed of the load along them, which is largest in
+  // the direction of motion.
   if (symmetry_axis(x) == data::SymmetryAxis::normal) {
     ref::check_subcritical(solid, x["speed"], motion, motion);
   } else {

@@ -25,11 +25,11 @@ ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees);
 
 // Units are those of the seed's steel: its mu for stress, its v_S for speed. (brock2013 section 3)
 
-/// The exact value of the decimal number as which a constant is written: 77.2 is not a double.
+/// The exact value of a constant as it is written in decimal: 77.2 is not a double.
 ref::Exact as_written(double constant);
 
-// Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa) and density (kg/m^3), whose defaults are those
-// of the seed's graphite epoxy, and axis, the direction of its axis relative to the surface.
+// Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa) and density (kg/m^3), by default those of
+// the seed's graphite epoxy, and axis, the direction of its axis relative to the surface.
 
 data::SymmetryAxis symmetry_axis(const auto& x) {
   return x.choice("axis") == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
@@ -56,20 +56,20 @@ struct ExactLine {
   [[nodiscard]] ref::LineResponse response(int digits) const {
     return ref::line_response(solid, speed, motion, psi, digits);
   }
-  /// Itself; BadInput unless the load is slower along it than the line's waves. Beyond, the reference solves the equations, too.
+  /// The line itself. BadInput unless the load is slower along it than its waves; the reference solves beyond, too.
   [[nodiscard]] const ExactLine& checked() const {
     ref::check_subcritical(solid, speed, motion, psi);
     return *this;
   }
 };
 
-/// The evaluator by a component of the response of the line that `line_of` makes.
+/// The evaluator of a component of the response of the line that `line_of` makes.
 inline auto component_of(ExactLine (*line_of)(const NamedExact& x),
                          ref::Enclosure ref::LineResponse::*member) {
   return [=](const NamedExact& x, int digits) { return line_of(x).response(digits).*member; };
 }
 
-/// d ln K/d ln speed by a central difference of the reference's K in three times the digits; digits: 16 to 485.
+/// d ln K/d ln speed by a central difference of K, which the reference computes to three times `digits`, 16 to 485.
 ref::Estimate exact_condition(const ExactLine& line, int digits);
 
 }  // namespace nipref::verify

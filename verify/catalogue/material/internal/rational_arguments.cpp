@@ -25,7 +25,7 @@ std::vector<Number> coefficients(const Named<const Number>& x, const std::string
   return {all.begin(), all.end()};
 }
 
-/// A second rate: the same, nearly the same, or any within four decades.
+/// Draws a second rate: the same, nearly the same, or any within four decades.
 double other_rate(double rate, Random& random) {
   if (random.chance(0.2)) return rate;
   if (random.chance(0.3)) return rate * (1 + random.log_uniform(1e-16, 1e-2));
@@ -42,8 +42,7 @@ Quadratic draw_p(double rate, Random& random) {
   return {product, turn < 1 ? 2 * std::sqrt(product) * turn : rate + other, 1};
 }
 
-/// Draws Q of a modulus Q/P that gains no energy: q1 p0 >= q0 p1, q2 p1 >= q1 p2. Some Q have a double root, or nearly
-/// so.
+/// Draws Q of a modulus Q/P that gains no energy: q1 p0 >= q0 p1, q2 p1 >= q1 p2. Some Q have a (nearly) double root.
 Quadratic draw_q(const Quadratic& p, double size, Random& random) {
   const double q0_of_q1 = p[0] / p[1];
   if (p[2] == 0) {
@@ -60,8 +59,8 @@ Quadratic draw_q(const Quadratic& p, double size, Random& random) {
   return {q1 * q0_of_q1 * soft, q1, size};
 }
 
-/// A modulus Q/P of three branches or more side by side, each a spring in series with a dashpot, and a spring: it gains no
-/// energy. Empty where a coefficient would be no magnitude.
+/// A modulus Q/P of a spring and three or more branches side by side, each a spring in series with a dashpot: it gains
+/// no energy. Empty if a coefficient would not be a magnitude.
 struct Branches {
   std::vector<double> p{1}, q;
 };

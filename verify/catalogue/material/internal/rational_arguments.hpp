@@ -18,8 +18,8 @@ ref::ExactRationalSolid exact_operators_of(const NamedExact& x);
 /// Sets to its default each number that belongs to a model of the material other than the chosen one.
 void default_unread(const NamedNumbers& x);
 
-/// Draws a passive material with relaxation times of the order of `time`. Its rates are equal, nearly equal or far apart,
-/// those of operators also complex. Some materials have no instantaneous deformation, some are fluids. `soft`: 1/modulus.
+/// Draws a passive material with relaxation times of the order of `time`. Its rates are equal, nearly equal or far
+/// apart, those of operators also complex. Some lack instantaneous deformation, some are fluids. `soft`: 1/modulus.
 void draw_prony(const NamedNumbers& x, double soft, double time, Random& random);
 void draw_operators(const NamedNumbers& x, double stiff, double time, Random& random);
 

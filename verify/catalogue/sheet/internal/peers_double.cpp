@@ -16,10 +16,9 @@ namespace {
 /// sinh overflows beyond 710; from 20 on the terms dropped are below 2^-53 of those kept.
 constexpr double asymptotic_from = 20;
 
-/// The transform of I1, 2 sinh^2 x / (x (sinh 2x + 2x)); Ooura's rule asks for it at arguments from 1e-170 to
-/// beyond the overflow of sinh. Both rules are made for slow decay like this one's 1/x; on the smooth
-/// remainder that is left when tanh x / x is taken out, QAWF misses the whole integrand for small alpha,
-/// whose first cycle is 1e6 wide.
+/// The transform of I1, 2 sinh^2 x / (x (sinh 2x + 2x)). Ooura's rule evaluates it from 1e-170 to beyond the overflow
+/// of sinh. Both rules are made for slow decay like its 1/x. On the smooth remainder without tanh x / x, QAWF misses
+/// the whole integrand for small alpha, where the first cycle is 1e6 wide.
 double transform(double x) {
   if (x > asymptotic_from) return 1 / x;
   if (x < 1e-8) return 0.5;
@@ -34,7 +33,7 @@ class Qawf {
  public:
   double integrate(double omega) {
     gsl_function function{transform_for_gsl, nullptr};
-    // The length that QAWF itself will ask for: with any other the table would be computed twice.
+    // The length that QAWF itself uses: with any other length the table would be computed twice.
     const double cycle = (2 * std::floor(omega) + 1) * std::numbers::pi / omega;
     gsl_integration_qawo_table_set(table_.get(), omega, cycle, GSL_INTEG_COSINE);
     double value = std::numeric_limits<double>::quiet_NaN();
@@ -45,7 +44,7 @@ class Qawf {
   }
 
  private:
-  static constexpr double tolerance = 1e-13;  // with 1e-14 it gives up at alpha = 1e-6 and errs by 1e-7
+  static constexpr double tolerance = 1e-13;  // with 1e-14 QAWF gives up at alpha = 1e-6 and errs by 1e-7
   static constexpr std::size_t limit = 1000;
   static constexpr std::size_t chebyshev_levels = 25;
 

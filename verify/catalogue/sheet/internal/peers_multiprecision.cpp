@@ -23,7 +23,7 @@ using Number =
 template <int digits>
 Number<digits> evaluate(const Number<digits>& alpha) {
   using Real = Number<digits>;
-  // Nine refinements, the default, leave 58 digits at alpha = 5 when 200 are asked for, and ten leave 105.
+  // Nine refinements, the default, give only 58 of 200 digits at alpha = 5, and ten give 105.
   static thread_local boost::math::quadrature::exp_sinh<Real> rule(12);
   const Real negligible_from =
       digits * 2;  // e^(-2x) is then below 10^(-1.7 digits); also guards sinh against overflow
@@ -32,9 +32,8 @@ Number<digits> evaluate(const Number<digits>& alpha) {
     const Real doubled = 2 * x;
     return 2 * tanh(x) * cos(alpha * x) / (sinh(doubled) + doubled);
   };
-  // The digits double with each level, so that a power of epsilon is enough. The default, 1/2, falls three
-  // digits short at alpha = 0.73; 0.6 gives all digits. Asking for epsilon itself only makes the rule run
-  // through all its levels.
+  // The digits double with each level, so that a power of epsilon is enough. The default, 1/2, lacks three digits at
+  // alpha = 0.73; 0.6 gives all digits. With epsilon itself the rule only runs through all its levels.
   static thread_local const Real tolerance = pow(std::numeric_limits<Real>::epsilon(), Real(0.6));
   const Real integral = rule.integrate(remainder, tolerance);
   const Real quarter = boost::math::constants::pi<Real>() * alpha / 4;
