@@ -27,9 +27,9 @@ struct WantedKernels {
   bool I6 = false;
 };
 
-/// Their values, empty where not wanted: u under a normal load is N/pi I1, v under it N/pi times the coupling I3 -
-/// (theta2/N) I2, which is -u under a shear load too, and v under a shear load N/pi I6, N = theta1 + theta2.
-/// Functions of eta, the same for all alpha, are left out: in a symmetric nip they cancel between the loads at +-Y.
+/// The values of the kernels, empty if not wanted, N = theta1 + theta2. Under a normal load u is N/pi I1 and v is N/pi
+/// times the coupling I3 - (theta2/N) I2. Under a shear load u is -N/pi times the coupling and v is N/pi I6. Functions
+/// of eta, equal for all alpha, are left out: in a symmetric nip they cancel between the loads at +-Y.
 struct LineLoadKernels {
   Eigen::RowVectorXd I1, coupling, I6;
 };
@@ -84,8 +84,8 @@ double odd(const Eigen::RowVectorXd& kernel, int multiple) {
   return multiple < 0 ? -even(kernel, multiple) : even(kernel, multiple);
 }
 
-/// The matching equations of one half of the nip, all of their numbers lengths or dimensionless: the unknowns are d0
-/// and the normal loads P_1 .. P_m times N/pi, with friction also the shear loads Q_1 .. Q_m. Matching points lie at
+/// The matching equations of one half of the nip; all numbers are lengths or dimensionless. The unknowns are d0 and the
+/// normal loads P_1 .. P_m times N/pi, with friction also the shear loads Q_1 .. Q_m times N/pi. Matching points lie at
 /// 2 i a, loads at +-(2k - 1) a, so that all distances are odd multiples of half an element a. Rows: u at i = 0 .. m,
 /// with friction v at i = 1 .. m; v at the middle of the nip is 0 by symmetry. (thesis 5.8, 5.11)
 Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMethod& method,
@@ -110,7 +110,7 @@ Eigen::MatrixXd matching_matrix(const data::ElasticNip& nip, const LineLoadMetho
   return matrix;
 }
 
-/// The gap Y^2/(2R) on the rows of u; with friction also, for a creep of 1 on an undeformed roller, Y on those of v.
+/// The gap Y^2/(2R) on the rows of u; with friction a second column, Y on the rows of v, for a creep of 1.
 Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double contact_length, bool grips) {
   Eigen::MatrixXd sides = Eigen::MatrixXd::Zero((grips ? 2 : 1) * m + 1, grips ? 2 : 1);
   for (int i = 0; i <= m; ++i) {
@@ -121,8 +121,8 @@ Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double cont
   return sides;
 }
 
-/// Creep ratios that meet the thesis's conditions, the shear loads pushing outwards (sign 1) or inwards (-1).
-/// `unknowns`: at a creep of 0, and per creep.
+/// The creep ratios that meet the thesis's conditions with shear loads that push outwards (sign 1) or inwards (-1).
+/// `unknowns`: a column at the creep 0 and a column of derivatives with respect to the creep.
 FeasibleSet feasible(const Eigen::MatrixXd& unknowns, int m, double sign) {
   const auto unknown = [&](int index) { return Quadratic{unknowns(index, 0), unknowns(index, 1)}; };
   FeasibleSet creeps;
@@ -146,7 +146,7 @@ std::vector<CreepRange> creep_ranges(const Eigen::MatrixXd& unknowns, int m) {
   return both;
 }
 
-/// The loads of both sides, from those of one times N/pi.
+/// The loads of both sides, from those of one side times N/pi.
 std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double width,
                                  const Eigen::VectorXd& unknowns) {
   const double unit = std::numbers::pi / nip.material.normal_compliance();
@@ -160,13 +160,13 @@ std::vector<FaceLoad> both_sides(const data::ElasticNip& nip, int m, double widt
   return loads;
 }
 
-/// Nothing if the thesis's creep is wanted and there is none.
+/// The solved nip; nothing if the thesis's creep is wanted and there is none.
 std::optional<LineLoadNip> solved(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, const Grip& grip,
                                   const std::shared_ptr<Work>& work) {
   const bool grips = grip.kind != Grip::Creep::none;
   const int m = method.elements_per_side;
-  // First, as it refuses what is out of its domain.
+  // The matrix comes first, because it throws BadInput outside the domain.
   const Eigen::MatrixXd matrix = matching_matrix(nip, method, contact_length, grips, *work);
   const Eigen::MatrixXd unknowns =
       Elimination(matrix).solve_columns(right_hand_sides(nip, m, contact_length, grips));

@@ -10,10 +10,10 @@
 // alone without friction (the thesis's Case B), I1, I3 and I6 with full friction, v = creep Y at the matching points
 // (Case A). Results that are asked for later take 2m values for each place.
 //
-// This is what the thesis computed, not the converged contact (converged.hpp): without friction the
-// scheme's own error falls like ln(m)/m only (contact length at a given load); with friction it does not
-// converge at all at a given creep: the loads zigzag more and more as m grows, and their sum goes nowhere; the creep that
-// the thesis's conditions leave tends to that of the continuous contact like 1/m.
+// This is what the thesis computed, not the converged contact (converged.hpp). Without friction the discretisation
+// error falls only like ln(m)/m (contact length at a given load). With friction the scheme does not converge at a given
+// creep: the loads zigzag more and more as m grows, and their sum does not converge. The creep that meets the thesis's
+// conditions tends to that of the continuous contact like 1/m.
 
 namespace nipref::fast {
 
@@ -25,7 +25,7 @@ struct LineLoadMethod {
   int residue_terms;
   Accuracy accuracy;
 
-  /// Implicit, as the number of elements alone says what is usually meant.
+  /// Implicit, because the number of elements alone usually suffices.
   LineLoadMethod(int elements, int residues = 0, Accuracy kernels = {})
       : elements_per_side(elements), residue_terms(residues), accuracy(kernels) {}
 
@@ -33,15 +33,14 @@ struct LineLoadMethod {
   void check() const;
 };
 
-/// How the contact length is sought that carries a load.
+/// The search for the contact length that carries a load.
 struct LoadSearch {
   enum class Iteration {
     fast,   ///< secants of ln W over ln L
     thesis  ///< L <- L (W/W(L))^(1/3) alone (thesis 2.13): a digit takes about two solves
   };
   Iteration iteration = Iteration::fast;
-  /// Relative, of the load, as far as rounding allows. 1e-14 to 0.1, otherwise BadInput. The thesis's tables
-  /// stopped near 2e-3.
+  /// Relative, of the load, if rounding allows it; 1e-14 to 0.1, otherwise BadInput. The thesis stopped near 2e-3.
   double tolerance = 0x1p-46;
 };
 
@@ -50,20 +49,20 @@ struct LoadSearch {
 /// conditions. With half an element wider than about 1.2 half-thicknesses the loads without friction are nonsense:
 /// the kernel has changed its sign between one load and the next. With full friction the matrix is singular at single
 /// lengths, such as L/B = 0.3 for m = 2, 0.1 for m = 20, or half an element of 0.8 half-thicknesses, and next to them
-/// the loads are nonsense: condition_number tells. The loads being affine in the creep, the limits of its ranges are
-/// roots of linear and quadratic functions, found from the one factorisation. (thesis 5.5-5.11)
+/// the loads are nonsense; condition_number shows it. The loads are affine in the creep, so that the limits of its
+/// ranges are roots of linear and quadratic functions, found from one factorisation. (thesis 5.5-5.11)
 LineLoadNip line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length, const data::Grip& grip = {});
 
-/// The same for a given load per unit width, > 0 and finite; BadInput otherwise, or if the contact length
-/// would be out of its domain. With full friction it is sought from the length without friction; BadInput if the
-/// search leads to loads that are not positive (at a given creep the load need not rise with the length), or to a length
-/// without a creep that the thesis would choose.
+/// The line loads whose contact carries `load` per unit width, > 0 and finite; BadInput otherwise, or if the contact
+/// length would be out of its domain. With full friction the search starts from the length without friction; BadInput
+/// if the search leads to loads that are not positive (at a given creep the load need not rise with the length), or to
+/// a length without a creep that the thesis would choose.
 LineLoadNip line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                 const data::Grip& grip = {}, const LoadSearch& search = {});
 
-/// The thesis's own creep, of the least size among the ranges, and the range that it is in, of which it is an end
-/// unless it is 0. (thesis, section 5.5, Figure 15)
+/// The creep that the thesis chooses, the one of least magnitude in the ranges, and its range. The creep is an end of
+/// the range unless it is 0. (thesis, section 5.5, Figure 15)
 struct ThesisCreep {
   CreepRange range;
   double chosen;
@@ -72,9 +71,8 @@ struct ThesisCreep {
 /// Nothing if there is no range.
 std::optional<ThesisCreep> thesis_creep(std::span<const CreepRange> ranges);
 
-/// Condition number of the matching matrix in the 1-norm, estimated from its factors: infinite if it is
-/// singular. The matrix is that of the system solved, d0 and the loads times N/pi being lengths.
-/// Domains as for line_loads_for_length.
+/// Condition number of the matching matrix in the 1-norm, estimated from its factors: infinite if it is singular. In
+/// the matrix d0 and the loads times N/pi are lengths, as it is solved. Domains as for line_loads_for_length.
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
                         data::Friction friction);
 

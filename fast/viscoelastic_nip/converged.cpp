@@ -5,8 +5,8 @@
 namespace nipref::fast {
 namespace {
 
-/// Half-thicknesses. A memory with a longer relaxation length adds nothing: it is at most 1e120 of the compliance over
-/// that length. A memory that flows for ever, rate 0, has no relaxation length.
+/// A relaxation length, half-thicknesses. A memory with a longer one adds nothing: it is at most 1e120 of the
+/// compliance over that length. A memory of rate 0, which flows for ever, has no relaxation length.
 constexpr double too_long = 1e150;
 
 RollingSheet rolling_sheet(const data::ViscoelasticNip& nip, const data::MaterialFunctions& functions) {

@@ -20,15 +20,15 @@ using data::BadInput;
 
 constexpr int most_elements = 500;
 
-/// What does not depend on the length: the elements, and displacements by a moving unit load, plain sums or exact, with
-/// lengths in half-thicknesses and times in b/speed: t since it started, T when it passes the point, t0 when it passes the
-/// pinned point.
+/// The part of the problem that does not depend on the length: the elements, and the displacements under a moving unit
+/// load, by plain sums or exact. Lengths are in half-thicknesses, times in b/speed: t since the load started, T when it
+/// passes the point, t0 when it passes the pinned point.
 struct RollingLoads {
   data::ViscoelasticNip nip;
   int leading, trailing;
   double approach;
-  double compliance;  ///< theta1 + theta2 at once, 1/stress
-  double time;        ///< b/speed in what the exact load is given, whose times have a unit
+  double compliance;  ///< instantaneous theta1 + theta2, 1/stress
+  double time;        ///< unit of the load's times: b/speed of the exact load, 1 of plain sums
   std::variant<MovingLoad, PlainMovingLoad> load;
   std::shared_ptr<Work> work = std::make_shared<Work>();
 
@@ -59,7 +59,7 @@ struct RollingLoads {
   }
 };
 
-/// (7.11), in half-thicknesses.
+/// The grid of (thesis 7.11), in half-thicknesses.
 struct Grid {
   double element;  ///< beta: half the width of an element
   double approach;
@@ -69,7 +69,7 @@ struct Grid {
   [[nodiscard]] double T(int j) const { return (2 * j + 1) * element + approach; }  ///< j = 0 .. loads - 1
 };
 
-/// u at matching point i by load j depends on j - i and on T_j, so that the sums are few.
+/// u at matching point i under load j depends on j - i and on T_j, so that few sums are needed.
 Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) {
   std::vector<PlainMovingLoad::Sums> at_distance, at_T;
   for (int k = 0; k <= grid.loads; ++k) at_distance.push_back(sheet.normal_sums((2 * k + 1) * grid.element));
@@ -92,9 +92,9 @@ Eigen::MatrixXd influence(const RollingLoads& problem, const Grid& grid) {
   });
 }
 
-/// The surface under loads that started when their leading end was `approach` ahead: along Y against the point of the middle
-/// plane on the line through the centres. Of the point that is at Y at the time t, with lengths in half-thicknesses and times
-/// in half-thickness/speed.
+/// The surface under loads that started when their leading end was `approach` ahead. Displacements along Y are relative
+/// to the point of the middle plane on the line through the centres. They are those of the material point that is at Y
+/// at the time t, with lengths in half-thicknesses and times in half-thickness/speed.
 LineLoadSheet rolling_sheet(const std::shared_ptr<const RollingLoads>& problem, double leading_length) {
   return [=](FaceDirection direction, std::span<const FaceLoad> loads, double y, Work& /*work*/) {
     const double half_thickness = problem->nip.half_thickness();
@@ -102,7 +102,7 @@ LineLoadSheet rolling_sheet(const std::shared_ptr<const RollingLoads>& problem, 
     if (!(t >= 0)) throw BadInput("y", y, "must not be ahead of where the leading end started");
     double sum = 0;
     for (const FaceLoad& load : loads) {
-      // What the load is ahead of the centres, the pinned point has been passed by.
+      // The load passed the pinned point when it was at the line through the centres, load.y ago.
       const double T = t + (y - load.y) / half_thickness, t0 = t - load.y / half_thickness;
       sum += load.normal * (direction == FaceDirection::normal ? problem->normal_displacement(t, T)
                                                                : problem->tangential_displacement(t, T, t0));

@@ -15,11 +15,11 @@ constexpr double pi = std::numbers::pi;
 using Alphas = CountedKernels::Alphas;
 using Eigen::MatrixXd, Eigen::RowVectorXd;
 
-/// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
+/// The strain from a load elsewhere: N/2 times the stress along the face. At its own place the load adds a local part.
 double nonlocal_strain(double alpha) { return sheet_stresses(alpha, 1, data::SheetLoad::normal).along / 2; }
 
-/// What an end causes fades like e^(-decay e). Without friction the kernel's transform 2 sinh^2 k/(k (sinh 2k + 2k)) is 0
-/// at k = pi i. With full friction the determinant of the transforms is 0 where a sheet with clamped faces has a free
+/// The effect of an end fades like e^(-decay e). Without friction the kernel's transform 2 sinh^2 k/(k (sinh 2k + 2k))
+/// is 0 at k = pi i. With full friction the determinant of the transforms is 0 if a sheet with clamped faces has a free
 /// field: (3 - 4 poisson) sinh 2k = 2k, at k = i decay with 0 <= 2 decay < pi.
 double decay_of_ends(bool grips, double poisson) {
   if (!grips) return pi;
@@ -111,7 +111,7 @@ Functional ElasticEquations::end_displacement(const Solution& solution, bool /*t
   return solution.of_unknown(edge_displacement);
 }
 
-/// The rows of a kernel's functionals at a place of the half on which it is not mirrored.
+/// The rows of a kernel's functionals at a place, or at its mirror image if it is on the trailing half.
 static MatrixXd acting(const Solution& solution, const Tractions::Kernel& kernel, const ContactPlace& place) {
   return solution.tractions().rows(place.in(solution).e, false, kernel, quadrature_tolerance);
 }
@@ -130,7 +130,7 @@ Functional ElasticEquations::normal(const Solution& solution, const ContactPlace
 SurfaceAlong ElasticEquations::along(const Solution& solution, const ContactPlace& place,
                                      CountedKernels& kernels) const {
   const MatrixXd rows = acting(solution, grips_ ? matching(kernels).whole : along_kernel(kernels), place);
-  // It is odd.
+  // The displacement is odd.
   const double sign = place.in(solution).trailing ? -1 : 1;
   Functional displacement = solution.of_tractions(sign * rows.row(grips_ ? 1 : 0));
   displacement.cancelled = cancelling_sides(solution);

@@ -4,10 +4,10 @@
 
 namespace nipref::fast {
 
-/// The contact of an elastic sheet: the surface follows u = D + 2 A e - e^2, and with full friction v = creep y. Unknowns
-/// are D, the displacement at the end, and with full friction the creep. At an end with full friction the sign terms of
-/// the coupling make g = pressure + i shear a power e^(1/2 - i epsilon), epsilon = atanh(theta2/N)/pi = ln(3 - 4 poisson)/
-/// (2 pi). (thesis 2.2, 2.5, 5.3, 5.5; continuous form)
+/// The contact of an elastic sheet: the surface follows u = D + 2 A e - e^2, and with full friction v = creep y.
+/// Unknowns are D, the displacement at the end, and with full friction the creep. At an end with full friction the sign
+/// terms of the coupling make g = pressure + i shear a power e^(1/2 - i epsilon),
+/// epsilon = atanh(theta2/N)/pi = ln(3 - 4 poisson)/(2 pi). (thesis 2.2, 2.5, 5.3, 5.5; continuous form)
 class ElasticEquations : public NipEquations {
  public:
   ElasticEquations(data::Friction friction, double poisson);
@@ -31,12 +31,12 @@ class ElasticEquations : public NipEquations {
  private:
   /// The kernel of v under the pressure and, with the other sign, of u under the shear.
   [[nodiscard]] Eigen::RowVectorXd coupling(CountedKernels::Alphas alpha, CountedKernels& kernels) const;
-  /// Without friction, of displacement along the surface and of the nonlocal part of its strain; and of both displacements
-  /// that are matched.
+  /// The kernel, without friction, of the displacement along the surface and of the nonlocal part of its strain; and
+  /// the kernel of the displacements that are matched.
   [[nodiscard]] Tractions::Kernel along_kernel(CountedKernels& kernels) const;
   [[nodiscard]] Tractions::SplitKernel matching(CountedKernels& kernels) const;
 
-  /// The coupling is at most 1/4 + beta/2; what is on both sides of a place cancels.
+  /// The size of the contributions from both sides of a place, which cancel: the coupling is at most 1/4 + beta/2.
   [[nodiscard]] double cancelling_sides(const Solution& solution) const;
 
   bool grips_;

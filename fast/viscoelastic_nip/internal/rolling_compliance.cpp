@@ -12,7 +12,7 @@ using internal::rounded;
 
 OctupleComplex exactly(std::complex<double> z) { return {z.real(), z.imag()}; }
 
-/// That of N over the product of all s_k + z. The imaginary parts of its coefficients cancel.
+/// The numerator of N over the denominator prod_k (s_k + z). The imaginary parts of its coefficients cancel.
 internal::Polynomial numerator(const std::vector<Memory>& terms) {
   using Complex = boost::math::tools::polynomial<OctupleComplex>;
   const auto linear = [](const Memory& term) { return Complex{exactly(term.rate), 1}; };
@@ -29,7 +29,7 @@ internal::Polynomial numerator(const std::vector<Memory>& terms) {
   return real;
 }
 
-/// m_j = 1/N'(-r_j). Differences of rates are taken in the roots' own precision.
+/// m_j = 1/N'(-r_j). Differences of rates are taken in the precision of the roots.
 RollingCompliance inverted(const std::vector<Memory>& terms) {
   RollingCompliance result{terms, {}, {1}, {}};
   if (result.terms.empty()) return result;

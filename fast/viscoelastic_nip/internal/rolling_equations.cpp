@@ -20,7 +20,7 @@ std::array<Number, 3> faded_powers(Number z) {
   const Number end = std::exp(-z);
   std::array<Number, 3> sums{};
   if (std::abs(z) < 2) {
-    // By parts, upwards for the last, and back from it.
+    // A series by parts gives the last integral; the recurrence backwards gives the others.
     constexpr double negligible = 0x1p-60;
     Number term = end / 3.0;
     for (double n = 4; std::norm(term) > negligible * negligible; ++n) {
@@ -110,7 +110,7 @@ RollingEquations::Response RollingEquations::fading_response(const std::vector<M
   return result;
 }
 
-/// The even and the odd part of the equation at the distance e from either end.
+/// Adds the even and the odd part of the equations at the distance e from the two ends.
 void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_length, double e,
                                     Eigen::Index row, Equations& equations) const {
   const double y = half_length - e, trailing = 2 * half_length - e;
@@ -138,7 +138,7 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
     equations.right(row + odd) = constant.value;
     equations.size_right(row + odd) = constant.size;
   }
-  // Both parts of e^(-rate e), the odd one without its cancellation where the rate is small.
+  // The even and the odd part of e^(-rate e), the odd part without cancellation if the rate is small.
   const auto set_exponential = [&](const Mode& mode, auto rate) {
     const auto apart = 2 * y * rate, half = 0.5 * std::exp(-rate * e),
                difference = apart * internal::phi1(apart);
@@ -156,8 +156,8 @@ void RollingEquations::add_matching(const std::vector<Mode>& modes, double half_
   }
 }
 
-/// Next to the leading end u = N(D) f. The equation is scaled down so that the elimination takes it for this unknown only:
-/// else its rounding would mix even and odd parts, one of which may be much smaller than the other.
+/// Adds the equation of u_m: u = N(D) f at the leading end. It is scaled down so that the elimination uses it for u_m
+/// alone. Otherwise its rounding would mix even and odd parts, one of which may be much smaller than the other.
 void RollingEquations::add_middle_displacement(double half_length, const Eigen::MatrixXd& ahead,
                                                Equations& equations) const {
   const Eigen::Index row = equations.right.size() - 1;
@@ -174,7 +174,7 @@ void RollingEquations::add_middle_displacement(double half_length, const Eigen::
   equations.right(row) = half_length * half_length * scale;
 }
 
-/// The rows that determine the coefficients of the exponentials. That of a layer is the exponential's.
+/// Adds the equations of the exponentials' coefficients. A layer has the coefficient of its exponential.
 void RollingEquations::add_closure(const std::vector<Mode>& modes, double half_length,
                                    const Eigen::MatrixXd& ahead, Equations& equations) const {
   const std::vector<Memory>& terms = sheet_.normal.terms;
@@ -285,7 +285,7 @@ void RollingEquations::check(double half_length) const {
         "the pressure at the leading end is nearly infinite");
 }
 
-/// u_m - y^2 + offset^2.
+/// u_m - y^2 + offset^2, y from the line through the centres.
 Functional RollingEquations::roller_displacement(const Solution& solution, double y) const {
   const double middle = solution.unknown(offset);
   Functional result = solution.of_unknown(middle_displacement(solution));
@@ -294,7 +294,7 @@ Functional RollingEquations::roller_displacement(const Solution& solution, doubl
   return result;
 }
 
-/// The same at y = offset + A or offset - A.
+/// The roller's displacement at y = offset + A or offset - A.
 Functional RollingEquations::end_displacement(const Solution& solution, bool trailing) const {
   const double half_length = solution.half_length();
   Functional result = solution.of_unknown(middle_displacement(solution));
@@ -305,7 +305,7 @@ Functional RollingEquations::end_displacement(const Solution& solution, bool tra
 
 namespace {
 
-/// The functionals of a kernel, each followed by its size.
+/// The functionals of a kernel in which each functional is followed by the size of its parts.
 std::vector<Functional> acting(const Solution& solution, const Tractions::Kernel& kernel,
                                const ContactPlace& place) {
   const auto [trailing, e] = place.in(solution);
@@ -325,7 +325,7 @@ Functional RollingEquations::normal(const Solution& solution, const ContactPlace
   return acting(solution, kernels_.normal(), place).front();
 }
 
-/// Beside the displacement far ahead.
+/// The displacement is relative to that far ahead.
 SurfaceAlong RollingEquations::along(const Solution& solution, const ContactPlace& place,
                                      CountedKernels& /*kernels*/) const {
   std::vector<Functional> both = acting(solution, kernels_.along(), place);

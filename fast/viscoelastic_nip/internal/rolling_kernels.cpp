@@ -19,7 +19,7 @@ using internal::Two;
 
 constexpr double pi = std::numbers::pi;
 
-/// z and |A| of I1's slowest residue term, Re A e^(i z |alpha|), which is all that is left far from the load (thesis AI.5).
+/// z and |A| of I1's slowest residue term, Re A e^(i z |alpha|), which alone is left far from the load (thesis AI.5).
 Complex slowest_root() {
   return {internal::root_table.frequency_high[0], internal::root_table.decay_high[0]};
 }
@@ -30,7 +30,7 @@ double amplitude_of_I1() {
 
 internal::SurfacePoint point(double alpha) { return internal::surface_point({alpha, 0}, Accuracy()); }
 
-/// Kernels that are the same for both parts of the pressure, over pi, each with its size as the next functional.
+/// The kernel whose functionals are `kernels` over pi, each followed by its size. It is the same for both parts of g.
 template <class... Kernels>
 Tractions::Kernel for_both_parts(std::vector<Complex> rates, const Kernels&... kernels) {
   constexpr int functionals = 2 * sizeof...(Kernels);
@@ -105,7 +105,7 @@ RollingKernels::Sized RollingKernels::normal_at(double alpha, const internal::Su
   return sum;
 }
 
-/// I3 and its memory act in N, I2 and its memory in theta2; I2 is pi/2 times the sign of alpha.
+/// N multiplies I3 and its memory, theta2 multiplies I2 and its memory. I2 is pi/2 times the sign of alpha.
 RollingKernels::Sized RollingKernels::tangential_at(double alpha, const internal::SurfacePoint& at) const {
   Sized sum;
   sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
@@ -127,7 +127,7 @@ RollingKernels::Sized RollingKernels::tangential_at(double alpha, const internal
 RollingKernels::Sized RollingKernels::strain_at(double alpha, const internal::SurfacePoint& at) const {
   Sized sum;
   sum.add(pi / 2 * sheet_stresses(alpha, 1, data::SheetLoad::normal).along);
-  // The stress has the rounding of the opposite half-plane's, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
+  // The rounding error is that of the stress of the opposite half-plane, (2/pi) 2 alpha^2/(4 + alpha^2)^2.
   sum.size += 2 * std::pow(alpha / (4 + alpha * alpha), 2);
   add_terms(
       sum, alpha, fades_along_,
@@ -189,7 +189,7 @@ Eigen::MatrixXd RollingKernels::ahead_at(std::span<const double> alpha, bool who
   return values;
 }
 
-/// I1 = -ln alpha + .., so that each memory has ln alpha (e^(rate alpha) - 1)/rate.
+/// I1 = -ln alpha + .., so that each memory contains ln alpha (e^(rate alpha) - 1)/rate.
 Eigen::MatrixXd RollingKernels::factor_of_logarithm(const Eigen::ArrayXd& alpha) const {
   Eigen::MatrixXd factor = Eigen::MatrixXd::Zero(functionals_ahead(false), alpha.size());
   for (std::size_t k = 0; k < fades_.size(); ++k) {
@@ -233,7 +233,7 @@ Tractions::Kernel RollingKernels::ahead(bool whole) const {
                            rates(),
                            [this, whole](std::span<const double> alpha, Eigen::MatrixXd& on_p,
                                          Eigen::MatrixXd& on_q) { on_q = on_p = ahead_at(alpha, whole); }};
-  // Where there are layers, in nearly all contacts a rate is too large for that.
+  // With layers, nearly every contact has a rate that is too large for this.
   if (!whole) {
     kernel.by_logarithm = [this](const Eigen::ArrayXd& alpha, double width) {
       return Tractions::Kernel::ByLogarithm{factor_of_logarithm(alpha), interpolated_rest(alpha, width)};
