@@ -2,10 +2,10 @@
 
 namespace nipref::data {
 
-// The solids of the half-space systems. `check` throws BadInput naming the member. Moduli in stress, density
-// in mass/volume, all consistent with the unit of speed.
+// The solids of half-spaces and of spheres on them. `check` throws BadInput naming the member. Moduli in stress,
+// density in mass/volume, all consistent with the unit of speed.
 
-/// Positive strain energy: shear > 0, -1 < poisson < 1/2.
+/// An isotropic solid. Its strain energy is positive: shear > 0, -1 < poisson < 1/2.
 struct IsotropicSolid {
   double shear;    ///< shear modulus mu
   double poisson;  ///< Poisson's ratio
@@ -14,8 +14,8 @@ struct IsotropicSolid {
   void check() const;
 };
 
-/// Axis 3 is the axis of symmetry; C12 = C11 - 2 C66. Positive strain energy: c33, c44, c66 > 0, c11 > c66
-/// and (c11 - c66) c33 > c13^2. (brock2013 (4), (A.4))
+/// A transversely isotropic solid with the axis of symmetry x3; C12 = C11 - 2 C66. Its strain energy is positive: c33,
+/// c44, c66 > 0, c11 > c66 and (c11 - c66) c33 > c13^2. (brock2013 (4), (A.4))
 struct TransverselyIsotropicSolid {
   double c11;  ///< across the axis
   double c33;  ///< along the axis
@@ -27,7 +27,7 @@ struct TransverselyIsotropicSolid {
   void check() const;
 };
 
-/// How the axis of symmetry lies to the surface of the half-space.
+/// The direction of the axis of symmetry relative to the surface of the half-space.
 enum class SymmetryAxis { normal, in_plane };
 
 }  // namespace nipref::data

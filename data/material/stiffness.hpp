@@ -7,7 +7,7 @@
 
 namespace nipref::data {
 
-/// Voigt's row and column of each constant, C11 to C66: row by row of the upper triangle.
+/// The row and the column of each constant, C11 to C66, in Voigt notation: row by row of the upper triangle.
 inline constexpr auto upper_triangle = [] {
   std::array<std::pair<std::size_t, std::size_t>, 21> all{};
   std::size_t next = 0;
@@ -48,15 +48,15 @@ struct Stiffness {
   /// Returns `unit` times the product of a factor and its transpose, symmetric to the last bit.
   static Voigt squared(const Voigt& factor, double unit = 1);
 
-  /// BadInput "stiffness" unless finite, symmetric and positive definite (to rounding: its Cholesky
-  /// factor exists in double); BadInput "density" unless finite and > 0.
+  /// Throws BadInput "stiffness" unless the matrix is finite, symmetric and positive definite (up to rounding: its
+  /// Cholesky factor exists in double), and BadInput "density" unless the density is finite and > 0.
   void check() const;
 
-  /// The solid's constants, rounded to double where they are derived; BadInput as its check() throws.
+  /// The constants of the solid, rounded to double if they are derived. Throws BadInput as its check() does.
   static Stiffness of(const IsotropicSolid& solid);
 
-  /// Axis normal: along x3; in_plane: along x2, so that x1, x3 span the isotropic plane. (brock2013 (4),
-  /// (37))
+  /// The same for an axis normal to the surface, along x3, or in it, along x2, where x1 and x3 span the isotropic
+  /// plane. (brock2013 (4), (37))
   static Stiffness of(const TransverselyIsotropicSolid& solid, SymmetryAxis axis);
 };
 

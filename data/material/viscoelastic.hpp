@@ -29,16 +29,16 @@ struct SingleRelaxationTimeSolid {
   int theta2_rate_factor;
 };
 
-/// G = Q/P and K = Q'/P' with polynomials in d/dt, the coefficient of p^0 first. theta1 = P/(2Q) and theta2 =
-/// 3/(6Q'/P' + 2Q/P) must have finite limits > 0 for short times. Common factors are cancelled, repeated
-/// roots refused, complex rates allowed. (thesis 6.14-6.17)
+/// G = Q/P and K = Q'/P' with polynomials in d/dt, the coefficient of p^0 first. For short times theta1 = P/(2Q) and
+/// theta2 = 3/(6Q'/P' + 2Q/P) must have finite limits, > 0, or 0 as for Kelvin-Voigt. Common factors are cancelled,
+/// repeated roots refused, complex rates allowed. (thesis 6.14-6.17)
 struct DifferentialOperators {
   std::vector<double> p, q;                        ///< in shear: P, Q
   std::vector<double> p_dilatation, q_dilatation;  ///< P', Q'
 };
 
-/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t): 1/stress, 1/(stress time), 1/time; the
-/// lists of equal length, not empty. (thesis 6.16, 6.17)
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t), in 1/stress, 1/(stress time) and 1/time. The lists
+/// have equal lengths and are not empty. (thesis 6.16, 6.17)
 struct PronyList {
   double instantaneous;
   std::vector<double> amplitudes, rates;
@@ -115,7 +115,7 @@ class ViscoelasticMaterial {
   /// Empty if the rates are roots of polynomials.
   [[nodiscard]] const std::optional<MaterialFunctions>& functions() const { return functions_; }
   [[nodiscard]] const MaterialConstants& constants() const { return constants_; }
-  /// Whether theta1(0) > 0.
+  /// Whether theta1 has an instantaneous part.
   [[nodiscard]] bool gives_way_at_once() const;
 
  private:

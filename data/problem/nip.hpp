@@ -62,7 +62,7 @@ struct ViscoelasticNip {
   double speed;  ///< F0 of the sheet, > 0, length/time
 
   [[nodiscard]] double half_thickness() const { return sheet_thickness / 2; }
-  /// Throws BadInput unless the values are physical and theta1 gives way at once.
+  /// Throws BadInput unless the values are physical and theta1 has an instantaneous part.
   void check() const;
 };
 
@@ -77,7 +77,8 @@ struct ViscoelasticLineLoads {
   double approach_lengths;
   /// 0: exact kernels; 1 to 500: kernels as sums of so many terms of their series; method.residue_terms
   int residue_terms = 0;
-  /// The sum after a load has passed ends with its first term below this part, 0 to 1, of the instantaneous N.
+  /// The sum after a load has passed ends with its first term below this part, 0 to 1, of theta1 + theta2
+  /// (instantaneous).
   double smallest_term = 0;
 };
 

@@ -23,8 +23,8 @@ struct SceneText {
 /// The same for the file of this name or, if there is none, for the example of this name.
 [[nodiscard]] SceneText read_scene_or_example(const std::string& name);
 
-/// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
-/// same numbers exactly.
+/// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says, so that both paths take the same
+/// numbers exactly. These are the keys of nips without Coulomb's friction; scene_keys() has all keys.
 ///
 ///     title = "..."               wanted = ["contact_length", ...]    names out of scene_results()
 ///     accuracy = 1e-10            optional
@@ -35,7 +35,7 @@ struct SceneText {
 ///                shear_viscosity, bulk_viscosity; "prony", theta1_instantaneous, theta1_amplitudes = [...],
 ///                theta1_rates = [...], theta2_... likewise; "operators", P, Q, P_dilatation, Q_dilatation =
 ///                [...], the coefficient of p^0 first; "thesis-misprint", bulk, relaxation_time, shear
-///                (optional, 3/8 bulk), the thesis's wrong solid. See viscoelastic.hpp
+///                (optional, 3/8 bulk), the misprinted solid of the thesis. See viscoelastic.hpp
 ///     [rolling]  speed            friction.model is then "none"
 ///     [load]     per_length       or [contact] length
 ///     [friction] model = "none" or "full"; creep_ratio, optional: line loads with full friction only
@@ -43,7 +43,7 @@ struct SceneText {
 ///                residue_terms (optional); when rolling also approach_lengths, and trailing_elements is
 ///                optional
 ///     [profile]  points or positions = [...]: where the profiles are wanted, if any are
-///     [field]    positions = [...] along the sheet and depths = [...], -1 to 1 over half the thickness: where stresses
+///     [field]    positions = [...] along the sheet and depths = [...], -1 to 1 over half the thickness: where fields
 ///                inside the sheet are wanted, if any are
 ///     [sweep]    keys with several values, see SceneSweep: then `overrides` must have one for each
 ///
@@ -52,8 +52,8 @@ struct SceneText {
 ///
 /// `overrides` replace the values that the file has at these keys, or add keys: "TABLE.KEY" or "KEY" with a number, a
 /// text (quotes may be left out) or a list in TOML's notation. Each adds ", with KEY = VALUE" to the title. They are
-/// checked like the file; BadInput "KEY = VALUE: ALLOWED" shows them as they were given. An empty key, a
-/// key given twice and a table are refused.
+/// checked like the file; BadInput "KEY = VALUE: ALLOWED" shows them as they were given. An empty key, a key
+/// given twice and a table are refused.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// The same for a scene that was read already.

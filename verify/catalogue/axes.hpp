@@ -38,7 +38,7 @@ class AxesProduct {
   [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
   /// The value of each axis in the combination of that number, which is less than size().
   [[nodiscard]] std::vector<const AxisValue*> at(std::size_t number) const;
-  /// The same with the names, as they are shown or as they are exactly.
+  /// The same with the names of the axes, in the shown or in the exact form.
   [[nodiscard]] Assignments assignments(std::size_t number, std::string AxisValue::*form) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace nipref::verify {
 namespace {
 
-/// In the order of the table; each row has one entry.
+/// All quantities in the order of the table. Each row has one entry.
 std::vector<Quantity> gather() {
   std::map<std::string, Quantity> entries;
   for (auto* const group :

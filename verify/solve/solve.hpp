@@ -34,13 +34,13 @@ struct SceneSolution {
   struct Result {
     const data::SceneResult* what;
     /// A profile has one number for each of `positions`, a field one for each place, depth after depth, a list any
-    /// number of them, every other result one.
+    /// number, and every other result one.
     std::vector<Number> numbers;
     /// The largest error of each number that meets the accuracy, see data::Scale. It is empty for line loads in
     /// double, whose error is their distance to the continuous contact. The reference's digits are relative to the
     /// largest number of the result, or to the size of data::Scale if that is larger.
     std::vector<long double> allowed = {};
-    /// Whether each error is at most `allowed`; nothing if that is empty. A result that misses the accuracy is the best
+    /// Whether each error is at most `allowed`; empty if `allowed` is. A result that misses the accuracy is the best
     /// that the solver can give.
     [[nodiscard]] std::optional<bool> met() const;
   };
@@ -58,7 +58,7 @@ struct SceneSolution {
   fast::Work error_work;               ///< spent on the error estimates of line loads
   double seconds = 0;                  ///< wall clock, for all of it
 
-  /// Where the i-th number of a result is, unit of length, and the depth over half the thickness; nothing for neither.
+  /// The position of the i-th number of a result, unit of length, and its depth over half the thickness; empty without.
   struct Place {
     std::optional<double> position, depth;
   };
@@ -76,14 +76,14 @@ struct SceneSolution {
       if (result.met() == false) names.push_back(result.what->name);
     return names;
   }
-  /// Whether all results are as accurate as was asked; nothing if an accuracy was asked of none.
+  /// Whether all results are as accurate as was asked; empty if an accuracy was asked of none.
   [[nodiscard]] std::optional<bool> met() const {
     if (std::ranges::none_of(results, [](const Result& result) { return result.met().has_value(); }))
       return {};
     return missed().empty();
   }
 
-  /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted the result.
+  /// operator[] gives a result of one number, profile() all numbers of a result. BadInput unless the scene wanted it.
   [[nodiscard]] const Number& operator[](std::string_view name) const { return profile(name).front(); }
   [[nodiscard]] const Number& operator[](data::ResultId id) const { return profile(id).front(); }
   [[nodiscard]] const std::vector<Number>& profile(data::ResultId id) const {
@@ -146,8 +146,8 @@ struct SearchStep {
 [[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
 /// An estimate of the seconds that solve_by_ref() takes on one core of a server of 2022, good to a factor of about
-/// three. It follows from the number of unknowns and the number of wanted places; the length for a given load is
-/// computed in double. It is 0 for scenes that double refuses, for line loads and for bodies on half-spaces.
+/// three. It follows from the number of unknowns and of wanted places; the length for a given load is computed in
+/// double. It is 0 for scenes that double refuses, for line loads, and on half-spaces without displacements.
 [[nodiscard]] double likely_seconds_by_ref(const data::Scene& scene, int digits);
 
 /// A warning of one line if the seconds are more than ten; otherwise empty.

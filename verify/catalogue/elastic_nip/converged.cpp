@@ -57,8 +57,8 @@ std::vector<Quantity> elastic_nip_entries() {
   std::vector<Quantity> entries = nip_entries("nip", {nip_by_fast, nip_by_ref});
   for (Quantity& entry : entries) {
     // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies
-    // rounding errors. For long ones the scale makes the promise equal the stated error; an ulp is at least 2^-53 of
-    // the scale.
+    // rounding errors. The scale of long ones makes the promise equal the stated error, as an ulp is at least 2^-53 of
+    // it.
     entry.envelope = [least = entry.envelope, promise = entry.promise, error_of = entry.fast_error,
                       amplifies = of_point(entry, [](const NamedPoint& x) {
                         return is_gripped(x) && x["L_over_B"] > 7;

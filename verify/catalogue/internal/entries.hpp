@@ -97,8 +97,7 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
   };
 }
 
-/// Makes an entry from functions of the numbers of these arguments, then digits or accuracy. `size` if the row has
-/// none.
+/// Makes an entry of functions of the numbers of these arguments, then digits or accuracy. `size` if the row has none.
 template <std::size_t n, class Ref, class Fast, class... Size>
 Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size... size) {
   Quantity entry = described(name);

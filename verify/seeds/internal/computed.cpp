@@ -8,14 +8,13 @@
 namespace nipref::verify {
 namespace {
 
-/// Tractions at a place of the half contact.
+/// The tractions at a place of one half of the contact.
 struct Station {
   double pressure, shear, error;
 };
 
 /// The tractions of a contact with full friction, of half-length L/B on a sheet of half-thickness 1, modulus 1 and
-/// nu = 1/3. Within one step of an end the oscillation r^(1/2) cos(eps ln r) may reverse the shear, which is
-/// negligible.
+/// nu = 1/3. Within one step of an end the oscillation r^(1/2) cos(eps ln r) may reverse the shear, negligible there.
 std::vector<Station> stations(double length_over_thickness) {
   constexpr int steps = 400;
   const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};

@@ -93,7 +93,7 @@ class SolvedContact {
   [[nodiscard]] const Number& at(ResultId id, double y) const { return get(id, {{y}}).front(); }
 
   [[nodiscard]] virtual ContactEnds ends() const;
-  /// Where evenly spaced profiles begin and end: over half of a symmetric nip.
+  /// The ends of evenly spaced profiles: those of the contact, or of half of a symmetric nip.
   [[nodiscard]] ContactEnds profile_ends() const { return {is_symmetric ? 0 : ends().first, ends().last}; }
 
   /// Solves again with more terms for smaller errors; false if this is not possible.
@@ -156,8 +156,8 @@ using Solved = std::unique_ptr<SolvedContact<typename Path::Number>>;
 using SolvedInDouble = Solved<FastPath>;
 using SolvedByRef = Solved<RefPath>;
 
-// A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if
-// the contact's length is not allowed.
+// Solvers of a contact by each method of a scene, with all its results. They throw BadInput that names "load" or
+// "contact_length" if the length of the contact is not allowed.
 
 /// A nip by the method of its problem; `accuracy` is the scene's, or the digits. The default is the continuous contact.
 ///
