@@ -4,8 +4,8 @@
 
 #include "support/proven_pages.hpp"
 
-// The order of the house: which room, and inside a room which subject, may include which; and that the same path stands
-// for the same thing in ref, fast, the catalogue and the tests.
+// The order of the sources: which room, and inside a room which subject, may include which others; and that the same
+// path means the same in ref, fast, the catalogue and the tests.
 
 namespace fs = std::filesystem;
 
@@ -18,7 +18,7 @@ const fs::path top = source_directory();
 
 Names named(const std::vector<std::string>& matches) { return {matches.begin(), matches.end()}; }
 
-/// "fast/sheet/internal/tables.hpp": room fast, subject sheet.
+/// The place of a source: "fast/sheet/internal/tables.hpp" is in the room fast and has the subject sheet.
 struct Place {
   std::string room, subject;
   bool internal;
@@ -41,7 +41,7 @@ bool may_include(const std::string& from, const std::string& to) {
   return subject_arrows().at(here.room).at(here.subject).contains(there.subject);
 }
 
-/// Paths from the top of the sources in a folder.
+/// The sources in a folder, as paths from the top.
 std::vector<std::string> sources_in(const fs::path& folder) {
   std::vector<std::string> sources;
   for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
@@ -53,14 +53,14 @@ std::vector<std::string> sources_in(const fs::path& folder) {
   return sources;
 }
 
-/// Headers of ours that a source includes, as paths from the top.
+/// The project's headers that a source includes, as paths from the top.
 Names headers_of(const std::string& source) {
   return named(
       matches_in(text_of_file(top / source),
                  R"re(#\s*include\s*["<](?:\.\./)*(?:nipref/)?((?:data|ref|fast|verify)/[^">]+)[">])re"));
 }
 
-/// What the sources of a room are for, "sheet/kernels", without what only the room itself knows.
+/// The public sources of a room's subjects, such as "sheet/kernels".
 Names subjects_of(const fs::path& room) {
   Names subjects;
   for (const std::string& source : sources_in(room)) {
@@ -71,8 +71,8 @@ Names subjects_of(const fs::path& room) {
   return subjects;
 }
 
-/// Names with their namespaces of the types that a source defines for all sources, "nipref::fast::Estimate", without
-/// specializations of templates.
+/// The types that a source defines for all sources, with their namespaces, such as "nipref::fast::Estimate".
+/// Specializations of templates are left out.
 Names types_of(const std::string& source) {
   static const std::regex line(
       R"(^(?:namespace ([\w:]*) ?\{|(\})  // namespace)"
@@ -146,7 +146,7 @@ TEST_CASE("the README's tables of rooms and subjects are the arrows of the house
     for (const auto& [subject, included] : subject_arrows().at(room))
       arrows[subject].insert(included.begin(), included.end());
   }
-  written.erase("tests");  // not a room that is included by others
+  written.erase("tests");  // no room that others include
   CHECK(written == arrows);
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("what the pages of ref point to exists: files, sections, lemmas, and t
     }
     for (const std::string& lemma : matches_in(page, R"(Lemmas? (\d+))"))
       CHECK(contains(general, "### Lemma " + lemma + "."));
-    // A section that says what is proven says which test recomputes it.
+    // Every section of a subject's page says which test recomputes its statements.
     for (std::size_t at = page.find("\n## "); file.parent_path() != top / "ref" && at != std::string::npos;) {
       const std::size_t next = page.find("\n## ", at + 1);
       const std::string section = page.substr(at, next - at);
@@ -242,7 +242,7 @@ TEST_CASE("ref and fast mirror each other: the same path is the same thing, comp
   const Names ref = subjects_of("ref"), fast = subjects_of("fast");
   Names both;
   std::ranges::set_intersection(ref, fast, std::inserter(both, both.end()));
-  // The kernels and what is made of them have one name in the catalogue as well.
+  // The kernels and the quantities made of them have the same name in the catalogue.
   for (const std::string& subject : subjects_of("verify/catalogue")) {
     CAPTURE(subject);
     if (subject.starts_with("sheet/") || subject.starts_with("memory/")) CHECK(both.contains(subject));

@@ -2,7 +2,7 @@
 
 #include <nipref/verify/replay/replay.hpp>
 
-// A printed table beside what it should say: each cell by the seed's own method, and of the contact it stands for.
+// A printed table beside its correct values: each cell by the seed's own method, and of the continuous contact.
 int main() {
   using namespace nipref::verify;
 

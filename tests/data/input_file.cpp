@@ -24,7 +24,7 @@ TEST_CASE("a file that is missing, a folder, and a file that may not be read are
   CHECK(refusal_of_input(std::string(300, 'a'))
             .ends_with("must be a file that can be read: File name too long"));
   std::filesystem::permissions(file.path(), std::filesystem::perms::none);
-  // Root may read all.
+  // Root may read every file.
   CHECK(refusal_of_input(file.path()) ==
         (geteuid() == 0 ? "accepted"
                         : "scene = " + file.path() + ": must be a file that can be read: Permission denied"));

@@ -15,7 +15,7 @@ using verify::CommandLine;
 
 namespace {
 
-/// Taken apart at its blanks.
+/// A command line whose words are separated by blanks.
 CommandLine command_line_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> words;
@@ -53,7 +53,7 @@ void read_arguments(const CommandLine& line) {
 
 }  // namespace
 
-/// All that verbs read of a command line before they compute.
+/// Reads all that verbs read of a command line before they compute.
 void read_given(const std::string& text, const GivenFile&) {
   take_or_refuse([&] {
     const CommandLine line = command_line_of(text);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t points = 2, passes = 3;
 
-/// What a host with one sound kernel of I1 answers, up to the end of its list of kernels.
+/// The answer of a host with one sound kernel of I1, up to the end of its list of kernels.
 std::string sound_answer() {
   const auto exchange = std::make_unique<verify::protocol::Exchange>();
   exchange->kernels = 1;
@@ -29,7 +29,7 @@ std::string sound_answer() {
 
 }  // namespace
 
-/// There are no files of answers to begin with.
+/// Starts with a sound answer, because there are no files of answers.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned) {
   const std::string answer = sound_answer();
@@ -38,7 +38,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return answer.size();
 }
 
-/// Plugins whose host says what is given, whatever it is asked: it is a stand-in.
+/// Reads a plugin whose host is a stand-in: it answers every request with the given bytes.
 void read_given(const std::string&, const GivenFile& file) {
   setenv("NIPREF_KERNEL_HOST", NIPREF_STAND_IN, 1);
   take_or_refuse([&] {

@@ -15,7 +15,7 @@
 
 #include "reading.hpp"
 
-// Readers of files and of words; NIPREF_READER is the one that a program is made for.
+// Readers of files and of words. Each program is built for one of them, NIPREF_READER.
 
 using namespace nipref;
 
@@ -30,7 +30,7 @@ void table(const std::string&, const GivenFile& file) {
   take_or_refuse([&] { static_cast<void>(data::summarize(data::load_table(file.path()))); });
 }
 
-/// A folder with one of the tables and what is given as its errata: the working folder of the run.
+/// The given text is the errata of a folder with one table, the working folder of the run.
 void errata(const std::string& text, const GivenFile&) {
   static const std::string table = "thesis-VIII.csv", errata = "errata.csv";
   static const bool is_there = std::filesystem::copy_file(data::tables_directory() / table, table,
@@ -41,7 +41,7 @@ void errata(const std::string& text, const GivenFile&) {
   take_or_refuse([&] { static_cast<void>(data::load_known_misses(errata)); });
 }
 
-/// A file of golden values, and the checksums of a folder of them: the working folder of the run.
+/// The given text is a file of golden values, and the checksums of a folder of them, the working folder of the run.
 void golden(const std::string& text, const GivenFile&) {
   std::ofstream(verify::checksums_name, std::ios::binary) << text;
   take_or_refuse([&] { static_cast<void>(verify::checksums_text(verify::checksums_of("."))); });
@@ -52,7 +52,7 @@ void golden(const std::string& text, const GivenFile&) {
   });
 }
 
-/// Golden files are such files too: they name their quantity and have a column of values.
+/// Golden files are files of measured points too: they name their quantity and have a column of values.
 void measured_points(const std::string&, const GivenFile& file) {
   take_or_refuse([&] { static_cast<void>(verify::read_measured_points(file.path(), {}, {})); });
   take_or_refuse([&] { static_cast<void>(verify::read_measured_points(file.path(), "I6", "value")); });
@@ -62,13 +62,13 @@ void baseline(const std::string&, const GivenFile& file) {
   take_or_refuse([&] { static_cast<void>(verify::Baseline::read(file.path()).text()); });
 }
 
-/// An older report is compared with itself: whatever is in it, nothing but texts comes of it.
+/// An older report is compared with itself. The comparison must cope with any content.
 void report(const std::string& text, const GivenFile&) {
   if (verify::is_report(text))
     static_cast<void>(verify::comparison_json(verify::compare_reports(text, text)));
 }
 
-/// What stands behind a name and '=' on a command line.
+/// The text behind a name and '=' on a command line.
 void numbers(const std::string& text, const GivenFile&) {
   constexpr double a_third = 1.0 / 3;
   take_or_refuse([&] { static_cast<void>(verify::parse_range("alpha", text).at(a_third)); });

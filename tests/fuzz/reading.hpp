@@ -10,9 +10,9 @@
 
 #include <nipref/data/bad_input.hpp>
 
-// What the targets share: libFuzzer's LLVMFuzzerTestOneInput around the reader that each defines.
+// Common to all targets: libFuzzer's LLVMFuzzerTestOneInput, which calls the reader that each target defines.
 
-/// A file in memory with what libFuzzer gives.
+/// A file in memory with the bytes that libFuzzer gives.
 class GivenFile {
  public:
   GivenFile(const std::uint8_t* data, std::size_t size) : descriptor_(memfd_create("given", MFD_CLOEXEC)) {
@@ -22,7 +22,7 @@ class GivenFile {
   GivenFile& operator=(const GivenFile&) = delete;
   ~GivenFile() { close(descriptor_); }
 
-  /// For processes that are started too.
+  /// A path that processes started from here can open as well.
   [[nodiscard]] std::string path() const {
     return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor_);
   }
@@ -31,7 +31,7 @@ class GivenFile {
   int descriptor_;
 };
 
-/// What is given is taken, or refused with BadInput in one line. Whatever else happens is a finding.
+/// Calls `read`, which must succeed or throw BadInput with a message of one line. Anything else is a finding.
 void take_or_refuse(const auto& read) {
   try {
     read();
@@ -40,7 +40,7 @@ void take_or_refuse(const auto& read) {
   }
 }
 
-/// Reads what is given, as a text or as a file.
+/// Reads the given bytes, as a text or as a file.
 void read_given(const std::string& text, const GivenFile& file);
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -13,7 +13,7 @@
 using nipref::verify::protocol::connection;
 using nipref::verify::protocol::Exchange;
 
-/// In the place of nipref-kernel-host: answers each request with what stands in the file.
+/// Takes the place of nipref-kernel-host: answers each request with the content of the file.
 int main(int, char** arguments) {
   std::ostringstream text;
   text << std::ifstream(arguments[1], std::ios::binary).rdbuf();

@@ -18,7 +18,7 @@ inline void check_covered(const nipref::fast::Estimate& found, const nipref::fas
   CHECK(is_covered(found, truth));
 }
 
-/// Each number of one solution against that of the other.
+/// Checks each number of one solution against that of the other.
 template <class Number>
 void check_covered(const nipref::verify::SceneSolution<nipref::fast::Estimate>& found,
                    const nipref::verify::SceneSolution<Number>& truth) {
@@ -39,7 +39,7 @@ struct BothPaths {
   nipref::verify::SceneSolution<nipref::ref::Estimate> ref;
 };
 
-/// The scene solved by both paths, which agree about each number.
+/// Solves the scene by both paths and checks that they agree about each number.
 inline BothPaths by_both_paths(const nipref::data::Scene& scene, int digits = 16) {
   CAPTURE(scene.title);
   BothPaths solved{nipref::verify::solve(scene), nipref::verify::solve_by_ref(scene, digits)};

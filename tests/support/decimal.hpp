@@ -6,7 +6,7 @@
 
 #include <nipref/ref/number/exact.hpp>
 
-/// Numbers for second routes, which share no arithmetic with the reference path but MPFR's.
+/// Numbers for independent computations, which share only MPFR with the arithmetic of the reference path.
 namespace nipref::test {
 
 template <unsigned digits>

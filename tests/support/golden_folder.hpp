@@ -3,8 +3,8 @@
 
 #include "support/scratch.hpp"
 
-/// A data folder of its own with an empty folder of golden values, which the program and this process take for theirs
-/// while it lives.
+/// A temporary data folder with an empty folder of golden values. While the object lives, the program and this process
+/// take it for theirs.
 class GoldenFolder {
  public:
   [[nodiscard]] std::filesystem::path path() const { return top_.file("golden"); }

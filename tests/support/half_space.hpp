@@ -5,7 +5,7 @@
 
 namespace nipref::test {
 
-/// Poisson's ratio where it does not matter.
+/// Poisson's ratio of tests in which it does not matter.
 inline constexpr double any_poisson = 1. / 3;
 
 /// An isotropic solid of shear modulus 1 under a load that moves along x1 at `speed` shear wave speeds.

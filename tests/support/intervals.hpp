@@ -4,7 +4,7 @@
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
-/// What tests ask of intervals.
+/// Ends, widths and relations of intervals.
 inline double highest(const nipref::ref::Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
 inline double lowest(const nipref::ref::Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
 inline double width_of(const nipref::ref::Interval& x) {
@@ -27,7 +27,7 @@ inline nipref::ref::Interval cell(double left, double right) {
   return result;
 }
 
-/// Visits the cells of a mesh from 0, each as wide as is said of its left end.
+/// Visits the cells of a mesh from 0 to `end` or beyond. The width of a cell is a function of its left end.
 inline void over_cells(double end, const std::function<double(double left)>& width,
                        const std::function<void(double left, double right)>& visit) {
   for (double left = 0, right = 0; left < end; left = right) {
@@ -36,7 +36,7 @@ inline void over_cells(double end, const std::function<double(double left)>& wid
   }
 }
 
-/// The kernel, but for the value that is asked for after `count` others.
+/// The kernel with an error in one value, the one that is computed after `count` others.
 inline nipref::ref::NormalKernel once_wrong(const nipref::ref::NormalKernel& kernel, int count,
                                             const nipref::ref::Interval& error) {
   return [=, left = count](const nipref::ref::Exact& alpha, double nats) mutable {

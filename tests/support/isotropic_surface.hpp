@@ -4,8 +4,7 @@
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/float.hpp>
 
-/// The response of an isotropic half-space of mu = 1, written out: (brock2012 18a) and its counterpart for
-/// the shear.
+/// The response of an isotropic half-space with mu = 1, written out: (brock2012 18a) and its counterpart for shear.
 inline nipref::ref::SurfaceAnswer isotropic_surface(double poisson, double speed) {
   using namespace nipref;
   using ref::Exact;

@@ -4,15 +4,15 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-/// A JSON Schema (draft 2020-12) of which only a few keywords are known; one that uses others is refused with
-/// std::invalid_argument, so that nothing in it goes unchecked. $ref leads to #/$defs alone.
+/// A JSON Schema (draft 2020-12) with a few keywords. A schema with other keywords is refused with
+/// std::invalid_argument, so that no part of it goes unchecked. $ref leads to #/$defs only.
 class JsonSchema {
  public:
   using Json = nlohmann::json;
 
   explicit JsonSchema(Json root) : root_(std::move(root)) { check_keywords(root_); }
 
-  /// What in `value` does not fit, and where; empty if it fits. `definition`: of $defs; empty: the whole schema.
+  /// The first part of `value` that does not fit; empty if all fits. `definition`: a name in $defs; empty: the root.
   [[nodiscard]] std::string misfit(const Json& value, const std::string& definition = "") const {
     return misfit(definition.empty() ? root_ : root_["$defs"].at(definition), value, "answer");
   }
@@ -92,14 +92,14 @@ class JsonSchema {
   Json root_;
 };
 
-/// The schema of what the program answers.
+/// The schema of the program's answers.
 inline const JsonSchema& answer_schema() {
   static const JsonSchema schema(
       nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
   return schema;
 }
 
-/// Whether `is_so` of a name and its value, at any depth.
+/// Whether is_so(name, value) holds for a member at any depth.
 bool holds_anywhere(const nlohmann::json& value, const auto& is_so) {
   if (!value.is_structured()) return false;
   for (const auto& [name, item] : value.items()) {

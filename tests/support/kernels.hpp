@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests of fast's sheet kernels share: the kernels of one argument as a list, and the scale their errors are
-// measured by.
+// For the tests of fast's sheet kernels: a list of the kernels of one argument, and the scales by which their errors
+// are measured.
 
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -34,10 +34,10 @@ inline const std::vector<Kernel>& kernels() {
   return all;
 }
 
-/// Unit in the last place of a number >= 0.
+/// The unit in the last place of a number >= 0.
 inline double ulp(double scale) { return std::ldexp(1.0, std::ilogb(std::max(scale, 0x1p-1022)) - 52); }
 
-/// Log-uniform over [low, high].
+/// Log-uniform random numbers from [low, high].
 inline std::vector<double> log_uniform(double low, double high, int count, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::uniform_real_distribution<double> exponent(std::log(low), std::log(high));

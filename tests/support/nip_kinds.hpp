@@ -6,14 +6,14 @@
 
 #include "support/test.hpp"
 
-/// Kinds of converged contacts, which either path solves.
+/// Kinds of converged contacts that both paths solve.
 namespace nipref::test {
 
 using Places = std::vector<double>;
 template <class Number>
 using Numbers = std::map<std::string, Number>;
 
-/// The results that a contact of either path has, by their names, and at places Y.
+/// The results of a contact of either path by their names, also at places Y.
 template <class Contact>
 auto numbers_of(const Contact& contact, const Places& places) {
   Numbers<decltype(contact.load())> all{{"contact_length", contact.contact_length()},
@@ -37,7 +37,7 @@ auto numbers_of(const Contact& contact, const Places& places) {
   return all;
 }
 
-/// A nip of a length or of a load.
+/// A kind of nip, solved for a length or for a load.
 struct Kind {
   std::string name;
   std::function<ref::ConvergedNip(double given, int digits)> of_length, of_load;

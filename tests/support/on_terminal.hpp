@@ -10,14 +10,14 @@
 #include "support/paths.hpp"
 #include "support/scratch.hpp"
 
-/// Bare chroots have no pseudo-terminals; a test that needs one is skipped then, and says so.
+/// Bare chroots have no pseudo-terminals. A test that needs one is then skipped, and says so.
 inline bool has_terminals() {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
   if (terminal < 0) MESSAGE("skipped: no pseudo-terminal can be opened here");
   return close(terminal) == 0;
 }
 
-/// The program with a terminal of its own for its standard error, so that what it tells can be waited for.
+/// A run of the program whose standard error is a terminal, so that a test can wait for what it prints.
 class OnTerminal {
  public:
   OnTerminal(std::vector<std::string> arguments, const char* term, unsigned short columns) {
@@ -45,7 +45,7 @@ class OnTerminal {
     close(terminal_);
   }
 
-  /// Reads until `text` was told; false if the program ends before that.
+  /// Reads until `text` has been printed; false if the program ends before that.
   bool wait_for(const std::string& text) {
     while (!contains(told_, text)) {
       if (!read_more()) return false;
@@ -55,7 +55,7 @@ class OnTerminal {
 
   void interrupt() const { kill(child_, SIGINT); }
 
-  /// Exit status of the program, when it has ended; negative: the signal that ended it.
+  /// The exit status of the program after its end; negative: the signal that ended it.
   int status() {
     while (read_more()) {
     }

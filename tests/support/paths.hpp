@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-/// Where the tests find what they test, known to the build alone.
+/// Paths of what the tests need, which only the build knows.
 
 std::string source_directory();
 std::string seeds_directory();

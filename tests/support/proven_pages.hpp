@@ -4,9 +4,9 @@
 #include "support/paths.hpp"
 #include "support/test.hpp"
 
-// The tables of what is proven, in ref/README.md.
+// The tables of proven results in ref/README.md.
 
-/// The cells of a table's row, and the names between backticks in a cell.
+/// The cells of a row of a table. Cells have names between backticks.
 using TableRow = std::vector<std::string>;
 
 inline std::vector<std::string> matches_in(const std::string& text, const std::string& pattern) {

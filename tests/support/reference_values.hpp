@@ -6,14 +6,14 @@
 
 #include <nipref/ref/number/estimate.hpp>
 
-/// |a - b|; what is proven may stand here too.
+/// |a - b| of estimates or of proven numbers.
 inline double difference(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b) {
   nipref::ref::Float result = nipref::ref::zero_of_bits(400);
   mpfr_sub(nipref::ref::raw(result), nipref::ref::raw(a.value), nipref::ref::raw(b.value), MPFR_RNDN);
   return std::fabs(mpfr_get_d(nipref::ref::raw(result), MPFR_RNDN));
 }
 
-/// Whether they differ by no more than the sum of their errors, however small they are.
+/// Whether two numbers differ by no more than the sum of their errors, however small these are.
 inline bool meet(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b) {
   nipref::ref::Float apart = nipref::ref::zero_of_bits(64), allowed = nipref::ref::zero_of_bits(64);
   mpfr_sub(nipref::ref::raw(apart), nipref::ref::raw(a.value), nipref::ref::raw(b.value), MPFR_RNDA);
@@ -21,7 +21,7 @@ inline bool meet(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b)
   return mpfr_cmpabs(nipref::ref::raw(apart), nipref::ref::raw(allowed)) <= 0;
 }
 
-/// The error it comes with, proven or not.
+/// The error of a number, proven or not.
 inline double error(const nipref::ref::Estimate& x) {
   return mpfr_get_d(nipref::ref::raw(x.error), MPFR_RNDU);
 }
@@ -30,8 +30,8 @@ inline double relative_error(const nipref::ref::Estimate& truth, double value) {
   return std::fabs(truth.error_of(value) / value);
 }
 
-/// A number that the environment may give in place of what a test always takes: NIPREF_RANDOM_CONTACTS is how many random
-/// contacts it looks at, NIPREF_RANDOM_SEED which.
+/// A number that a test takes by default, or that the environment gives: NIPREF_RANDOM_CONTACTS is the number of random
+/// contacts, NIPREF_RANDOM_SEED their seed.
 inline int number_from(const char* variable, int always) {
   const char* const asked = std::getenv(variable);
   return asked != nullptr ? std::stoi(asked) : always;
@@ -41,7 +41,7 @@ inline unsigned random_seed(int always) {
   return static_cast<unsigned>(number_from("NIPREF_RANDOM_SEED", always));
 }
 
-/// Log-uniform from `low` to `high`.
+/// A random number, log-uniform from `low` to `high`.
 inline double between(double low, double high, std::mt19937_64& random) {
   return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
 }

@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-/// verify::replay_table, once for each table in all tests.
+/// The result of verify::replay_table, which is computed once for each table in all tests.
 inline const nipref::verify::Replay& replayed(const std::string& id) {
   static std::map<std::string, nipref::verify::Replay> all;
   const auto found = all.find(id);

@@ -17,7 +17,7 @@ struct Outcome {
   std::string err;
 };
 
-/// What a shell makes of these commands.
+/// Runs these commands in a shell and returns their outcome.
 inline Outcome outcome_in_shell(const std::string& commands) {
   const ScratchFile errors;
   FILE* pipe = popen(("{ " + commands + "\n} 2>'" + errors.path() + "'").c_str(), "r");
@@ -35,9 +35,9 @@ inline Outcome run(const std::string& arguments) {
   return outcome_in_shell("'" + program() + "' " + arguments);
 }
 
-/// The same without a process, which takes more time than most answers. By run() where the shell has more to do than to find
-/// the words, where an instruction set is chosen, which holds for the whole process, and with verbs that start the program's
-/// file or compare it.
+/// Runs the program's code in this process, because a process takes more time than most answers. Uses run() if the
+/// shell must do more than split the words, if an instruction set is chosen, which holds for the whole process, and for
+/// verbs that start or compare the program's file.
 inline Outcome outcome_of_call(const std::string& arguments) {
   constexpr std::array of_file{"bench", "merge", "report"};
   wordexp_t words{};
@@ -52,7 +52,7 @@ inline Outcome outcome_of_call(const std::string& arguments) {
   return {status, nipref::verify::plain(output), complaint.empty() ? "" : "nipref: " + complaint + "\n"};
 }
 
-/// What the program answers in JSON, with this status.
+/// The program's answer in JSON. Checks the exit status.
 inline nlohmann::json answer_to(const std::string& arguments, int status = 0) {
   const Outcome outcome = outcome_of_call(arguments + " --json");
   CAPTURE(arguments, outcome.err);
@@ -60,7 +60,7 @@ inline nlohmann::json answer_to(const std::string& arguments, int status = 0) {
   return nlohmann::json::parse(outcome.out);
 }
 
-/// What standard error says of a call that is refused: with status 2, nothing on standard output, in one line.
+/// The message of a refused call: one line on standard error, with status 2 and nothing on standard output.
 inline std::string refusal_of_call(const std::string& arguments) {
   const Outcome outcome = outcome_of_call(arguments);
   CAPTURE(arguments, outcome.err);

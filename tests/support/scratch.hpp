@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-/// An empty folder in the temporary one, gone at the end of the test.
+/// An empty temporary folder, which is removed at the end of the test.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -18,7 +18,7 @@ class ScratchFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
 
-  /// The file that it writes.
+  /// Writes a file and returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(file(name), std::ios::binary) << text;
     return file(name);
@@ -28,7 +28,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// A file in such a folder of its own.
+/// A file in a temporary folder of its own.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& text = "") : path_(folder_.write("file", text)) {}
@@ -41,7 +41,7 @@ class ScratchFile {
   std::string path_;
 };
 
-/// A variable of the environment has another value while this lives.
+/// Sets a variable of the environment while the object lives.
 class Environment {
  public:
   Environment(const char* name, const std::string& value) : name_(name) {

@@ -31,7 +31,7 @@ inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::s
   return nipref::verify::solve(nipref::data::parse_scene(text, "a text"));
 }
 
-/// Checks each result of a nip by its name beside the member of the contact that it is.
+/// Calls `check` for each result of a nip: its value in the solution, by its name, and the contact's member.
 template <class Contact>
 void check_names(const nipref::verify::SceneSolution<nipref::fast::Estimate>& solution,
                  const Contact& contact, const auto& check) {
@@ -57,7 +57,7 @@ void check_names(const nipref::verify::SceneSolution<nipref::fast::Estimate>& so
   }
 }
 
-/// All that every scene of a nip can want: the stresses inside the sheet not every method has, nor what comes of shear.
+/// All results that every scene of a nip can want: none that needs stresses inside the sheet or shear.
 inline std::vector<nipref::data::ResultId> all_results() {
   std::vector<nipref::data::ResultId> results;
   for (const nipref::data::SceneResult& result : nipref::data::scene_results()) {

@@ -4,7 +4,7 @@
 
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 
-/// A contact that has these numbers, at Y where that matters.
+/// A contact with given numbers, which may depend on Y.
 template <class Number>
 struct StatedContact : nipref::verify::SolvedContact<Number> {
   std::map<nipref::data::ResultId, std::function<Number(double y)>> numbers;

@@ -4,14 +4,14 @@
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
-/// What the symbols of the sheet's kernels are made of in a cell of the complex plane, to 64 bits.
+/// The parts of the symbols of the sheet's kernels in a cell of the complex plane, to 64 bits.
 struct SymbolSizes {
   static constexpr mpfr_prec_t bits = 64;
 
   explicit SymbolSizes(const nipref::ref::ComplexInterval& place)
       : z(place), e2(exp(number(-2) * z)), q(one - e2 * e2 + number(4) * z * e2) {}
 
-  /// |G| e^{r Re z}, which is 4/Q, 2 (1 - e2)/(z Q), 2 (1 + e2)/Q, 2 (1 - e2)/Q, 4/(z Q) and 2 (1 + e2)/(z Q); not of `normal`.
+  /// |G| e^{r Re z}: 4/Q, 2 (1 - e2)/(z Q), 2 (1 + e2)/Q, 2 (1 - e2)/Q, 4/(z Q) and 2 (1 + e2)/(z Q); not for `normal`.
   [[nodiscard]] nipref::ref::Interval of(nipref::ref::Symbol symbol) const {
     using nipref::ref::Symbol;
     const auto difference = abs(one - e2), sum = abs(one + e2);

@@ -8,8 +8,8 @@ inline std::string replaced_in(std::string text, const std::string& from, const 
   return text;
 }
 
-/// What bars part in the lines of a text file of the tests. A line that begins with a blank continues the one above, empty
-/// ones and those with # are left out, and \n stands for a line break.
+/// The cells, separated by bars, in the lines of a text file of the tests. A line that begins with a blank continues
+/// the line above. Empty lines and those with # are left out. \n stands for a line break.
 inline std::vector<std::vector<std::string>> table_rows(const std::string& name) {
   std::ifstream file(source_directory() + "/tests/" + name);
   std::vector<std::string> lines;

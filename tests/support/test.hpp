@@ -1,7 +1,7 @@
 #pragma once
 
-// What tests are written with: doctest and the standard library, which are precompiled for all of them, and how input is
-// refused.
+// The headers of all tests, doctest and the standard library, which are precompiled, and functions that check refusals
+// of input.
 
 #include <doctest/doctest.h>
 
@@ -37,7 +37,7 @@ inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-/// How often the part stands in the text.
+/// The number of times that the part stands in the text.
 inline std::size_t times_in(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
@@ -52,7 +52,7 @@ inline std::string text_of_file(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Equal to numbers within a part `relative` of the larger of both.
+/// Equals numbers that differ from `value` by at most the part `relative` of the larger of both.
 inline doctest::Approx approx(double value, double relative) {
   return doctest::Approx(value).scale(0).epsilon(relative);
 }
@@ -67,16 +67,16 @@ doctest::String shown_in_a_row(const Values&... values) {
   return row;
 }
 
-/// doctest's, of as many as there are.
+/// Replaces doctest's CAPTURE by one that takes any number of arguments.
 #undef CAPTURE
 #define CAPTURE(...) INFO(#__VA_ARGS__ " := ", shown_in_a_row(__VA_ARGS__))
 
-/// The call is refused, and these words say why.
+/// Checks that the call throws BadInput and that the message has these words.
 #define CHECK_REFUSED(call, words)                                                             \
   CHECK_THROWS_WITH_AS(static_cast<void>(call), doctest::Contains(std::string(words).c_str()), \
                        nipref::data::BadInput)
 
-/// What refuses the call; "accepted" if nothing does.
+/// The message with which the call is refused; "accepted" if it is not refused.
 template <class Call>
 std::string refusal_of(const Call& call) {
   try {
@@ -87,5 +87,5 @@ std::string refusal_of(const Call& call) {
   return "accepted";
 }
 
-/// Whether .ci/thorough asks for the whole of sweeps of which a part stands for all else.
+/// Whether whole sweeps are requested, as in .ci/thorough, instead of a part of each.
 inline bool is_thorough() { return std::getenv("NIPREF_THOROUGH") != nullptr; }

@@ -2,7 +2,7 @@
 #include <nipref/data/problem/nip.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 
-/// The thesis's nips by their sheets, and its grip.
+/// The thesis's nips by the thickness of their sheets, and the thesis's choice of creep.
 namespace nipref::test {
 
 inline constexpr data::ElasticNip thick_nip = data::seed::nip(1.0);
@@ -13,7 +13,7 @@ inline constexpr data::ElasticNip thin_nip = data::seed::nip(0.005);
 inline constexpr data::Grip thesis_grip{data::Grip::Creep::thesis};
 constexpr data::Grip grip_with(double creep) { return {data::Grip::Creep::given, creep}; }
 
-/// With another Poisson's ratio and another radius.
+/// A nip with the thesis's Young's modulus and another Poisson's ratio, thickness and radius.
 inline data::ElasticNip nip_of(double poisson, double sheet_thickness = 1, double roller_radius = 1e3) {
   return {roller_radius, sheet_thickness, {data::seed::sheet.young, poisson}};
 }

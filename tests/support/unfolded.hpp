@@ -3,7 +3,7 @@
 
 #include "support/test.hpp"
 
-/// A text with one space for each gap, as it would read without its line breaks.
+/// The text with one space for each gap, as it reads without line breaks.
 inline std::string unfolded(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char letter) { return std::isspace(letter) != 0; }, ' ');

@@ -27,8 +27,8 @@ TEST_CASE("an elastic solid forgets nothing because it has no memory") {
 TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
   for (const double resonance : {0.31, 1.0137, 7.7}) {
     for (const double width : {1e-2, 1e-4, 1e-7}) {
-      // A resonance of peak compliance 1/100: physical with the loss of the peak beside it, not with its
-      // opposite sign.
+      // A resonance with the peak compliance 1/100. With one sign it loses energy at its peak and is physical, with the
+      // other it is not.
       const auto with = [&](double sign) {
         const Complex rate(width, resonance), amplitude(0, sign * width / 100);
         const data::MaterialFunction shear{
@@ -50,7 +50,7 @@ TEST_CASE("Kelvin's and Voigt's gives way to nothing at once, Maxwell's flows fo
   const auto maxwell = data::prony_solid({1, {3}, {0}}, {0.25, {0.75}, {0}});
   CHECK(maxwell.functions()->theta1.is_fluid());
   CHECK(std::abs(maxwell.functions()->theta1.transform({0, 0.5}) - Complex(1, -6)) < 1e-14);
-  // It would give its energy back for ever, or in dilatation at any frequency.
+  // These solids would give back energy for ever, or in dilatation at some frequency.
   CHECK_REFUSED(data::prony_solid({1, {-3}, {0}}, {0.25, {0.75}, {0}}), "theta1 rate = 0");
   CHECK_REFUSED(data::prony_solid({1, {3}, {0}}, {0.25, {0.01}, {0}}), "material dilatation loss");
   CHECK_REFUSED(data::ViscoelasticMaterial({0, {}}, {1, {}}), "theta1 instantaneous = 0");
@@ -73,6 +73,6 @@ TEST_CASE("what is no material is refused by the name of what is wrong") {
   CHECK_REFUSED(with_theta1({1, {1, 1}, {2, 2}}), "theta1 rate = 2: must not occur twice");
   CHECK_REFUSED(with_theta1({1, {-0.5}, {1}}), "material shear loss");
   CHECK_REFUSED(with_theta1({1, {-2}, {1}}), "theta1 long-time compliance");
-  // The plane compliance creeps far less than the shear: the bulk modulus would have to gain energy.
+  // The plane compliance creeps far less than the shear, so that the bulk modulus would have to gain energy.
   CHECK_REFUSED(data::prony_solid({1, {1}, {1}}, {0.3, {0.001}, {1}}), "material dilatation loss");
 }

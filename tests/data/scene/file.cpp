@@ -37,7 +37,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(position, from.size(), to);
 }
 
-/// Why it is refused with these overrides, or its title.
+/// The refusal of a scene with these overrides, or its title if it is accepted.
 std::string said_of(const std::string& text, const data::SceneOverrides& overrides = {}) {
   std::string title;
   const std::string refusal = refusal_of([&] { title = data::load_scene({"FILE", text}, overrides).title; });
@@ -160,7 +160,7 @@ TEST_CASE("letters beyond ASCII are those of texts and comments") {
   CHECK(said_of(replaced(good, "radius = 6", "r\u00e1dius = 6"))
             .starts_with("FILE:5: syntax = r\u00e1dius = 6: must be TOML"));
   CHECK(said_of("\xef\xbb\xbf# \u00e1\n" + replaced(good, "a nip", "\u00e1")) == "\u00e1");
-  // What toml++ reads on through quotes, or takes for a space.
+  // Texts in which toml++ would read on through quotes, or take a letter for a space.
   for (const char* const radius :
        {"6'\u00e1'", "6b='\u00e1'", "6.'\u00e1'", "6['\u00e1'", " \"\"\"\\\u00e1\"\"\"", " \"\\\\ \u00e1\""})
     CHECK(contains(said_of(replaced(good, "radius = 6", std::string("radius = ") + radius)),

@@ -9,7 +9,7 @@ using namespace nipref;
 
 namespace {
 
-/// The keys of an example: its tables stand in lines of their own and its keys start lines.
+/// Adds the keys of an example. Headers of tables stand in lines of their own, and keys begin lines.
 void add_keys_of(const std::filesystem::path& file, std::set<std::string>& keys) {
   std::istringstream lines(text_of_file(file));
   std::string line, table;
@@ -23,7 +23,7 @@ void add_keys_of(const std::filesystem::path& file, std::set<std::string>& keys)
   }
 }
 
-/// True if the reader of this scene takes the key's value, and finds that it is of the wrong type.
+/// Whether the reader of this scene reads the key, and refuses the value because of its type.
 bool is_read(const data::SceneText& scene, const std::string& key) {
   try {
     (void)data::load_scene(scene, {{key, "[true]"}});

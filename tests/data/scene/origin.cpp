@@ -15,7 +15,7 @@ TEST_CASE("what is refused again keeps its value and its domain, whatever separa
     CHECK(again.value() == "a: b = c");
     CHECK(again.allowed() == "must be < critical: one = that");
   }
-  // And once more, under another name.
+  // Refused again under another name.
   try {
     origin.refuse_as("load", data::BadInput(origin.locate("sliding.speed"), 0.5, "must be 0"));
   } catch (const data::BadInput& again) {

@@ -2,7 +2,7 @@
 
 #include "support/test.hpp"
 
-// What the tables hold as a whole: none is missing, none has lost a row, and the errata fit them.
+// The tables as a whole: no table is missing, no table has lost a row, and the errata fit the tables.
 
 using namespace nipref::data;
 

@@ -4,7 +4,7 @@
 #include "support/scratch.hpp"
 #include "support/table_rows.hpp"
 
-// The reader of the tables: numbers with their rounding, and files that are not as they should be.
+// The reader of the tables: numbers with their rounding intervals, and malformed files.
 
 using namespace nipref::data;
 
@@ -14,7 +14,7 @@ const std::string header =
     "# title: T\n# source: S\n# after: A\n# before: B\n# parameter: B = 2 in; thickness\n"
     "# key: W; lbf/in; load\n# column: L; 1e3; in; length\n";
 
-/// The message with which the file is refused, the folder's name cut off.
+/// The message with which the file is refused, without the folder's name.
 std::string refusal(const auto& load, const std::filesystem::path& file) {
   const std::string message = refusal_of([&] { return load(file); });
   return message.substr(message.rfind('/') + 1);

@@ -2,9 +2,9 @@
 
 #include "support/test.hpp"
 
-// The redundancy of the thesis's tables, row by row: is there a contact (d0, L1, L2) that rounds to all cells
-// of the row at once? This decides between repairs that single identities leave open, and shows that each
-// repair is the only one.
+// The redundancy of the thesis's tables, row by row: is there a contact (d0, L1, L2) that rounds to all cells of the
+// row at once? This decides between corrections that single identities leave open, and shows that each correction is
+// the only one.
 
 using namespace nipref::data;
 
@@ -13,7 +13,7 @@ namespace {
 /// The cells of one row as read, by column.
 using Texts = std::map<std::string, std::string>;
 
-/// Narrows the intervals of a row's unknowns until nothing changes; no answer if one becomes empty.
+/// Narrows the intervals of a row's unknowns until they no longer change; there is no answer if one becomes empty.
 class Row {
  public:
   Row(const Table& table, const Texts& texts)
@@ -31,8 +31,8 @@ class Row {
       if (cells_.contains(name)) narrow(unknown, cells_.at(name));
       if (cells_.contains(name + "/B")) narrow_by_ratio_to_thickness(unknown, name);
     }
-    // Each round narrows at least one of few intervals noticeably or is the last; 60 are far more than were
-    // ever needed.
+    // A round narrows at least one of the few intervals noticeably, or is the last. 60 rounds are far more than any
+    // row needs.
     for (int round = 0; round < 60 && !empty_; ++round) narrow_all();
     return !empty_;
   }
@@ -45,8 +45,8 @@ class Row {
     if (unknown.lower > unknown.upper) empty_ = true;
   }
 
-  /// With B = 1 a column and its ratio to B are one number printed twice. One rule of rounding then sends it
-  /// to one end of a tie, so intervals that only touch, those of 162.3 and 162.4, do not agree.
+  /// With B = 1 a column and its ratio to B are the same number printed twice. One rule of rounding then sends it to
+  /// the same end of a tie, so that intervals that only touch, such as those of 162.3 and 162.4, do not agree.
   void narrow_by_ratio_to_thickness(Interval& unknown, const std::string& name) {
     const Interval ratio = cells_.at(name + "/B");
     narrow(unknown, {ratio.lower * thickness_, ratio.upper * thickness_});
@@ -138,8 +138,8 @@ void for_each_erratum(ErratumKind kind, Visit visit) {
   });
 }
 
-/// The printed text with its glyphs mended: comma for point, c and C for 0, no blanks; nothing if that is no
-/// number.
+/// The printed text with its glyphs corrected: a point for a comma, 0 for c and C, no blanks; nothing if the result is
+/// no number.
 std::optional<std::string> mended(std::string printed) {
   std::replace(printed.begin(), printed.end(), ',', '.');
   std::replace_if(
@@ -149,7 +149,7 @@ std::optional<std::string> mended(std::string printed) {
   return printed;
 }
 
-/// The number `units` units of the last place away from `text`, written with as many decimals.
+/// The number that is `units` units of the last place away from `text`, with the same number of decimals.
 std::string neighbour(const std::string& text, int units) {
   const std::size_t point = text.find('.');
   const std::size_t decimals = point == text.npos ? 0 : text.size() - point - 1;

@@ -3,8 +3,7 @@
 #include "support/paths.hpp"
 #include "support/unfolded.hpp"
 
-// The cells are the seed's own text: each is looked for between the words that stand before and after its
-// table.
+// The cells are text of the seed itself: each cell is looked for between the words before and after its table.
 
 using namespace nipref::data;
 
@@ -14,7 +13,7 @@ bool continues_a_word(std::string_view text, std::size_t position) {
   return position < text.size() && std::isalnum(static_cast<unsigned char>(text[position])) != 0;
 }
 
-/// How often `cell` stands in `text` as a whole: no letter or digit touches it.
+/// The number of times that `cell` stands in `text` as a whole, with no letter or digit beside it.
 std::size_t occurrences(std::string_view text, std::string_view cell) {
   std::size_t count = 0;
   for (std::size_t at = text.find(cell); at != text.npos; at = text.find(cell, at + 1)) {
@@ -24,7 +23,7 @@ std::size_t occurrences(std::string_view text, std::string_view cell) {
   return count;
 }
 
-/// The seed's text between the marks of a table; both have to be there once, in order.
+/// The seed's text between the marks of a table. Both marks must be there exactly once, in order.
 std::string_view between_marks(std::string_view seed, const Table& table) {
   const std::string after = unfolded(table.after);
   const std::string before = unfolded(table.before);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t few = 3000;
 
-/// I3 with fast's value changed by `damage(alpha, value)`. A cheap kernel without zeros.
+/// I3, a cheap kernel without zeros, with fast's value replaced by damage(alpha, value).
 template <class Damage>
 Quantity damaged_I3(Damage damage) {
   Quantity quantity = verify::find_quantity("I3");
@@ -46,7 +46,7 @@ TEST_CASE("the audit passes the sound kernel, the same every time") {
 TEST_CASE("the audit finds what is wrong in a window, at one point or no number, and climbs to a peak") {
   struct Planted {
     std::size_t points;
-    double lower, upper;  ///< where |alpha| of the worst is
+    double lower, upper;  ///< range of |alpha| at the worst point
     std::function<double(double alpha, double value)> damage;
   };
   const auto at = [](double place) {
@@ -61,7 +61,7 @@ TEST_CASE("the audit finds what is wrong in a window, at one point or no number,
   for (const Planted& planted : {between(1.5, 1.6, 1 + 0x1p-50), between(3, 4, std::nan("")),
                                  at(verify::find_quantity("I3").arguments[0].hard_values[2]),
                                  at(17.25),  // a branch point, a knot of a table
-                                 // The error's top is 1000 ulps, at 2, with a width of 1e-2.
+                                 // An error with a peak of 1000 ulps at 2 and a width of 1e-2.
                                  Planted{10'000, 2 - 1e-3, 2 + 1e-3, [](double alpha, double value) {
                                            const double distance = (std::fabs(alpha) - 2) / 1e-2;
                                            return value *

@@ -34,13 +34,13 @@ TEST_CASE("hard cases of contacts: errors that ref can tell are within what cond
     CHECK(audit.condition.has_value() == (audit.system.find("line loads") == 0));
     CHECK(audit.oscillation.has_value() == (contains(audit.system, "full friction")));
     if (audit.system == "line loads, no friction" && audit.error) {
-      // The kernels' part is within what the condition makes of their last digits; ten elements are a tenth
-      // off.
+      // The kernels' part of the error is at most the condition number times a unit of their last digits. Ten elements
+      // have an error of a tenth.
       CHECK(*audit.kernel_error <= 1e-15 * *audit.condition);
       if (audit.ratio <= 1) CHECK(*audit.discretisation_error > 0.05);
     }
     if (audit.system.find("converged") == 0) CHECK(audit.allowed < 1e-5);
-    // Many line loads with friction zigzag, the converged shear does not.
+    // The shears of many line loads with friction zigzag, the converged shear does not.
     if (audit.system == "converged, full friction") CHECK(*audit.oscillation < 0.05);
     if (audit.system == "line loads, full friction" && audit.unknowns == 1001 && audit.ratio <= 1) {
       CHECK(*audit.oscillation > 0.5);
@@ -76,7 +76,7 @@ TEST_CASE("a contact without an independent truth gets no verdict, what is not k
 }
 
 TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the thesis's method") {
-  // Those with Coulomb's friction take the reference long.
+  // Contacts with Coulomb's friction take the reference long.
   std::vector<verify::BenchRow> rows;
   for (const verify::BenchPart& part : verify::elastic_bench())
     if (is_thorough() || !contains(part.name, "Coulomb"))
@@ -95,5 +95,5 @@ TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the th
     CHECK(error("converged 1e-10") < 1e-10);
     CHECK(error("converged 1e-13") < 1e-12);
   }
-  CHECK(verify::promised_ratios(rows).size() == 16);  // all that speed.toml has of elastic nips
+  CHECK(verify::promised_ratios(rows).size() == 16);  // all ratios of elastic nips in speed.toml
 }

@@ -9,7 +9,7 @@ using namespace nipref::verify;
 
 namespace {
 
-/// The spread of errors in ulps, each with the point before it.
+/// The spread of errors in ulps, each given with its point.
 ErrorSpread spread_of(const std::vector<std::pair<Point, double>>& errors) {
   return error_spread(find_quantity("I6"), mapped(errors, [](const auto& error) -> Finding {
                         const auto& [point, ulps] = error;

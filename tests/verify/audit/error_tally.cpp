@@ -14,7 +14,7 @@ ErrorTally tally_of(const std::vector<double>& numbers) {
   return tally;
 }
 
-/// Of all sizes, as a bad kernel's errors are.
+/// Numbers of all sizes, like the errors of a bad kernel.
 std::vector<double> some_numbers() {
   Random random("numbers to be tallied");
   std::vector<double> numbers{0, 0x1p-1074, 1, 0x1p-6, std::nextafter(0x1p-6, 1), 1e300};

@@ -22,7 +22,7 @@ std::set<std::string> names_of(const std::map<std::string, verify::Variant>& var
   return {names.begin(), names.end()};
 }
 
-/// Every number of every variant is that of the scene itself, to `part` of it or of the largest of its kind.
+/// Checks that every number of every variant is that of the scene itself, up to `part` of the largest of its kind.
 void check_agree(const verify::DrawnScene& drawn, double part) {
   const Solution solved = verify::solve(drawn.scene());
   for (const auto& [name, variant] : variants_of(drawn, solved)) {

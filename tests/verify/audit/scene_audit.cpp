@@ -1,4 +1,4 @@
-// The audit of random scenes sees what is wrong with a solver, and nothing where nothing is.
+// The audit of random scenes finds the errors of a solver, and none in a solver without errors.
 #include <utility>
 
 #include <nipref/data/scene/file.hpp>
@@ -13,7 +13,7 @@ namespace {
 using Solution = verify::SceneSolution<fast::Estimate>;
 using Change = std::function<void(const data::SceneResult& what, fast::Estimate& number)>;
 
-/// Solves, and then changes every number.
+/// Solvers whose path fast changes every number of its solution.
 verify::SceneSolvers with(const Change& change) {
   verify::SceneSolvers solvers;
   solvers.fast = [change](const data::Scene& scene) {
@@ -26,7 +26,7 @@ verify::SceneSolvers with(const Change& change) {
   return solvers;
 }
 
-/// Estimates so large that they cover what the solver itself may still lack: a thousandth of everything.
+/// Raises an error estimate by a thousandth of the number, so that it covers every error of the solver itself.
 void overstate(const data::SceneResult& what, fast::Estimate& number) {
   number.error += 1e-3 * std::fabs(number.value) + (what.name == "orientation" ? 180 : 0);
 }
@@ -39,7 +39,7 @@ bool wants(const data::Scene& scene, data::ResultId id) {
   return std::ranges::find(scene.wanted, id) != scene.wanted.end();
 }
 
-/// Scenes of this seed: an elastic nip that the reference has too, others with friction, memory and on a half-space.
+/// Scenes of this seed: an elastic nip, which the reference solves too; others with friction, memory, on a half-space.
 constexpr std::uint64_t elastic = 39, gripped = 1, rolling_elastic = 2, operators = 5, sphere = 9;
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("the audit says nothing against estimates that cover everything") {
 
 TEST_CASE("an understated estimate is seen, and as missed without saying so, of every kind of contact") {
   for (const std::uint64_t index : {elastic, gripped, operators, sphere}) {
-    // Every solution is off in its own way, and says that it is not.
+    // Every solution has other errors, and understates them.
     int calls = 0;
     const auto found = audited(index, with([&calls](const data::SceneResult&, fast::Estimate& number) {
                                  number.value *= 1 + 0.03 * (++calls % 7);
@@ -77,7 +77,7 @@ TEST_CASE("one wrong result is seen though all solutions agree: by ref, by the p
   struct Planted {
     std::uint64_t scene;
     std::string result;
-    double factor, error;  ///< of the value
+    double factor, error;  ///< relative to the value
     std::size_t uncovered;
     std::string begins, says;
     double ratio;  ///< 0: any
@@ -86,7 +86,7 @@ TEST_CASE("one wrong result is seen though all solutions agree: by ref, by the p
        {Planted{elastic, "peak_pressure", 1.01, 1e-9, 1, "peak_pressure", "; ref: ", 0},
         {sphere, "compliance", 1.01, 1e-9, 5, "compliance at ", "; ref: ", 0},
         {operators, "peak_pressure", 0.99, 1e-9, 1, "peak_pressure", "; pressure there: ", 0},
-        // What is no number is not covered, and an estimate of 0 is measured by a rounding.
+        // A NaN is not covered. With an estimate of 0 the error is measured in rounding errors.
         {elastic, "load", std::nan(""), 0, 1, "load", "", infinite},
         {elastic, "load", 1 + 0x1p-36, 0, 1, "load", "", 0x1p17}}) {
     const auto found =
@@ -113,7 +113,7 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
     return solution;
   };
   CHECK(audited(elastic, solvers).uncovered == 1);
-  // What the reference refuses, as a place that it does not reach, is no failure.
+  // A refusal by the reference, for example of a place that it does not reach, is no failure.
   solvers.ref = [](const data::Scene&, int) -> verify::SceneSolution<ref::Estimate> {
     throw data::BadInput("y", "1", "must be nearer");
   };
@@ -156,7 +156,7 @@ TEST_CASE("a share of the contacts with friction or with a memory is compared wi
 }
 
 TEST_CASE("how much estimates overstate is known from what is ten times as accurate, not of what is given") {
-  // Shears inside that are 0 come as roundings, which are off by their own size.
+  // Shears inside that should be 0 are rounding errors, whose relative error is 1.
   const auto found = audited(elastic, with([](const data::SceneResult& what, fast::Estimate& number) {
                                number.value *= 1 + 1e-5;
                                number.error = (what.is_inside() ? 0 : 1e-4) * std::fabs(number.value);
@@ -167,7 +167,7 @@ TEST_CASE("how much estimates overstate is known from what is ten times as accur
 }
 
 TEST_CASE("an ellipse that is nearly a circle does not know its orientation at all") {
-  // Scene and mirror image were 90 degrees apart, with 36 of error each.
+  // Estimates of 36 degrees each would not cover the 90 degrees between the scene and its mirror image.
   const auto found = verify::audit_scene("ash", 9, {});
   CHECK(verify::solve(data::parse_scene(found.worst.toml, "ash"))[data::ResultId::orientation].error > 45);
   CHECK(found.numbers > 0);

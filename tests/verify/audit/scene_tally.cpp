@@ -9,7 +9,7 @@ using namespace nipref;
 
 namespace {
 
-/// What is found about one scene that is neither refused nor fails, unless it is said why.
+/// The findings about one scene. The scene is refused or fails only if a reason is given.
 verify::SceneTally findings(std::uint64_t index, double ratio, double seconds,
                             const std::string& refused = "", const std::string& failed = "") {
   verify::SceneTally found{.scenes = 1, .numbers = 40, .unchecked = 2};

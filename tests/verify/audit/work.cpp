@@ -18,10 +18,10 @@ AuditOptions in_small_blocks(const std::string& seed = "1") {
   return options;
 }
 
-/// What another process is sent of a block, as it reads it.
+/// The findings of a block as another process reads them.
 Json sent(BlockWork& work, std::size_t block) { return Json::parse(work.do_block(block, {}).line()); }
 
-/// Does the blocks in this order, by a process for each, as it were.
+/// Does the blocks in this order, as if each had a process of its own.
 std::string row_by(const Quantity& quantity, const std::vector<std::size_t>& order) {
   QuantityWork sum(quantity, in_small_blocks());
   for (const std::size_t block : order) {
@@ -70,7 +70,7 @@ TEST_CASE("the blocks of an audit have each listed point once, and one dense poi
   options.ranges = {Range{1, 2}};
   options.search = false;
   std::set<long> cells;
-  constexpr std::size_t of_range = 3000;  // the share of dense points
+  constexpr std::size_t of_range = 3000;  // number of dense points
   for (const Point& point : audit_points(quantity, options))
     cells.insert(static_cast<long>((point[0] - 1) * of_range));
   CHECK(cells.size() >= of_range);

@@ -68,7 +68,7 @@ TEST_CASE("the stopwatch plans by a run that finds what the first built, and ask
                                             std::this_thread::sleep_for(std::chrono::milliseconds(20));
                                         },
                                         1, 1};
-  // A run of either is far shorter, even where the machine does something else in between.
+  // All runs but the first are far shorter, even on a busy machine.
   verify::time_interleaved({slow_at_first}, 3, 0.05);
   CHECK(runs > 20);
   std::set<std::size_t> counts;

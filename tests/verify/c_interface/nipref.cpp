@@ -1,4 +1,4 @@
-// The C interface: every quantity by its name, what is refused, digits that are not all there.
+// The C interface: every quantity by its name, refusals, digits that are not reached.
 #include <nipref/nipref.h>
 #include <nipref/verify/catalogue/catalogue.hpp>
 
@@ -46,7 +46,7 @@ TEST_CASE("C: what is refused writes nothing, of a batch with one bad point as w
 
 TEST_CASE("C: digits that are not all there are said, and what is there is written") {
   using namespace nipref;
-  // No quantity of the catalogue is known to miss its digits: this is I1 with a reference of its own.
+  // No quantity of the catalogue is known to miss its digits, so this is I1 with another reference.
   verify::Quantity quantity = verify::find_quantity("I1");
   double relative_error = 0;
   quantity.by_ref = [&](std::span<const ref::Exact>, int digits) {

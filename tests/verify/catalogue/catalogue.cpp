@@ -26,7 +26,7 @@ TEST_CASE("every entry of the catalogue is complete") {
     CHECK(quantity.envelope);
     REQUIRE_FALSE(quantity.arguments.empty());
     CHECK(quantity.arguments.size() <= verify::most_arguments);
-    // Either each argument has its own hard values, or the quantity knows where to look.
+    // Either each argument has hard values of its own, or the quantity draws its points.
     for (const verify::Argument& argument : quantity.arguments)
       CHECK(argument.hard_values.empty() == static_cast<bool>(quantity.draw));
   }
@@ -42,7 +42,7 @@ TEST_CASE("each quantity is once in the table of what is proven") {
 }
 
 TEST_CASE("the table of what is proven calls these quantities estimated, and no others") {
-  // So that no error of a flag and of the page agree.
+  // The list is written out here, so that an error that a flag shares with the page is found.
   const std::set<std::string> families{"die", "rolling", "ellipse"};
   const std::string others =
       " halfspace.rolling_index_beyond ti.critical anisotropic.critical halfspace.condition ti.condition ti.branch "
@@ -65,7 +65,7 @@ TEST_CASE("both paths agree within the promise at random points, and what is pro
   constexpr int digits = 18;  // 1e-18 is a hundredth of an ulp
   for (const Quantity& quantity : verify::catalogue()) {
     verify::Random random("test " + quantity.drawn_for());
-    // Fewer where the reference is slow.
+    // Fewer points if the reference is slow.
     const std::size_t most = (quantity.is_costly ? 12U : 45U) / (is_thorough() ? 1U : 12U);
     const std::size_t points = std::min(most, quantity.audit_points / 3);
     for (const Point& point : verify::random_points(quantity, {}, points, random)) {
@@ -74,7 +74,7 @@ TEST_CASE("both paths agree within the promise at random points, and what is pro
       const ref::Estimate truth = verify::ref_value(quantity, point, digits);
       CHECK(verify::deviation(value, truth, quantity.envelope(point)).ulps <= quantity.promise);
       if (quantity.fast_error) {
-        // A proven bound or not, as the point is: see the entry's own tests.
+        // Whether the truth is proven depends on the point here. The tests of the entry check it.
         CHECK(std::fabs(truth.error_of(value)) <= quantity.fast_error(point, {}));
       } else {
         CHECK((truth.proven ? "proven" : "estimated") == state_of[quantity.name]);

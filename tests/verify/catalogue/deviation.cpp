@@ -14,13 +14,13 @@ ref::Float decimal(const std::string& text) {
   return number;
 }
 
-/// Of a value by fast from one by the reference and its bound.
+/// The deviation of a value by fast from the reference's value with this bound.
 verify::Deviation deviation_of(double value, const std::string& truth, const std::string& bound,
                                double envelope) {
   return verify::deviation(value, ref::Enclosure{decimal(truth), decimal(bound), 16}, envelope);
 }
 
-/// Of a quantity with this envelope at its argument.
+/// Whether a value of a quantity with this envelope at its argument has these digits.
 bool is_met_of(const std::string& value, const std::string& error, int digits, double envelope) {
   verify::Quantity quantity = verify::find_quantity("I1");
   quantity.envelope = [=](std::span<const double>) { return envelope; };
@@ -66,12 +66,12 @@ TEST_CASE("the reference's digits are met by an error of no more than that part 
   CHECK_FALSE(is_met_of("91.370172532017530", "4.2e-14", 16, 0));
   CHECK(is_met_of("-2", "1.999e-16", 16, 0));
   CHECK_FALSE(is_met_of("-2", "2.001e-16", 16, 0));
-  // A value that is small beside the size that it might have has the digits of that.
+  // If the value is small beside the envelope, the digits are those of the envelope.
   CHECK_FALSE(is_met_of("7e-9", "2e-20", 16, 0));
   CHECK(is_met_of("7e-9", "2e-20", 16, 0.1));
   CHECK(is_met_of("0", "0", 16, 0));
   CHECK_FALSE(is_met_of("0", "1e-300", 16, 0));
-  // Beyond the range of doubles, too.
+  // The same holds beyond the range of doubles.
   CHECK(is_met_of("3e-8686", "2e-8702", 16, 0));
   CHECK_FALSE(is_met_of("3e-8686", "4e-8702", 16, 0));
   CHECK_FALSE(is_met_of("1", "nan", 16, 0));

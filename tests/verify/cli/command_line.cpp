@@ -17,13 +17,13 @@ namespace {
 
 using nlohmann::json;
 
-/// A call, and what stands after the bars.
+/// A line of a file of calls: a call, and the claims about its answer behind the bars.
 struct TabledCall {
   std::string call;
   std::vector<std::string> claims;
 };
 
-/// The calls of a file beside this one.
+/// The calls in a file of this folder.
 std::vector<TabledCall> tabled_calls(const std::string& name) {
   const std::map<std::string, std::string> places{{"{kernels}", plugin_file("kernels")},
                                                   {"{slower}", plugin_file("slower")},
@@ -53,10 +53,10 @@ void check_bad_call(const TabledCall& bad) {
   }
 }
 
-/// The text of an answer with this status, or that in JSON.
+/// Makes a call, which must end with this status, and returns its output.
 using Answered = std::function<std::string(const std::string& call, int status)>;
 
-/// Each call is made once.
+/// Makes each call once and keeps its output.
 std::string answered_once(const std::string& call, int status) {
   static std::map<std::string, std::string> all;
   const auto known = all.find(call);
@@ -77,7 +77,7 @@ double number_in(const json& value) {
   return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
 }
 
-/// Of the claim /NAME/NAME RELATION WANTED, as answers.txt has it.
+/// Whether a claim of the form /NAME/NAME RELATION WANTED holds; answers.txt describes claims.
 bool holds(const json& answer, const std::string& claim, const Answered& answered) {
   std::istringstream words(claim);
   std::string pointer, relation, wanted;
@@ -134,7 +134,7 @@ void check_answer(const TabledCall& tabled, const Answered& answered) {
   }
 }
 
-/// The lines of a file of sessions, each of which has a folder of its own.
+/// Checks the lines of a file of sessions. Each session has a folder of its own.
 void check_sessions(const std::string& name) {
   std::optional<ScratchFolder> folder;
   std::string title, start;
@@ -150,7 +150,7 @@ void check_sessions(const std::string& name) {
       continue;
     }
     CAPTURE(title);
-    std::map<std::string, std::string> known;  // what is done once is not done again for another claim
+    std::map<std::string, std::string> known;  // outputs by call: no call is made again for another claim
     if (line.claims.empty() || line.claims == std::vector<std::string>{"status 1"})
       line.claims.emplace_back("");
     check_answer(line, [&](const std::string& call, int status) {
@@ -165,7 +165,7 @@ void check_sessions(const std::string& name) {
   }
 }
 
-/// The README's lines that call the program, without what is said of them.
+/// The README's calls of the program, without the remarks behind them.
 std::vector<std::string> commands() {
   std::ifstream readme(fs::path(source_directory()) / "README.md");
   std::vector<std::string> found;
@@ -180,7 +180,7 @@ std::vector<std::string> commands() {
 TEST_CASE("bad input: status 2, one line that names it, nothing on standard output") {
   check_call_refused("", "verb = (missing)");
   check_call_refused("eval I1 \"alpha=1\n2\"", "alpha = 1 2");
-  const std::string long_name(300, 'a');  // than a file's may be
+  const std::string long_name(300, 'a');  // longer than a file's name may be
   check_call_refused("solve " + long_name, "scene = " + long_name);
   const std::vector<TabledCall> calls = tabled_calls("bad_calls.txt");
   CHECK(calls.size() > 230);

@@ -7,10 +7,10 @@ using namespace nipref;
 
 namespace {
 
-/// What a shell offers after these words of a command line, a line each; empty without that shell.
+/// The words that a shell offers after these words of a command line, one a line; empty without this shell.
 std::string offered_by(const std::string& shell, const std::string& words) {
   const std::string completion = verify::completion_for(shell);
-  // zsh leaves what does not match out itself.
+  // zsh itself leaves out words that do not match.
   const std::map<std::string, std::pair<std::vector<std::string>, std::string>> ways{
       {"bash",
        {{"bash"},

@@ -31,7 +31,7 @@ TEST_CASE("a reader that has gone ends the program quietly, by the signal, or an
     const ScratchFile errors;
     int ends[2];
     REQUIRE(pipe(ends) == 0);
-    close(ends[0]);  // before there is anybody who could write
+    close(ends[0]);  // before any writer exists
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {

@@ -22,13 +22,13 @@ verify::AuditOptions ten_blocks() {
   return options;
 }
 
-/// A process that has just been started: what it knows of the run.
+/// A process that has just been started, with its knowledge of the run.
 struct Process {
   verify::QuantityWork work{verify::find_quantity("I3"), ten_blocks()};
   verify::StoredBlocks there{{&work}};
   std::size_t done = 0;
 
-  /// Does blocks of the shard until there are `most` more.
+  /// Does blocks of the shard until `most` blocks are done.
   void run(const fs::path& folder, verify::Shard shard, std::size_t most) {
     verify::ShardFile file(folder, fingerprint, shard);
     there.read(folder);
@@ -40,7 +40,7 @@ struct Process {
   }
 };
 
-/// What is in the folder.
+/// The result of all blocks in the folder.
 std::string merged(const fs::path& folder) {
   Process merging;
   merging.there.read(folder);
@@ -62,7 +62,7 @@ TEST_CASE("a run killed again and again finds what one process finds, and repeat
       Process process;
       process.run(killed.path(), shard, random.index(3));
       done += process.done;
-      // A kill amidst writing: part of the last line is there, or nothing.
+      // A kill during a write leaves a part of the last line, or nothing of it.
       const fs::path file = killed.path() / (shard.index == 0 ? "shard-1-of-2.jsonl" : "shard-2-of-2.jsonl");
       const std::string text = text_of_file(file);
       if (process.done == 0 || round > 8) continue;
@@ -85,7 +85,7 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   const ScratchFolder folder;
   Process process;
   process.run(folder.path(), {0, 2}, 3);
-  CHECK(process.there.count() == 0);  // what was there at the start
+  CHECK(process.there.count() == 0);  // the blocks that were there at the start
   Process again;
   again.there.read(folder.path());
   CHECK(again.there.gaps() == "I3 block 1, I3 block 3, I3 blocks 5 to 9");
@@ -150,7 +150,7 @@ TEST_CASE("the README's words for launchers say which shard a process is") {
     CAPTURE(line);
     const std::string shard = line.substr(words + 3, line.rfind('`') - words - 3);
     CHECK(verify::parse_shard(verify::output_of({"sh", "-c", variables + shard}).text) == Shard{3, 100});
-    // Outside of the launcher nothing is taken for a shard.
+    // Without the launcher's variables nothing is taken for a shard.
     CHECK_THROWS_AS(
         static_cast<void>(verify::parse_shard(verify::output_of({"sh", "-c", "printf %s " + shard}).text)),
         data::BadInput);

@@ -20,7 +20,7 @@ Figure figure(const std::string& id) {
   return verify::compute(*plan);
 }
 
-/// The same with fewer numbers in a list, each of which takes a contact; all of them in .ci/thorough.
+/// A figure with fewer numbers in a list, each of which takes a contact. In .ci/thorough it has all of them.
 Figure with_fewer(const std::string& id, const std::string& numbers, const std::string& fewer) {
   if (is_thorough()) return figure(id);
   const auto statements = data::statements_directory();
@@ -42,7 +42,7 @@ const Series& series_of(const verify::Panel& panel, const std::string& label, co
   return *found;
 }
 
-/// Of a curve at a place that is, to rounding, among its own.
+/// The value of a curve at one of its places, up to rounding errors.
 double at(const Series& curve, double x) {
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (std::fabs(curve.x[i] - x) <= 1e-12 * std::fabs(x)) return curve.y[i];
@@ -51,7 +51,7 @@ double at(const Series& curve, double x) {
   return 0;
 }
 
-/// A panel's series of one label against the table it is of.
+/// The series of one label in a panel, and the table whose column they show.
 struct Drawn {
   std::string label, table, column, key;
 };
@@ -81,7 +81,7 @@ void check_against_table(const verify::Panel& panel, const Drawn& drawn) {
   }
 }
 
-/// Plots that a figure is drawn with: a series of bars takes two.
+/// The number of plots that draw a figure. A series of bars takes two.
 std::size_t plots_of(const Figure& all) {
   std::size_t plots = 0;
   for (const verify::Panel& panel : all.panels) {
@@ -149,7 +149,7 @@ TEST_CASE("behind the papers' tables: the formula is as replayed, the rule's cur
       const double phi = replay.table.cell(cell.row, "phi").number->value;
       CAPTURE(phi);
       CHECK(at(series_of(panel, label, "the table's formula"), phi) == cell.value);
-      if (phi != std::floor(phi)) continue;  // the curve goes by degrees
+      if (phi != std::floor(phi)) continue;  // the curve has whole degrees
       CHECK(at(series_of(panel, label, "the paper's rule, corrected"), phi) ==
             doctest::Approx(*cell.corrected).epsilon(1e-12));
       if (cell.exact)
@@ -189,20 +189,20 @@ TEST_CASE(
   CHECK(0.05 * at(creep.panels.front().series.front(), 0) == approx(-0.1143, 0.15));
   const Figure zones = with_fewer("coulomb-zones", "mu ratios 0.02 0.5 13", "mu 0.02 0.1 0.5");
   for (const verify::Panel& panel : zones.panels) {
-    std::map<double, double> slip;  // its length over that of the contact, by friction
+    std::map<double, double> slip;  // length of slip over that of the contact, by friction
     for (const Series& bars : panel.series) {
       for (std::size_t i = 0; i < bars.x.size(); ++i) slip[bars.x[i]] += bars.high[i] - bars.low[i];
     }
     CHECK(slip.begin()->second > 0.2);
     CHECK(std::ranges::is_sorted(slip, std::greater<>(), [](const auto& one) { return one.second; }));
   }
-  // A thick sheet moves in and a thin one out, and friction holds them back where they enter.
+  // A thick sheet's surface moves inwards, a thin one's outwards; friction opposes this where the sheet enters.
   CHECK(zones.panels.front().series[0].high.front() == 1);
   CHECK(zones.panels.back().series[1].high.front() == 1);
 }
 
 TEST_CASE("a figure's CSV has numbers everywhere") {
-  // One of each kind; those of rolling sheets take seconds.
+  // One figure of each kind. Figures of rolling sheets take seconds.
   const std::set<std::string> kinds{
       "thesis-7",  "thesis-9",    "thesis-11",   "thesis-12",        "thesis-13",  "thesis-15", "thesis-21",
       "thesis-26", "thesis-27",   "thesis-29",   "thesis-III-thick", "thesis-32",  "thesis-33", "thesis-36",
@@ -228,7 +228,7 @@ TEST_CASE("a figure's CSV has numbers everywhere") {
     CHECK(verify::figure_csv(all).starts_with("panel,label,role,x,y,low,high,value\n"));
     CHECK(records.size() == 1 + points);
     for (std::size_t row = 1; row < records.size(); ++row) {
-      // The last column is of contours alone, and all that they have but their place.
+      // Only contours have the last column; apart from their place they have nothing else.
       const auto& fields = records[row];
       const bool of_contours = !fields.back().text.empty();
       for (std::size_t column = of_contours ? 7 : 3; column < (of_contours ? 8U : 7U); ++column) {

@@ -22,7 +22,7 @@ TEST_CASE("formulas of statements follow the rules of arithmetic") {
   CHECK(value("certain(1 + within(0.5)) - certain(1 + within(2))") == 1);
   CHECK(value("integral(t, 0, 1, t^2)") == doctest::Approx(1.0 / 3));
   CHECK(value("largest(t, 0, 3, t*(2 - t)) + sign_change(t, 0, 2, 1 - t)") == doctest::Approx(2));
-  // Both paths of the catalogue: I1 is even.
+  // Both paths of the catalogue. I1 is even.
   CHECK(value("[ref I1 alpha=0.5] - [fast I1 alpha=$a]", "a = -0.5") == doctest::Approx(0).epsilon(1e-12));
 }
 

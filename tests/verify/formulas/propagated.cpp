@@ -1,4 +1,4 @@
-// Numbers of claims, limits and errata: each has an error, which covers, and no more digits than that bears out.
+// Numbers of claims, limits and errata: each has an error that covers, and no more digits than the error justifies.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <nipref/verify/formulas/propagated.hpp>
@@ -56,7 +56,7 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
       }
     }
   }
-  // A decimal's double is half a unit off, a small binary fraction's is not; nothing is known of what may be 0/0.
+  // The double of 0.1 is up to half a unit off, that of 0.375 is exact. If a divisor may be 0, the error is infinite.
   CHECK(Propagated(0.1).error() > 0);
   CHECK(Propagated(0.375).error() == 0);
   CHECK(std::isinf((1 / Propagated(0.5, 0.5)).error()));
@@ -74,7 +74,7 @@ TEST_CASE("slopes, zeros, maxima and integrals lie within their errors") {
   struct Case {
     const char* formula;
     Wide truth;
-    double most;  ///< error
+    double most;  ///< largest error allowed
   };
   for (const auto& [formula, truth, most] :
        {Case{"derivative(x, 1, 0.25, sin(x) + within(1e-13))", cos(Wide(1)), 1e-10},

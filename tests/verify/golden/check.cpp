@@ -18,7 +18,7 @@ std::vector<GoldenFault> faults_of(const verify::CheckedGolden& checked) {
 
 verify::GoldenFile golden(const char* quantity) { return verify::read_golden(verify::golden_path(quantity)); }
 
-/// The last `rows` ones.
+/// The file with its last `rows` rows only.
 verify::GoldenFile last_of(verify::GoldenFile file, std::ptrdiff_t rows) {
   file.rows.erase(file.rows.begin(), file.rows.end() - rows);
   return file;
@@ -34,7 +34,7 @@ TEST_CASE("golden values are what they were: every file to the last character, a
     const std::string bytes = data::text_of_input_file(verify::golden_path(quantity.name), "file");
     CHECK(verify::checksums_of(data::golden_directory()).at(quantity.name + ".csv") == verify::sha256(bytes));
     verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity.name));
-    // One is enough where a value takes seconds.
+    // One row is enough if a value takes seconds.
     const std::size_t often = is_thorough() ? 5 : 20, step = quantity.audit_points >= 20'000 ? often
                                                              : quantity.audit_points >= 20   ? 4 * often
                                                                                            : file.rows.size();
@@ -48,7 +48,7 @@ TEST_CASE("golden values are what they were: every file to the last character, a
 TEST_CASE("fast with a perturbed coefficient is found by golden values, the others are not blamed") {
   const Quantity& quantity = verify::find_quantity("I5");
   Quantity damaged = quantity;
-  // Of its first branch alone, and by four units in the last place.
+  // The error is in the first branch alone, and of four units in the last place.
   damaged.by_fast = [by_fast = quantity.by_fast](std::span<const double> x, fast::Accuracy accuracy) {
     const double value = by_fast(x, accuracy);
     return std::abs(x[0]) < 0.1 ? value * (1 + 0x1p-50) : value;

@@ -12,7 +12,7 @@ namespace {
 
 GoldenFile contacts(const char* kind) { return verify::read_golden(verify::golden_path(kind)); }
 
-/// The contact that has these values of its keys.
+/// The contact with these values of its keys.
 GoldenFile one_of(GoldenFile file, const verify::Assignments& keys) {
   std::erase_if(file.rows, [&](const verify::GoldenRow& row) { return row.keys != keys; });
   REQUIRE(file.rows.size() == 1);
@@ -41,7 +41,7 @@ TEST_CASE("golden contacts: at least 200 of each kind, each confirmed, none twic
       if (contains(row.confirmed_by, "; ")) ++by_second_method;
     }
     CHECK(keys.size() == file.rows.size());
-    // Some contacts are not known to all digits.
+    // Contacts are left out if not all their digits are known.
     CHECK(keys.size() >= 0.95 * static_cast<double>(verify::swept_by(verify::contact_scene(kind)).size()));
     CHECK(10 * by_second_method >= file.rows.size());
     const bool is_rolling_sheet = kind.starts_with("contacts-rolling-") && kind != "contacts-rolling-sphere";

@@ -10,7 +10,7 @@ namespace {
 
 const verify::Provenance nowhere{"0", "a compiler", "4", std::string(40, 'a'), true};
 
-/// What the reference says, moved by this part of it; its bound is what it was.
+/// The quantity with the reference's value changed by this relative part. The bound is not changed.
 Quantity with_wrong_reference(Quantity quantity, double part) {
   quantity.by_ref = [by_ref = quantity.by_ref, part](std::span<const ref::Exact> arguments, int digits) {
     ref::Estimate reference = by_ref(arguments, digits);

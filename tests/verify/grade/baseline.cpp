@@ -77,7 +77,7 @@ TEST_CASE("what is no baseline is refused by file and line") {
   refused("[[other]]\n");
   refused("[[graded]]\nwhat = \"x\"\n");
   refused("not toml");
-  refused("[[graded]]\n\xc3\xa9 = 1\n");  // what toml++ must not be given
+  refused("[[graded]]\n\xc3\xa9 = 1\n");  // a text that toml++ must not receive
   refused("[[graded]]\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q = 1\n");
   CHECK_REFUSED(Baseline::read("/"), "baseline = /: must be a file");
   std::string negative = with_entry(1.5).text();

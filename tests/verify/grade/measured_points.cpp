@@ -14,7 +14,7 @@ MeasuredPoints read(const std::string& csv, const std::optional<std::string>& qu
   return verify::read_measured_points(file.path(), quantity, column).front();
 }
 
-/// What the refusal says is allowed.
+/// The words with which a CSV is refused.
 std::string refusal(const std::string& csv, const std::optional<std::string>& column = std::nullopt) {
   return refusal_of([&] { return read(csv, "I6", column); });
 }

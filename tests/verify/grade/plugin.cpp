@@ -26,7 +26,7 @@ constexpr double here = 17.25;
 
 Plugin test_kernels(double time_limit = 60) { return {plugin_file("kernels"), {}, time_limit}; }
 
-/// A kernel of the test's plugin and what is found of it.
+/// A kernel of the test's plugin, and its grading.
 struct Graded {
   explicit Graded(const std::string& name, AuditOptions options = {400, {}, {}},
                   const Plugin& plugin = test_kernels())
@@ -92,7 +92,7 @@ TEST_CASE("a fault at one point is named with it, alone, and only there may the 
              {"refuses", FaultKind::refused, "returns 7", false},
        }) {
     CAPTURE(kernel);
-    // The limit is for a batch of 64 points that takes a thousandth of a second.
+    // The time limit is for a batch of 64 points, which takes a thousandth of a second.
     const Graded found(kernel, {200, {}, {}}, test_kernels(kind == FaultKind::hang ? 1 : 60));
     REQUIRE(found.faults.size() == 1);
     CAPTURE(found.faults[0].words);
@@ -165,7 +165,7 @@ TEST_CASE("a crash in larger batches alone is named with the batch, and its poin
   CAPTURE(words);
   const std::string begins = ", in a batch of ";
   REQUIRE(contains(words, begins));
-  // Halves of what crashes, until neither crashes.
+  // A batch that crashes is halved until neither half crashes.
   const char size = words[words.find(begins) + begins.size()];
   CHECK(size >= '4');
   CHECK(size <= '7');

@@ -1,4 +1,4 @@
-// The replay of the tables of the two papers on half-spaces: what made each cell, and what is right.
+// The replay of the tables of the two papers on half-spaces: the origin of each cell, and the correct values.
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/catalogue/internal/printed.hpp>
@@ -34,7 +34,7 @@ TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot
         Approx(std::sqrt(2.0)).epsilon(1e-4));
   CHECK(verify::printed("branch_radicand_printed", {0.6 * 180 / std::numbers::pi},
                         {{"c11", 0.18}, {"c33", 2.08}, {"c13", 0.083}, {"c44", 0.0916}}) < 0);
-  // Without friction the printed, the tabulated and the right span of the die agree.
+  // Without friction the printed, the tabulated and the correct span of the die agree.
   const double die = fast::isotropic_response(isotropic, 0, {1, 0}).compliance / right;
   CHECK(verify::printed("die_span_ratio_printed", {1.0 / 3, 0, 0.5}) == Approx(die).epsilon(1e-12));
   CHECK(verify::printed("die_span_ratio_tabulated", {1.0 / 3, 0, 0.5, 0}) == Approx(die).epsilon(1e-12));
@@ -63,7 +63,7 @@ TEST_CASE("the papers' tables: what made each cell of the die and of the sphere,
 }
 
 TEST_CASE("the rule of verdicts") {
-  const data::Table die = data::load_table_by_id("brock2012-1");  // 0.9938 first
+  const data::Table die = data::load_table_by_id("brock2012-1");  // the first cell is 0.9938
   const auto verdict = [](const data::Table& table, std::size_t row, const char* column, double corrected,
                           double formula, const std::string& proof) {
     const verify::HalfSpaceCell cell{
@@ -75,10 +75,10 @@ TEST_CASE("the rule of verdicts") {
   CHECK(verdict(die, 0, "c=0.1", 0.5, 0.9937, "") == Verdict::seed_error);
   CHECK(verdict(die, 0, "c=0.1", 0.5, 0.99369, "") == Verdict::unexplained);
   CHECK(verdict(die, 0, "c=0.1", 0.5, 0.99369, "P") == Verdict::seed_error);
-  // In doubt by its own table: a proof that the formula is wrong does not explain it.
+  // The table itself marks this cell as doubtful, so that a proof that the formula is wrong does not explain it.
   const data::Table sphere = data::load_table_by_id("brock2013-1");
   CHECK(verdict(sphere, 2, "c=0.05", 0.5, 0.99369, "P") == Verdict::unexplained);
-  // Printed 1.21, which is 1.2100: two decimals are no licence for the corrected value.
+  // 1.21 is printed for 1.2100: two decimals do not admit the corrected value.
   const data::Table in_plane = data::load_table_by_id("brock2013-3");
   CHECK(verdict(in_plane, 5, "c=0.1", 1.206, 0.5, "") == Verdict::unexplained);
 }

@@ -22,7 +22,7 @@ data::TableCell cell(const std::string& printed, const std::string& read_as) {
   return {printed, read_as, data::read_printed_number(read_as, 0), std::nullopt};
 }
 
-/// A line of cells.txt.
+/// Checks a line of cells.txt.
 void check_known(const std::vector<std::string>& row) {
   const Replay& replay = replayed(row.at(0));
   std::istringstream place(row.at(1));
@@ -94,7 +94,7 @@ TEST_CASE("all tables, replayed once: what is known of them, and what is not met
         if (id.starts_with("brock"))
           CHECK((cell.corrected && (!is_missed || is_known || printed.is_doubtful())));
         if (!printed.rests_on_replay()) continue;
-        // Of no reading that rests on the replay is the chance below 1 %.
+        // No reading that rests on the replay has a chance below 1 %.
         CHECK(cell.verdict != Verdict::misprint);
         CHECK(contains(cell.note, "by chance in"));
         ++judged;
@@ -137,7 +137,7 @@ TEST_CASE("all tables, replayed once: what is known of them, and what is not met
 TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII, row 8, in 18 of 100") {
   struct Length {
     const char* id;
-    double chance, upper;  // what must be above the lengths that the columns ask for
+    double chance, upper;  // upper: above the lengths that the columns give
   };
   for (const auto& [id, chance, upper] :
        {Length{"thesis-X", 0.0018, 48.55e-3}, Length{"thesis-VII", 0.18, 162.4e-3}}) {
@@ -159,7 +159,7 @@ TEST_CASE("columns agree on a length by chance: X, row 8, in 2 of 1000 rows, VII
 
 TEST_CASE("XVII, rows 6 to 9: at the lengths that d2 demands d0 is met within three machine units") {
   data::Table table = data::load_table_by_id("thesis-XVII");
-  constexpr double machine_unit = 0x1p-32;  // of d0, which is between 16^-3 and 16^-2: 2.3e-4e-6
+  constexpr double machine_unit = 0x1p-32;  // of d0, which is between 16^-3 and 16^-2: 2.3e-10
   const auto d0 = [&](std::size_t row) {
     const verify::ViscoelasticTable& how = *verify::find_viscoelastic_table(table.id);
     for (const char* length : {"L1", "L", "L2", "L/B"})
@@ -210,7 +210,7 @@ TEST_CASE("the printed creep of Table III is rounded away from zero, and of no o
     };
     CHECK(std::ranges::any_of(replay.cells, is_so) == (id == "thesis-III"));
   }
-  // One number mends d0, d1, q_max and their ratios of a row together.
+  // One corrected number explains d0, d1, q_max and their ratios of a row.
   const verify::Replay& third = replayed("thesis-III");
   for (const verify::ReplayedCell& replayed : third.cells) {
     if (replayed.row != 5 || replayed.verdict == Verdict::input) continue;
@@ -234,7 +234,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   const verify::ColumnDeviation& length = replay.costs[0].columns[0];
   CHECK(length.column == "L");
   CHECK(length.largest < 0);
-  CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more: issue 4
+  CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more
   CHECK(length.mean < 0.19);
   const std::string text = verify::text_of("tables.txt", verify::tables_json({replay}, true));
   CHECK(contains(text, "discretisation (against the continuous contact of the same load)"));
@@ -245,7 +245,7 @@ TEST_CASE("what the mesh costs is measured from the rows as they were replayed, 
   REQUIRE(replay.nips.size() == replay.table.rows.size());
   for (const verify::ReplayedCell& cell : replay.cells)
     CHECK(replay.nips[cell.row].values.at(cell.column) == cell.value);
-  // Were they, the depths that are lost here would come back.
+  // If the rows were replayed again, the depths that are deleted here would come back.
   for (verify::ReplayedNip& nip : replay.nips) nip.values["d0"] = 0;
   verify::correct(replay);
   const verify::ColumnDeviation& depth = replay.costs[0].columns[1];

@@ -1,4 +1,4 @@
-// The replay of the viscoelastic tables: what the seed's mistakes explain, and what they cost.
+// The replay of the viscoelastic tables: what the seed's mistakes explain, and the errors that they cause.
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -54,7 +54,7 @@ TEST_CASE(
 }
 
 TEST_CASE("where the thesis's last sum stopped is told by the even rows, and the odd rows confirm it") {
-  // One of the tables tells it by day, all five that have such rows in .ci/thorough.
+  // One table is tested by default. All five that have such rows are tested in .ci/thorough.
   std::vector<const char*> ids{"thesis-XXIV"};
   if (is_thorough()) ids.insert(ids.end(), {"thesis-XXI", "thesis-XXII", "thesis-XXV", "thesis-XXVI"});
   const auto misses = [&](double smallest_term) {
@@ -90,7 +90,7 @@ TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent co
   const auto largest = [&](std::size_t cost, std::size_t column) {
     return std::fabs(replay.costs[cost].columns[column].largest);
   };
-  // L, d0, p_max, muR: the stop and the truncation are the smallest evils, the mesh of two elements the greatest.
+  // For L, d0, p_max, muR the stop and the truncation cause the smallest errors, the mesh of two elements the largest.
   for (std::size_t column = 0; column < 4; ++column) {
     CHECK(largest(0, column) > 0);
     CHECK(largest(0, column) < 0.02);
@@ -100,7 +100,7 @@ TEST_CASE("corrected rolling tables: what stop, truncation, mesh and exponent co
   }
   CHECK(largest(0, 3) > 1e-3);
   CHECK(largest(3, 3) > 0.1);
-  // The corrected value carries the table's load with the solid as it was defined.
+  // The corrected value is for the table's load and for the solid as the thesis defines it.
   const auto solid = verify::viscoelastic_nip_of_the_tables(replay.table, 3, true);
   const auto contact = fast::converged_for_load(solid, 50, 1e-9);
   const ReplayedCell& d0 = cell_of(replay, 3, "d0");

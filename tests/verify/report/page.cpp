@@ -34,7 +34,7 @@ BenchRow timed(const char* method, double nanoseconds, std::optional<double> err
   return {"I1", "alpha in [1e-6,20]", method, nanoseconds, error, error, 1, nanoseconds / 2, 2 * nanoseconds};
 }
 
-/// Of a few quantities at a few points, two tables and one of everything else.
+/// A report of a few quantities at few points, of two tables and of one of everything else.
 const Report& small_report() {
   static const Report report = [] {
     Report small;
@@ -69,7 +69,7 @@ std::string text_of_report(const Report& report) {
   return plain(report_text(answer_of(report), "somewhere"));
 }
 
-/// Three quantities, one group of ways, one figure.
+/// The plots of three quantities, one group of ways and one figure.
 constexpr std::size_t plots_of_small_report = 5;
 
 std::optional<std::string> empty_drawing(const std::string&) {
@@ -81,12 +81,12 @@ const std::string& small_page() {
   return page;
 }
 
-/// What all attributes of a name hold.
+/// The values of all attributes with this name.
 std::vector<std::string> attributes_of(const std::string& page, const std::string& name) {
   return matches_in(page, " " + name + "=\"([^\"]*)\"");
 }
 
-/// Reads markup strictly, as XML is: what is wrong with it, or nothing.
+/// Reads markup strictly, as XML. Returns the first error; empty if there is none.
 std::string fault_of(std::string page) {
   for (std::size_t at = page.find('&'); at != std::string::npos; at = page.find('&', at + 1)) {
     const std::string near = page.substr(at, 60);
@@ -116,7 +116,7 @@ TEST_CASE("the report's page is well-formed, its ids are unique, and no link in 
   CHECK(links.size() > 15);
   for (const std::string& link : links) {
     CAPTURE(link);
-    if (link == "mathematics.html") continue;  // beside it
+    if (link == "mathematics.html") continue;  // a file beside the page
     CHECK(link.starts_with("#"));
     CHECK(known.contains(link.substr(1)));
   }
@@ -128,7 +128,7 @@ TEST_CASE("the report is as the schema has it, its parts as the verbs would answ
   broken.max_error_ulp = broken.allowance_used = infinite;
   broken.errors.add(broken.max_error_ulp);
   report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
-  report.scenes.clear();  // made by hand: without a scene's text
+  report.scenes.clear();  // no text of a scene: made by hand
   const auto answer = nlohmann::json::parse(answer_of(report));
   CHECK(answer_schema().misfit(answer, "report") == "");
   CHECK_FALSE(holds_anywhere(answer, [](const auto&, const nlohmann::json& item) { return item == ""; }));
@@ -228,17 +228,17 @@ TEST_CASE("the report's page tells what the report holds") {
   CHECK(contains(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
   CHECK(contains(page, "Boost &lt;ooura&gt;"));
   CHECK(contains(page, "converged &lt;full friction&gt;"));
-  CHECK(contains(page, "title=\"seed-error; true: "));                // of a cell as it is printed
-  CHECK(contains(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // its paragraph
+  CHECK(contains(page, "title=\"seed-error; true: "));                // tooltip of a printed cell
+  CHECK(contains(page, "<a href=\"#brock2013-1\">brock2013-1</a>"));  // link to its paragraph
   CHECK(contains(page, "nipref report -o &apos;a &amp; b&apos;"));
   CHECK(contains(page, "\u2717 MISSED"));
   std::size_t left_out = 0, unexplained = 0;
   for (const AuditResult& result : small_report().quantities) left_out += result.left_out;
   for (const Replay& replay : small_report().tables) unexplained += replay.count(Verdict::unexplained);
-  CHECK(contains(page, "<b>1 missed</b>"));                               // the ratio of something other
+  CHECK(contains(page, "<b>1 missed</b>"));                               // the ratio "another"
   CHECK(contains(page, fmt::format("<b>{} skipped</b>", left_out + 1)));  // a hard case without a truth
   CHECK(contains(page, fmt::format("<b>{} unexplained</b>", unexplained)));
-  // Each cell that is judged has its verdict in words.
+  // Each judged cell has its verdict in words.
   for (const Verdict verdict :
        {Verdict::match, Verdict::misprint, Verdict::seed_error, Verdict::unexplained}) {
     std::size_t cells = 0;
@@ -256,7 +256,7 @@ TEST_CASE("a page that grows says what is still to come, and lines about a part 
   report.to_come = {"golden values", "figures"};
   const std::string page = report_page(answer_of(report), empty_drawing);
   CHECK(fault_of(page) == "");
-  // What became of an older report stands at the top.
+  // The comparison with an older report stands at the top.
   CHECK(page.find("speed, a &lt; b") < page.find("id=\"headline\""));
   CHECK(contains(small_page(), " missed</b>"));
   CHECK_FALSE(contains(page, " missed</b>"));  // it would be 0
@@ -267,7 +267,7 @@ TEST_CASE("a page that grows says what is still to come, and lines about a part 
   const std::string lines = report_lines(text, {"tables", "sources"});
   CHECK(lines.starts_with("tables "));
   CHECK(contains(lines, "\nsources "));
-  CHECK(contains(lines, "low"));  // of the line that goes on
+  CHECK(contains(lines, "low"));  // from the continuation line
   CHECK_FALSE(contains(lines, "claims"));
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("the report's page is drawn by gnuplot and shown by Chromium, on a tel
   std::string page = report_page(answer_of(small_report()), drawn_by_gnuplot);
   CHECK(fault_of(page) == "");
   CHECK(page.size() < 1'000'000);
-  // What the browser makes of it is told by its title: widths of the page on a telephone, and pictures that it shows.
+  // The script writes into the title how many pictures the browser shows, and what is too wide for a telephone.
   const std::string probe =
       "<script>addEventListener('load', () => { document.querySelectorAll('details').forEach(d => d.open = true);"
       "document.documentElement.style.width = '360px';"

@@ -26,7 +26,7 @@ const std::map<std::string, CheckedClaim>& outcomes() {
   return all;
 }
 
-/// The number of a claim whose words begin so.
+/// The number of a claim whose description begins with these words.
 double number(const std::string& id, const std::string& beginning) {
   for (const verify::ClaimNumber& one : outcomes().at(id).numbers) {
     if (one.what.starts_with(beginning)) return one.number.value();
@@ -35,7 +35,7 @@ double number(const std::string& id, const std::string& beginning) {
   return 0;
 }
 
-/// What the last digit of a double's shortest decimal stands for.
+/// The unit of the last digit of a double's shortest decimal.
 double unit_of(double value) {
   std::array<char, 32> text{};
   const auto end =
@@ -46,18 +46,18 @@ double unit_of(double value) {
       10.0, std::stod(decimal.substr(power + 1)) - static_cast<double>(std::max(power, decimals) - decimals));
 }
 
-/// In JSON: `error` is a number, and the value has no digit far below it.
+/// Checks that `error` is a number in JSON, and that the value has no digit far below it.
 void check_stated(const Json& value, const Json& error) {
   CAPTURE(value.line(), error.line());
   REQUIRE_FALSE(error.is_null());
   const double number = std::stod(value.line()), size = std::stod(error.line());
   CHECK(std::isfinite(number));
   CHECK(size >= 0);
-  // The last digit's unit is the first digit's of the error, which rounding the number enlarges by half of that at most.
+  // The unit of the value's last digit is that of the error's first. Rounding adds at most half of it to the error.
   CHECK((number == 0 || unit_of(number) > size / 20));
 }
 
-/// Found values off by `distance` of a limit of 1.
+/// Two samples of a limit of 1: the first is `before` above it, the second `last` below it.
 LimitRow row_with(double order, double before, double last, double error = 0) {
   return {"limit.test",
           "",
@@ -122,7 +122,7 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
       CHECK_FALSE(erratum.entry->text(key).empty());
     CAPTURE(verify::stated_text(settlement.right), verify::stated_text(settlement.truth));
     CHECK(settlement.settled());
-    // Not by a hair, or the truth would have to be known better.
+    // The printed value is clearly wrong. Otherwise the truth would have to be known better.
     if (settlement.printed) {
       const Propagated apart = verify::fabs(*settlement.printed - settlement.truth);
       CAPTURE(verify::stated_text(*settlement.printed));

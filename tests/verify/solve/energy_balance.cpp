@@ -23,7 +23,7 @@ void check_balanced(const verify::EnergyBalance& balance, double known_to) {
 }  // namespace
 
 TEST_CASE("energy balance: the resistance's work is what the sheet loses at all frequencies") {
-  // Shear rates 2 +- 2i from the start; and a fluid, which loses energy however slowly it is loaded.
+  // A solid with the shear rates 2 +- 2i, and a fluid, which loses energy however slowly it is loaded.
   const data::ViscoelasticMaterial waves = data::operator_solid({{9, 4.5, 1}, {8, 4, 1}, {1}, {10}});
   REQUIRE(fast::material_functions(waves).theta1.terms.front().rate.imag() != 0);
   const data::ViscoelasticNip waving{6, 0.25, waves, 0.2},

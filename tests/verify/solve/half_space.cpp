@@ -1,4 +1,4 @@
-// Scenes of bodies on half-spaces: what they give, by either path.
+// Scenes of bodies on half-spaces: their results by either path.
 #include <fmt/format.h>
 
 #include "support/reference_values.hpp"
@@ -98,7 +98,7 @@ TEST_CASE("the surface has the die's shape in the contact, with the sphere's als
     CHECK(under_die.profile("normal_displacement")[i].value ==
           approx(under_die["approach"].value - x * x / 2, 1e-12));
   }
-  // At rest the share of the half-space is that of its compliance (1 - nu)/mu, here 0.25 to 0.25 + 0.35.
+  // At rest the half-space's share is that of its compliance (1 - nu)/mu in the sum, here 0.25 in 0.25 + 0.35.
   const auto under_sphere =
       at("[sphere]\nradius = 1.0\nshear = 2.0\npoisson = 0.3\ndensity = 1.0\n", places, sliding("0.0"));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -122,7 +122,7 @@ TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too")
 }
 
 TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
-  // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
+  // With the rounding error of 30 degrees in radians the orientation would not have 20 digits.
   auto scene = loaded_example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
   scene.wanted = {data::ResultId::orientation};
   const auto ref = verify::solve_by_ref(scene, 20);
@@ -132,9 +132,9 @@ TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exa
 TEST_CASE("the reference repeats what is given exactly, and proves no critical speed where lines differ") {
   const auto solved = verify::solve_by_ref(loaded_example("half-space-sliding-die"), 20);
   CHECK(error(solved["normal_force"]) == 0);
-  // 0.3 is not the decimal.
+  // 0.3 is the double here, not the decimal.
   CHECK(solved["friction_force"].value_text().substr(0, 20) == "299.9999999999999888");
-  // Which of the lines is critical first is found by estimates.
+  // The line that becomes critical first is found by estimates.
   auto anisotropic = loaded_example("half-space-anisotropic");
   anisotropic.wanted = {data::ResultId::critical_speed};
   CHECK_FALSE(verify::solve_by_ref(anisotropic, 16)["critical_speed"].proven);

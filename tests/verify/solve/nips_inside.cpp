@@ -14,7 +14,7 @@ TEST_CASE("a rolling sheet's stresses carry the load, the largest shear ahead un
   const auto place_of_largest = [&](const data::SceneOverrides& overrides) {
     return verify::solve(scene_with(overrides))[data::ResultId::greatest_shear_position].value;
   };
-  // Slower than it moves the solid answers with its instantaneous moduli.
+  // If the memory is much slower than the motion, the solid responds with its instantaneous moduli.
   const double with_long_memory = place_of_largest({{"material.relaxation_time", "1e6"}});
   CHECK(std::fabs(with_long_memory) < 0.1);
   CHECK(place_of_largest({}) > with_long_memory);
@@ -52,7 +52,7 @@ TEST_CASE("on a face the stress across is the pressure to a few units, wherever 
     for (const double part : {0.0, 0.073, 0.26, 0.4999, 0.93}) {
       const double y = part * length / 2;
       const auto inside = contact.inner_stresses(std::vector<fast::InnerPoint>{{y, 1}}).front();
-      // A panel's pressure at its end is that of the next one up to its error.
+      // Where two panels meet, their pressures differ by up to their errors.
       const Estimate pressure = contact.pressure(y);
       CHECK(std::fabs(inside.across.value + pressure.value) < 5e-15 * peak + pressure.error);
     }
@@ -139,7 +139,7 @@ TEST_CASE("both paths have the same displacements inside, on the faces the surfa
       for (std::size_t i = 0; i < 2; ++i) {
         for (const std::size_t face : {4u, 6u}) {
           CHECK(fast.profile(inside)[face + i].value == fast.profile(surface)[i].value);
-          // The reference integrates the field to the face, and by other kernels the surface.
+          // The reference computes the field up to the face, but the surface by other kernels.
           const auto &here = by_ref.profile(inside)[face + i], &there = by_ref.profile(surface)[i];
           CHECK(std::fabs((here - there).to_double()) <= std::stod((here - there).error_text()));
         }

@@ -28,8 +28,7 @@ void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineL
   });
 }
 
-/// The first of the kernels whose values the work counts and that is not among those allowed; 0 if there is
-/// none.
+/// The first kernel that the work counts although it is not allowed; 0 if there is none.
 int first_kernel_beside(const fast::Work& work, const std::vector<int>& allowed) {
   for (int kernel = 1; kernel <= 7; ++kernel) {
     const bool counted = work.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] > 0;

@@ -32,7 +32,7 @@ TEST_CASE("a half-plane's shear has its maximum and zero where the closed form h
     (std::tanh(x / 2) * std::tan(epsilon * x) < 2 * epsilon ? low : high) = x;
   }
   const auto solution = verify::solve(gripped_sheet(poisson, length));
-  // The sheet is no half-plane by the square of its contact's length.
+  // The sheet differs from a half-plane by the square of the contact length.
   const double slack = 10 * length * length * half;
   check_within(solution[peak_shear_position], half * std::tanh(low / 2), slack);
   const auto& zeros = solution.profile(shear_zeros);
@@ -78,6 +78,6 @@ TEST_CASE("the heat of slip adds up over the contact to what is dissipated, and 
     if (solution.profile(slip)[i].value == 0) CHECK(here == 0);
     sum += step * here;
   }
-  // Heat is like the root of the distance from an end.
+  // Near an end the heat varies like the root of the distance.
   CHECK(sum == approx(solution[dissipation].value, 3e-3));
 }

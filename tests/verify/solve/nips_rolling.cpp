@@ -12,8 +12,8 @@ namespace {
 
 using Solution = verify::SceneSolution<fast::Estimate>;
 
-/// Of the example's sheet as thick as 0.25: G1 = G2 = 5.4375e4, K1 = K2 = 1.45e5, tau = 0.1, one relaxation time, or of
-/// another material, "model; key = value; ...".
+/// Solves the example with the sheet thickness 0.25 and G1 = G2 = 5.4375e4, K1 = K2 = 1.45e5, tau = 0.1, one relaxation
+/// time; or with another material, "model; key = value; ...".
 Solution rolled(const std::string& material = "", data::SceneOverrides overrides = {}) {
   std::string text = R"(title = "rolled"
 wanted = ["contact_length", "rolling_resistance", "creep_ratio"]
@@ -83,7 +83,7 @@ TEST_CASE("one solid in several notations makes one contact, the thesis's mispri
   check_same(rolled(fluid),
              rolled("operators; P = [8, 1]; Q = [0, 5e4]; P_dilatation = [8, 1]; Q_dilatation = [0, 2e5]"),
              1e-9);
-  // What gives way to nothing at once in dilatation is the limit of stiff ones.
+  // A solid that is rigid at once in dilatation is the limit of stiff ones.
   check_same(rolled(stiff_at_once + "P_dilatation = [1]"),
              rolled(stiff_at_once + "P_dilatation = [1, 1e-10]"), 1e-8);
   const Solution wrong = rolled("thesis-misprint; bulk = 1.45e5; relaxation_time = 0.1");

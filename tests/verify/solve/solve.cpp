@@ -14,7 +14,7 @@ data::Scene scene_of(data::Friction friction, const std::vector<data::ResultId>&
   return scene_wanting(quarter_inch_problem(friction), wanted, accuracy);
 }
 
-/// Values of the kernels that shear or tangential displacement need.
+/// The number of values of kernels that only shear or tangential displacements need.
 std::uint64_t other_kernels(const fast::Work& work) {
   return std::accumulate(work.kernel_evaluations.begin() + 1, work.kernel_evaluations.end(),
                          std::uint64_t{0});
@@ -32,7 +32,7 @@ const data::Friction frictions[] = {data::Friction::none, data::Friction::full};
 }  // namespace
 
 TEST_CASE("each name of a scene is the solver's result of that name") {
-  // Where the solver stops nothing is missed, so that no result is refined.
+  // The solver itself misses nothing at this accuracy, so that no result is refined.
   constexpr double accuracy = 1e-10;
   for (const data::Friction friction : frictions) {
     const auto solution = verify::solve(scene_of(friction, all_results(), accuracy));

@@ -1,4 +1,4 @@
-// Nips that cannot be, and those that linear theory says little of, by both paths.
+// Nips that cannot exist, and nips that are beyond linear theory, by both paths.
 #include <nipref/verify/solve/energy_balance.hpp>
 
 #include "support/solved_scene.hpp"
@@ -7,8 +7,8 @@ using namespace nipref;
 
 namespace {
 
-/// Of R = 6, B = 2b = 1.5: the parabola alone goes in L^2/(8R), which is b at L = 6, and the ends of the contact go in as
-/// well.
+/// A nip with R = 6, B = 2b = 1.5. The parabola alone goes L^2/(8R) into the sheet, which is b at L = 6. The ends of
+/// the contact also move inwards.
 data::Scene nip_of_length(const std::string& example, double length) {
   data::Scene scene = loaded_example(example, {{"sheet.thickness", "1.5"}, {"wanted", R"(["load"])"}});
   if (auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene.system)) {
@@ -47,7 +47,7 @@ TEST_CASE("a nip whose faces would meet is refused, of every kind and by both pa
     check_meeting(refusal_of([&] { return verify::solve(meeting); }), "contact.length = 6");
     check_meeting(refusal_of([&] { return verify::solve_by_ref(meeting, ref_digits); }),
                   "contact.length = 6");
-    // A = L/B = 2: the strain is L^2/(8 R b) = 1/4 and what the ends add, the slope L/(2R) = 1/4.
+    // A = L/B = 2: the strain is L^2/(8 R b) = 1/4 plus the part of the ends, the slope is L/(2R) = 1/4.
     const auto by_fast = warned_of(verify::solve(apart)),
                by_ref = warned_of(verify::solve_by_ref(apart, ref_digits));
     REQUIRE(by_fast.size() == 2);
@@ -61,7 +61,7 @@ TEST_CASE("a nip whose faces would meet is refused, of every kind and by both pa
 }
 
 TEST_CASE("so it is where the load is given, and for the balance of its energy") {
-  // B = 0.25: springs p = 2 u/(N b) under the parabola carry 2.7e5 where it goes in half of the sheet.
+  // B = 0.25: springs p = 2 u/(N b) under the parabola carry 2.7e5 when the roller goes in by half of the sheet.
   const auto loaded = [](const std::string& example, const std::string& load) {
     return loaded_example(
         example, {{"sheet.thickness", "0.25"}, {"load.per_length", load}, {"wanted", R"(["creep_ratio"])"}});

@@ -1,5 +1,5 @@
-// Scenes that both paths solve: fast is within the errors of the reference, which has the digits that it was asked for, and of
-// each kind of contact it proves what the pages say.
+// Scenes that both paths solve: fast is within the errors of the reference; the reference has the requested digits and
+// proves, for each kind of contact, what the pages say.
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/results.hpp>
 
@@ -18,7 +18,7 @@ const std::map<std::string, std::string> several_results{
      "pressure","shear","normal_displacement","tangential_displacement"])"},
     {"{inside}", R"(["stress_across","stress_along","stress_shear","highest_stress","maximum_shear"])"}};
 
-/// What the pages say of the kind of contact that this is the example of.
+/// The row of the pages about the kind of contact with this example.
 const TableRow& kind_of_example(const std::string& example) {
   static const std::vector<TableRow> kinds = rows_of_proven("contact");
   const auto kind = std::ranges::find(kinds, example, [](const TableRow& row) { return row.at(1); });
@@ -26,7 +26,7 @@ const TableRow& kind_of_example(const std::string& example) {
   return *kind;
 }
 
-/// That these are all results that are proven.
+/// Checks that these results are proven, and no others.
 void check_proven(const verify::SceneSolution<ref::Estimate>& solution,
                   const std::vector<std::string>& proven) {
   for (const auto& result : solution.results) {
@@ -37,7 +37,7 @@ void check_proven(const verify::SceneSolution<ref::Estimate>& solution,
   }
 }
 
-/// Of a line of both_paths.txt.
+/// The scene of a line of both_paths.txt.
 data::Scene scene_of(const std::string& line) {
   std::istringstream words(line);
   std::string example, word;
@@ -58,12 +58,12 @@ data::Scene scene_of(const std::string& line) {
   scene.wanted.clear();
   for (const std::string& name : names_in(kind[2] + kind[3])) {
     const data::SceneResult& result = *data::find_scene_result(name);
-    if (!result.is_inside()) scene.wanted.push_back(result.id);  // others take long
+    if (!result.is_inside()) scene.wanted.push_back(result.id);  // stresses inside take long
   }
   return scene;
 }
 
-/// Line loads' errors are about the continuous contact: their numbers are those of the reference to the accuracy.
+/// Checks line loads, whose errors are distances to the continuous contact: both paths agree to the accuracy.
 void check_same(const BothPaths& solved, double accuracy) {
   for (std::size_t r = 0; r < solved.fast.results.size(); ++r) {
     const auto& numbers = solved.fast.results[r].numbers;
@@ -89,7 +89,7 @@ TEST_CASE(
     const data::Scene scene = scene_of(line);
     const BothPaths solved = by_both_paths(scene);
     const bool is_kind = contains(line, "{kind}");
-    // Slip that is 0 has no digits.
+    // A slip of 0 has no digits.
     for (const std::string_view missed : solved.ref.missed()) CHECK((is_kind && missed == "slip"));
     CHECK((solved.ref.work.unknowns > 0 || line.starts_with("half-space")));
     if (is_kind) {

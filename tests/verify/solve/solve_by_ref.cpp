@@ -44,7 +44,7 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   const auto free = verify::solve(loaded_example("thick-frictionless"));
   is_said(free, false, 4);
   CHECK(!contains(text_of(free), " bound "));
-  // A field's exact zeros of the shear do not make it proven.
+  // Exact zeros of the shear do not make a field proven.
   is_said(verify::solve_by_ref(loaded_example("inside-full-friction", {{"wanted", R"(["stress_shear"])"},
                                                                        {"field.positions", "[0.035]"},
                                                                        {"field.depths", "[0, 0.5]"}}),
@@ -67,8 +67,8 @@ TEST_CASE("what takes the reference more than ten seconds is known before it sta
   CHECK(seconds("viscoelastic-short-memory", 16, 0) < 20);
   CHECK(seconds("viscoelastic-short-memory", 30, 0) > 10);
   const data::Scene inside = loaded_example("inside-full-friction");
-  CHECK(verify::likely_seconds_by_ref(inside, 30) > 10);  // all of it is the greatest shear and the field
-  // Refused at once, or nothing that it knows of.
+  CHECK(verify::likely_seconds_by_ref(inside, 30) > 10);  // for the greatest shear and the field
+  // The time is 0 for scenes that are refused at once or whose time is not known.
   CHECK(seconds("thick-full-friction", 101, 0) == 0);
   CHECK(seconds("thick-frictionless-line-loads", 30, 0) == 0);
   CHECK(seconds("half-space-line", 30, 0) == 0);

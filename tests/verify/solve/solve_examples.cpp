@@ -26,7 +26,7 @@ TEST_CASE(
     const auto solution = verify::solve(scene);
     ++scenes;
     CHECK(solution.missed().empty());
-    // Only rolling spheres are closed forms all through.
+    // Only rolling spheres need nothing but closed forms.
     const bool counted = solution.work.systems > 0 || solution.work.line_responses > 0;
     const auto* on_half_space = std::get_if<data::HalfSpaceProblem>(&scene.system);
     const bool rolls =

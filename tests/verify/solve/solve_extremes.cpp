@@ -1,5 +1,4 @@
-// Scenes whose numbers are at the ends of their ranges: a result whose error estimate covers, or a refusal, and
-// soon.
+// Scenes with numbers at the ends of their ranges end soon, with a result whose error estimate covers or a refusal.
 #include <fmt/format.h>
 
 #include <iterator>
@@ -25,7 +24,7 @@ data::Scene relaxing_in(const std::string& time) {
                         {{"material.relaxation_time", time}, {"accuracy", "1e-10"}});
 }
 
-/// Its elastic sheet with the moduli divided by `softening`: E = 9 K G/(3 K + G), nu = (3 K - 2 G)/(6 K + 2 G).
+/// The elastic sheet of that scene with the moduli over `softening`: E = 9 K G/(3 K + G), nu = (3 K - 2 G)/(6 K + 2 G).
 data::Scene elastic(double softening) {
   const double bulk = 1.45e5, shear = 5.4375e4;
   return loaded_example(
@@ -37,8 +36,8 @@ data::Scene elastic(double softening) {
 
 constexpr const char* same_when_elastic[] = {"contact_length", "indentation", "creep_ratio", "peak_pressure"};
 
-/// The text with one of its numbers, after an equals sign, replaced by another: an extreme, one of another size, or any. The
-/// same on every machine: only the engine's own bits are used.
+/// Replaces one of the numbers behind equals signs: by an extreme, by a number of another size, or by any number. The
+/// result is the same on every machine, because only the engine's own bits are used.
 std::string edited(std::string text, std::mt19937_64& engine) {
   const auto below = [&](std::size_t count) { return static_cast<std::size_t>(engine() % count); };
   std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
@@ -76,7 +75,7 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
       const double shift = 10 * relaxation * std::fabs(limit.value) / relaxed["contact_length"].value;
       check_covered(rolling[name], fast::Estimate{{limit.value, limit.error + shift}});
     }
-    // The pressure trails by half the relaxation length, over the radius 6.
+    // The resistance is half the relaxation length, by which the pressure trails, over the radius 6.
     const double resistance = relaxation / 12;
     const fast::Estimate& found = rolling["rolling_resistance"];
     CHECK(std::fabs(found.value - resistance) <= found.error + 100 * relaxation * resistance);

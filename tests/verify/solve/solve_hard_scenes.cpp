@@ -1,4 +1,4 @@
-// The scenes of data/scenes/hard, which were once solved wrongly: each begins with what was wrong.
+// The scenes of data/scenes/hard, in which errors were found: each scene says at its beginning what was wrong.
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 
@@ -16,7 +16,7 @@ std::vector<std::filesystem::path> hard_scenes() {
   return files;
 }
 
-/// Whether each number that misses what it is allowed has an error at most twice that of the coarser solution.
+/// Whether each result is within its allowed error, or has an error at most twice that of the coarser solution.
 bool is_best(const verify::SceneSolution<fast::Estimate>& found,
              const verify::SceneSolution<fast::Estimate>& coarser) {
   const auto is_met_or_best = [&](std::size_t r) {
@@ -37,11 +37,11 @@ TEST_CASE("hard scenes are within their errors of finer solutions at all accurac
   for (const auto& file : hard_scenes()) {
     CAPTURE(file.stem().string());
     data::Scene scene = data::load_scene(file);
-    // What was wrong was so at the scene's own accuracy.
+    // The scene's own accuracy is the one at which it was wrong.
     std::vector<double> accuracies{scene.accuracy, 1e-8};
     for (int digits = 2; is_thorough() && digits < 12; ++digits) accuracies.push_back(std::pow(10, -digits));
     std::ranges::sort(accuracies, std::greater());
-    // By day the truth is 100 times as accurate as what is asked, which takes a fifth of the time.
+    // Except in .ci/thorough the truth is 100 times as accurate as requested, which takes a fifth of the time.
     scene.accuracy = is_thorough() || scene.accuracy < 1e-9 ? 1e-13 : 1e-11;
     const auto truth = verify::solve(scene);
     auto coarser = truth;
@@ -88,7 +88,7 @@ TEST_CASE("hard scenes are within their errors of the reference where it solves 
       static_cast<void>(by_both_paths(scene));
       ++solved;
     } catch (const data::BadInput&) {
-      // It is beyond the reference.
+      // The reference cannot solve this scene.
     }
   }
   MESSAGE(solved, " scenes were solved");

@@ -1,4 +1,4 @@
-// What follows from the results of a nip: eccentricity, resistance, lost power, moments of the pressure.
+// Results of a nip that follow from others: eccentricity, resistance, lost power, moments of the pressure.
 #include <nipref/ref/number/enclosure.hpp>
 
 #include "support/solved_scene.hpp"
@@ -16,7 +16,7 @@ data::Scene resisting(const char* name) {
   return scene;
 }
 
-/// Both say so with their errors.
+/// Checks that two numbers agree within this error.
 void check_agree(double value, double error, double other) {
   CHECK(std::fabs(value - other) <= error + 1e-15 * std::fabs(other));
 }
@@ -45,7 +45,7 @@ TEST_CASE("the moments of both sides are that of the eccentric load, of line loa
     CHECK(behind.value < 0);
     const double error = ahead.error + behind.error + load.value * off.error + off.value * load.error;
     check_agree(ahead.value + behind.value, error, load.value * off.value);
-    // (7.14) holds of line loads by themselves.
+    // For line loads (7.14) holds exactly.
     if (contains(std::string(name), "line"))
       CHECK(ahead.value + behind.value == approx(load.value * off.value, 1e-12));
     CHECK(ahead.value < load.value * solution["leading_length"].value);
@@ -69,7 +69,7 @@ TEST_CASE("nothing slips where it sticks") {
     CHECK(none[i].value == 0);
     CHECK(none[i].error == 0);
   }
-  // The end is not known exactly, and beyond it the surface is stretched otherwise.
+  // The end of the contact is not known exactly, and beyond the end the strain is not the creep.
   CHECK(std::fabs(none.back().value) <= none.back().error);
 }
 

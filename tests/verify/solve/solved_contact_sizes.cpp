@@ -13,7 +13,7 @@ using data::ResultId;
 
 namespace {
 
-/// L = 2, R = 4, pressure 10 in the middle.
+/// The size of a result of a nip with L = 2, R = 4 and the pressure 10 in the middle.
 double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
   StatedContact<fast::Estimate> nip;
   nip.stated_ends = {-1, 1};
@@ -22,7 +22,7 @@ double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
   return verify::result_size(nip, id, y, accuracy);
 }
 
-/// Of a contact on a half-space whose pressure and span are 2, its compliance 3, and its depth at the centre 7.
+/// The size of a result of a contact on a half-space: pressure and span 2, compliance 3, depth at the centre 7.
 double size_on_half_space(ResultId id) {
   StatedContact<fast::Estimate> contact;
   contact.stated_ends = {-1, 1};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int status_interrupted = 130;
 
-/// What is answered by a run that is interrupted once it tells `when`.
+/// The answer of a run that is interrupted as soon as it prints `when`.
 std::string answer_interrupted(std::vector<std::string> arguments, const std::string& when) {
   OnTerminal run(std::move(arguments), "xterm", 100);
   CHECK(run.wait_for(when));
@@ -29,7 +29,7 @@ nlohmann::json json_interrupted(const std::vector<std::string>& arguments, const
   return answer;
 }
 
-/// How a process of its own ends that does this.
+/// The exit status of a process of its own that does this work; negative: the signal that ended it.
 int end_of(void (*work)()) {
   const pid_t child = fork();
   if (child == 0) {

@@ -6,7 +6,7 @@ using nipref::verify::Progress;
 
 namespace {
 
-/// What is written, by a clock that stands until it is moved.
+/// Records what is written. The clock stands still until it is set.
 struct Told {
   double now = 1000;
   std::size_t columns = 0;
@@ -37,7 +37,7 @@ TEST_CASE("without a terminal progress is a line every 15 s: what is done, time 
   REQUIRE(told.texts.size() == 1);
   // 1.5 of 4 items took 20 s: the other 2.5 take 33.
   CHECK(told.texts[0] == "nipref: audit: 1 of 4 done, now I2, 20 s, about 33 s left\n");
-  // Of several parts the time counts from the start.
+  // With several parts the time counts from the start of the run.
   Told of_parts;
   Progress progress(of_parts.output());
   for (const auto& [part, items] : {std::pair<const char*, std::size_t>{"bench", 1}, {"audit", 2}}) {
@@ -61,7 +61,7 @@ TEST_CASE("lines that stay take the place of a bar, and are silent where progres
     progress.tell("limits: all\n");
     CHECK(told.texts.back() == "limits: all\n");
   }
-  REQUIRE(told.texts.size() == 3);  // nothing is wiped in the end
+  REQUIRE(told.texts.size() == 3);  // nothing is erased in the end
   CHECK(told.texts[1] == "\r\x1b[Kerrata: all\n");
   Progress silent({});
   silent.tell("nothing\n");
@@ -84,7 +84,7 @@ TEST_CASE("on a terminal progress is a bar that is never wider than the window, 
       told.now += 10;
       progress.next("I3");
       told.now += 0.05;
-      progress.at(0.1);  // so soon it would only flicker
+      progress.at(0.1);  // too soon after the last bar
     }
     REQUIRE(told.texts.size() == 2);
     CHECK(told.texts[0].starts_with(wipe));

@@ -40,7 +40,7 @@ TEST_CASE("dimensionless nips: all numbers of a gripped contact by panels come o
   const long before = ref::NipSolution::solved();
   for (const char* name : {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"})
     static_cast<void>(nip_reference(name, {5, 0.25, 1}));
-  CHECK(ref::NipSolution::solved() - before == 2);  // one for the error
+  CHECK(ref::NipSolution::solved() - before == 2);  // the second one is for the error
 }
 
 TEST_CASE("an audit finds an error that is larger than fast says it is, though it keeps the promise") {
@@ -50,6 +50,6 @@ TEST_CASE("an audit finds an error that is larger than fast says it is, though i
   CHECK(verify::audit(modest, options).kept());
   modest.fast_error = [](std::span<const double>, fast::Accuracy) { return 1e-18; };
   CHECK_FALSE(verify::audit(modest, options).kept());
-  // Of somebody else's values only the promise is asked.
+  // Another evaluator only has to keep the promise.
   CHECK(verify::audit(modest, verify::fast_evaluator(modest, {}), options).kept());
 }

@@ -1,5 +1,5 @@
-// What fast promises of half-spaces holds against the arguments as they are given, to the ends of the domain:
-// angles in degrees, constants in GPa, speeds next to the critical one.
+// The promises of fast for half-spaces hold for the arguments as they are given, to the ends of the domain: angles in
+// degrees, constants in GPa, speeds next to the critical one.
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 
@@ -26,14 +26,14 @@ constexpr double in_plane = 1;
 TEST_CASE("half-spaces in degrees, GPa and speeds of steel: what once was beyond the promise") {
   check_kept("halfspace.coupling", {0x1.fffff94a03595p-2, 0x1.e91e97e2fdb23p-1, 45});
   check_kept("rolling.index", {0x1.3333333333333p-2, 0x1.dad5d6ac2bda0p-1, 0});
-  // Thousands of panels chased the rounding of a moment that is nearly 0.
+  // A moment is nearly 0 here. No number of panels resolves its rounding errors.
   check_kept("die.force", {0x1.ffffff543388fp-2, 0x1p-1074, 0x1.fffffffffffffp-1});
   for (const char* name : {"ti.compliance", "ti.coupling", "ti.coupling_across"})
     check_kept(name, {0, 135, 0x1.bcb952498e366p-3, in_plane, 10, 10, 0x1.2cccccccccccdp+3, 9, 1, 1000});
 }
 
 TEST_CASE("half-spaces next to the critical speed: the promises hold on critical lines") {
-  // Of the seed's solid, moving at 45 degrees from the axis; its critical line is 20 degrees off.
+  // The seed's solid, moving at 45 degrees from the axis. The critical line is 20 degrees off the motion.
   const verify::Quantity& critical = verify::find_quantity("ti.critical");
   const Point epoxy{in_plane, 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
   Point motion{45};

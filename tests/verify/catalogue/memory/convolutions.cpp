@@ -1,4 +1,4 @@
-// When a moving load passes the places of a test.
+// The times at which moving loads of random tests pass the point.
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 

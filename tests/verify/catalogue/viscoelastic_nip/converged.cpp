@@ -7,7 +7,7 @@ using namespace nipref;
 using verify::Point;
 
 TEST_CASE("dimensionless rolling nips: fast's errors are covered, and all but the creep is proven") {
-  // The second: the shortest contacts of sheets that soften much.
+  // The second point has the shortest contact, of a sheet that softens much.
   for (const Point& point : {Point{0.02, 5, 1.0 / 3, 2, 1}, Point{1e-6, 4.4, 0.4999999, 101, 0}}) {
     for (const char* number : {"resistance", "leading_share", "load", "indentation", "creep"}) {
       CAPTURE(number);

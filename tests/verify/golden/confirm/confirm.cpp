@@ -10,7 +10,7 @@ TEST_CASE("every quantity of the catalogue has a second method, which confirms i
   for (const verify::Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     REQUIRE(verify::confirmer_of(quantity.name));
-    // Convolutions over a way need seconds to begin.
+    // Un and Vn, which are convolutions over a path, need seconds to begin.
     if (verify::is_slow(quantity) || quantity.name.starts_with("Un") || quantity.name.starts_with("Vn"))
       continue;
     const verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity.name));
