@@ -20,7 +20,7 @@ namespace nipref::data {
 /// The example scenes.
 [[nodiscard]] std::filesystem::path scenes_directory();
 
-/// What the seeds say in words.
+/// The statements of the seeds.
 [[nodiscard]] std::filesystem::path statements_directory();
 
 /// Templates of pages, texts and drawings.

@@ -23,7 +23,7 @@ enum class Needs {
   slip_heat,        ///< Coulomb's friction and the converged method
 };
 
-/// How many numbers a result is.
+/// How many numbers a result has.
 enum class Shape {
   number,   ///< one
   list,     ///< as many as there are, one at least

@@ -34,7 +34,7 @@ struct ConvergedMethod {};
 struct LineLoads {
   int leading_elements;   ///< on the entry side, 1 to 2000; with full friction 1 to 1000; twice as many for a
                           ///< given length; with Coulomb's friction 1 to 250; method.leading_elements
-  int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
+  int trailing_elements;  ///< on the exit side; equal to leading_elements, as an elastic nip is symmetric
   /// 0: kernels at the scene's accuracy; 1 to 500: so many terms of their series, summed as in the thesis. It must be 0
   /// with Coulomb's friction. method.residue_terms
   int residue_terms = 0;

@@ -40,8 +40,8 @@ struct Erratum {
 /// though the kind is not unreadable, or two lines for one cell.
 [[nodiscard]] std::vector<Erratum> load_errata(const std::filesystem::path& file);
 
-/// One line of known_misses.csv: a cell that no replay reproduces although nothing in its table
-/// contradicts it. The cell was examined and stays as printed.
+/// One line of known_misses.csv: a cell that no replay reproduces although nothing in its table contradicts it. The
+/// cell was examined and stays as printed.
 struct KnownMiss {
   std::string table;   ///< id, e.g. "thesis-VII"
   std::size_t row;     ///< from 1, in the order of the table

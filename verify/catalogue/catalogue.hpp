@@ -18,7 +18,7 @@ const std::vector<Quantity>& catalogue();
 /// The entry of that name, or nullptr.
 const Quantity* known_quantity(std::string_view name);
 
-/// The entry of that name; BadInput as refuse_quantity has it if there is none.
+/// The entry of that name. Throws BadInput by refuse_quantity if there is none.
 const Quantity& find_quantity(std::string_view name);
 
 }  // namespace nipref::verify

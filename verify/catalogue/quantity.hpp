@@ -19,7 +19,7 @@ using Point = std::vector<double>;
 
 /// The kind of an argument, which determines its domain in words and the way it is sampled.
 enum class ArgumentKind {
-  nonzero_position,  ///< distance/half-thickness at which the kernel is infinite at 0
+  nonzero_position,  ///< distance/half-thickness; the kernel is infinite at 0
   position,          ///< distance/half-thickness
   depth,             ///< distance from the middle plane/half-thickness
   young,             ///< Young's modulus, unit of stress
@@ -154,7 +154,7 @@ struct Quantity {
   /// The name that quantities share if one solution gives them all: they are audited at the same points, so that each
   /// solution is used for all of them. It is empty for a quantity that has its own points.
   std::string family = {};
-  std::string subject = {};  ///< the folder of the house that it is computed in
+  std::string subject = {};  ///< the name of the folders of fast and ref that compute it
 
   std::vector<SeedForm> seed_forms;  ///< the seed's formulas that differ from the right one
   std::vector<Peer> peers;

@@ -33,8 +33,8 @@ Range parse_range(const std::string& name, const std::string& text);
 /// domain.
 using Ranges = std::vector<std::optional<Range>>;
 
-/// Ranges as they were given by name; the names of choices stand for their numbers. An argument that is not given
-/// has none. BadInput for a name that the quantity does not have, one given twice, and as parse_range has it.
+/// The ranges that were given by name; the names of choices stand for their numbers. An argument that is not given has
+/// no range. BadInput for a name that the quantity does not have, for one given twice, and where parse_range throws.
 Ranges parse_ranges(const Quantity& quantity, const Assignments& assignments);
 
 /// Whether each number of the point lies in its range.

@@ -99,8 +99,8 @@ double surface_symbol(double s) {
 
 struct Loss {
   double value = 0;
-  /// The integral with |p^| in place of |p^|^2: the factor of an error of the pressure of which only the integral is
-  /// known.
+  /// The integral with |p^| in place of |p^|^2. Times twice the integral of the pressure's error it is the largest
+  /// error that the pressure's error causes in the loss, to first order.
   double by_pressure = 0;
 };
 
@@ -124,7 +124,7 @@ Loss integral(const data::ViscoelasticNip& nip, const data::MaterialFunction& co
               ExpandedPressure& pressure, int fineness) {
   double lowest = std::min(1 / length, 1 / nip.half_thickness()), highest = 1 / length, swings = 1;
   for (const data::RelaxationTerm& term : compliance.terms) {
-    // A material that flows loses energy at all low frequencies: together with the margin this is down to rounding.
+    // A material that flows loses energy at all low frequencies: with the margin, the part left out is below rounding.
     const bool flows = term.rate == 0.0;
     const double at = flows ? std::ldexp(lowest, -36) : std::abs(term.rate) / nip.speed;
     lowest = std::min(lowest, at), highest = std::max(highest, at);

@@ -40,7 +40,7 @@ auto for_given(const Problem& problem, const auto& for_force, const auto& for_sp
   return load != nullptr ? for_force(load->force) : for_span(std::get<data::GivenSpan>(problem.given).along);
 }
 
-/// fast's ellipse together with its load.
+/// An ellipse of fast together with its load.
 class LoadedEllipse {
  public:
   LoadedEllipse(const fast::JointResponse& response, const Problem& problem)
@@ -114,8 +114,7 @@ ref::RollingSphere roll(const ref::JointResponse& surface, const Problem& proble
   return {surface.answer(), std::get<data::RigidRollingSphere>(problem.body).radius, problem.given, digits};
 }
 
-/// The angle in degrees plus that of the motion. The two senses of an axis are equivalent, so that it is from -90 to
-/// 90.
+/// The angle in degrees plus that of the motion, from -90 to 90: the two senses of an axis are equivalent.
 fast::Estimate from_x1(const fast::Estimate& from_motion, double motion) {
   return {std::remainder(from_motion.value + motion, 180),
           from_motion.error + 0x1p-52 * (std::fabs(from_motion.value) + std::fabs(motion))};

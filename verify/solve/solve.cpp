@@ -82,7 +82,7 @@ struct Collector {
     }
     return places;
   }
-  /// BadInput names the position that it refuses.
+  /// The numbers of a profile. BadInput names the position that is refused.
   [[nodiscard]] std::vector<Number> profile(ResultId id, const Places& places) const {
     std::vector<Number> numbers;
     for (const Place& place : places) {
