@@ -34,7 +34,7 @@ void check_oscillation(const RollingMaterial& material) {
 
 using Sheet = std::shared_ptr<const RollingSheet>;
 
-/// The sheet to more than the results' digits; what memories' parts lose as they cancel they do not lose of it.
+/// The sheet with the results' digits and, in addition, those that its memories lose by cancellation.
 Sheet sheet_to(int digits, int lost_digits, const data::ViscoelasticNip& nip) {
   const WorkingDigits working(SolvedNip::working_digits(digits, lost_digits));
   RollingMaterial material = rolling_material(nip);
@@ -42,7 +42,7 @@ Sheet sheet_to(int digits, int lost_digits, const data::ViscoelasticNip& nip) {
   return std::make_shared<const RollingSheet>(std::move(material));
 }
 
-/// To the working precision, which the sheet itself tells.
+/// The sheet at the working precision, which follows from the digits that the sheet loses.
 Sheet sheet_of(const data::ViscoelasticNip& nip, int digits) {
   return sheet_to(digits, sheet_to(digits, 0, nip)->lost_digits(), nip);
 }
@@ -53,7 +53,7 @@ ConvergedNip::Parts parts_of(const data::ViscoelasticNip& nip, const Sheet& shee
   return {NipUnits(nip.roller_radius, nip.sheet_thickness, compliance), sheet, digits};
 }
 
-/// contact_at() with the working precision that it takes; nothing where the proof does not reach.
+/// The proof of contact_at(), called at the working precision that it needs; nothing if it is not proven to `digits`.
 template <class ContactAt>
 std::optional<Proof> proof_of(const std::optional<ProvenMemories>& memories, double half_length, int digits,
                               const ContactAt& contact_at) {
@@ -66,7 +66,7 @@ std::optional<Proof> proof_of(const std::optional<ProvenMemories>& memories, dou
   return Proof{std::make_shared<const ProvenContact>(*std::move(contact)), working_digits};
 }
 
-/// The unknowns with which a contact is solved at first; BadInput for what is not.
+/// The number of unknowns of the first solution of a contact; BadInput if the reference does not solve it.
 int checked_unknowns(const RollingSheet& sheet, const Exact& half_length, int digits) {
   const WorkingDigits working(SolvedNip::working_digits(digits, sheet.lost_digits()));
   sheet.check(half_length.approximate());

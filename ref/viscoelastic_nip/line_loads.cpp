@@ -18,13 +18,12 @@ namespace {
 
 using data::BadInput;
 
-/// A distance and so many half widths of an element, in half-thicknesses, in the middle of a grid.
+/// A distance plus a number of half widths of an element, in half-thicknesses, for the middle of a grid.
 mpq_class way(const RollingGrid& grid, const mpq_class& distance, long half_elements) {
   return distance + half_elements * grid.half_element;
 }
 
-/// Displacement of a place by the unit load j, 1/stress; the tangential one from the fixed point of thesis 6.27.
-/// (thesis 6.26, 6.27)
+/// The displacement of a place by a unit load, 1/stress; the tangential one from the fixed point. (thesis 6.26, 6.27)
 Interval displacement_by(int load, const RollingLoads& problem, const RollingGrid& grid,
                          const LineLoadPlace& place, bool is_normal) {
   const long to_load = 2L * (problem.leading - load) - 1, to_start = 2L * load + 1,
@@ -96,7 +95,7 @@ namespace {
 using data::BadInput;
 
 constexpr int most_elements = 100;
-constexpr double farthest = 500;  ///< of the start, half-thicknesses
+constexpr double farthest = 500;  ///< largest distance of the start, half-thicknesses
 
 constexpr ExtraDigits extra_digits{24, 100};
 
@@ -120,13 +119,13 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const data::ViscoelasticL
     throw BadInput("residue_terms", std::to_string(method.residue_terms), "must be from 0 to 500");
   if (method.smallest_term != 0)
     throw BadInput("smallest_term", method.smallest_term, "must be 0 in the reference");
-  (void)material_compliances(nip.material);  // which refuses what is no material
+  (void)material_compliances(nip.material);  // refuses invalid materials
   const ExactMaterial material = exact_material(nip.material);
   if (method.residue_terms > 0 &&
       std::ranges::any_of(material.normal().terms, [](const auto& term) { return term.rate == 0; }))
     throw BadInput("residue_terms", std::to_string(method.residue_terms),
                    "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
-  constexpr mpfr_prec_t bits = 512;  // of rates that are roots, so that what they miss is below all else
+  constexpr mpfr_prec_t bits = 512;  // of rates that are roots, so that their errors are below all others
   const NearMaterial near = with_given_rates(material, bits);
   return {nip,
           MovingLoad(near.material, Exact(nip.speed), Exact(nip.half_thickness()), method.residue_terms),
@@ -161,7 +160,7 @@ LineLoadNip line_loads_for_length(const data::ViscoelasticNip& nip, const data::
 
 LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::ViscoelasticLineLoads& method,
                                 double load, int digits) {
-  constexpr int digits_of_search = 16 - extra_digits.first;  // the influences', that is, are 16 at first
+  constexpr int digits_of_search = 16 - extra_digits.first;  // so that the influences first have 16
   RollingLoads problem = checked(nip, method, digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   LengthSearch search = search_of(problem, load);
@@ -176,7 +175,7 @@ LineLoadNip line_loads_for_load(const data::ViscoelasticNip& nip, const data::Vi
                                      contact_of);
     };
   };
-  // Whether the loads press is known, and they do not.
+  // Whether a load is known to pull.
   const auto pulls = [&] {
     std::optional<bool> presses;
     solved_to(digits_of_search, extra_digits, carrying_to(digits_of_search),

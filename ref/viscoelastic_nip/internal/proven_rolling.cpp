@@ -19,12 +19,12 @@ namespace {
 using Intervals = std::vector<Interval>;
 
 constexpr int most_points = 500;
-constexpr double most_growth = 160;  ///< 2A times the fastest rate
+constexpr double most_growth = 160;  ///< largest 2A (r_n + sum a_i)
 
 Interval zero() { return Interval(working_bits()); }
 Interval upper(const Interval& x) { return interval_of(upper_end(x)); }
 
-/// The contact's memory in intervals: a_i, r_i of C = 1 + sum a_i/(D + r_i), and s_j, b_j of its inverse.
+/// The memory of the sheet in intervals: a_i, r_i of C = 1 + sum a_i/(D + r_i), and s_j, b_j of its inverse.
 struct Memory {
   Intervals a, r, s, b;
 
@@ -42,7 +42,8 @@ struct Memory {
   }
 };
 
-/// The zero of C(-s), which rises from -inf to a value > 0 between low and high: signs beside one that bisection found.
+/// The zero of C(-s) between low and high, where C(-s) rises from -inf to a value > 0. Bisection approximates the zero;
+/// the signs on both sides of the approximation prove it.
 std::optional<Interval> zero_between(const Memory& memory, Float low, Float high) {
   const Float from = low, to = high;
   for (long step = 0; step < 2 * working_bits(); ++step) {
@@ -80,7 +81,7 @@ std::optional<Memory> memory_of(const ProvenMemories& memories) {
   return memory;
 }
 
-/// e^{-z} I_m(z), m = 0 .. n, z >= 0, by their series, whose terms fall to a half and faster from k >= z on.
+/// e^{-z} I_m(z), m = 0 .. n, z >= 0, by their series. For k >= z each term is at most half of the one before.
 Intervals scaled_bessel(const Interval& z, long n) {
   const Interval half = z / 2, fourth = square(half), factor = exp(-z);
   Interval first = factor;  // (z/2)^m/m!
@@ -100,7 +101,7 @@ Intervals scaled_bessel(const Interval& z, long n) {
   return result;
 }
 
-/// f_m of e^{-s x}, x = A (1 - t).
+/// The right-hand side f_m of e^{-s x}, x = A (1 - t).
 SlopeSeries exponential_series(const Interval& s, const Interval& half_length, int points) {
   const Intervals bessel = scaled_bessel(s * half_length, points);
   SlopeSeries series{{zero()}, 2 * magnitude_of(bessel.back())};
@@ -108,7 +109,7 @@ SlopeSeries exponential_series(const Interval& s, const Interval& half_length, i
   return series;
 }
 
-/// (1/pi) int_0^pi F cos(k theta), k = 0 .. N, of a function F of x = A (1 - cos theta) that is L ln(x) + S, S analytic.
+/// The moments (1/pi) int_0^pi F cos(k theta), k = 0 .. N, of F = L ln(x) + S, x = A (1 - cos theta), S analytic.
 class Moments {
  public:
   Moments(const ChebyshevSystem& system, const Interval& half_length)
@@ -122,7 +123,7 @@ class Moments {
   [[nodiscard]] const Interval& half_length() const { return half_length_; }
   [[nodiscard]] long points() const { return points_; }
 
-  /// Of S, whose Chebyshev coefficients are at most 2 bound e^{-l rate}.
+  /// The moments of S, whose Chebyshev coefficients are at most 2 bound e^{-l rate}.
   [[nodiscard]] Intervals smooth(const Intervals& values, const Interval& bound, const Interval& rate) const {
     const long n = points_;
     const Interval first = exp(-(n * rate)), missed = 2 * bound * first / (1 - first);
@@ -135,7 +136,7 @@ class Moments {
     }
     return moments;
   }
-  /// Of ln(x) times sum e_l cos(l theta), with a bound of all |e_l| that are left out.
+  /// The moments of ln(x) sum e_l cos(l theta). `left_out` bounds the sum of all |e_l| that are left out.
   [[nodiscard]] Intervals logarithmic(const Intervals& e, const Interval& left_out) const {
     Intervals moments;
     const Interval missed = magnitude_of(left_out) * (magnitude_of(logarithm(0)) + 1);
@@ -155,23 +156,23 @@ class Moments {
   Interval half_length_;
   long points_;
   Intervals places_;
-  Intervals logarithms_;  ///< (1/pi) int ln(A (1 - cos theta)) cos(k theta)
+  Intervals logarithms_;  ///< the moments of ln(A (1 - cos theta))
 };
 
-/// sinh(tau) and cosh(tau) A of an ellipse about the contact, for a rate tau.
+/// The semi-axes A sinh(tau) and A cosh(tau) of an ellipse around the contact, for a rate tau.
 struct Ellipse {
   Interval rate, height, width;
 
   Ellipse(const Interval& half_length, const Interval& tau)
       : rate(tau), height(half_length * sinh(tau)), width(half_length * cosh(tau)) {}
-  /// Of |J|: 1 + 2 |Re| + height Q(height).
+  /// The bound 1 + 2 |Re| + height Q(height) of |J| in the ellipse.
   [[nodiscard]] Interval smooth_kernel(const Interval& half_length) const {
     const Interval left = 2 - height;
     return 2 * (half_length + width) + height * (2 / left + 4 / square(left)) + 1;
   }
 };
 
-/// Those of I1.
+/// The moments of I1.
 Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
   const Interval A = upper(moments.half_length());
   const Ellipse ellipse(A, entry_bounds(A, static_cast<int>(moments.points() / 2)).rate);
@@ -183,11 +184,11 @@ Intervals kernel_moments(const Moments& moments, SmoothKernel& kernel) {
   return result;
 }
 
-/// Those of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
+/// The moments of M(x) = int_0^inf e^{-r w} I1(x + w) dw = ln(x) E(x) + S(x), E = (e^{r x} - 1)/r.
 Intervals memory_moments(const Moments& moments, const mpq_class& rate, const Interval& share, double nats) {
   const Interval r = Interval(rate, working_bits()), A = moments.half_length(), top = upper(A);
   const long n = moments.points();
-  // E in cosines.
+  // The coefficients of cos(l theta) in E.
   Intervals e{A, -A};
   Interval left_out = zero();
   if (rate != 0) {
@@ -208,7 +209,7 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
     const Interval slope = 2 * (r * magnitude_of(value) + 1 + 2 * here + growth);
     values.push_back(value.widened(magnitude_of(slope) * distance_from(near, x)));
   }
-  // The ellipse's rate is at most 3/2, and S in it follows from S on the axis by S' = r S - J - E/x.
+  // The ellipse's rate is at most 3/2. S in the ellipse is bounded by S on the axis and S' = r S - J - E/x.
   const Interval tau = entry_bounds(top, static_cast<int>(n / 2)).rate, most_tau(1.5, working_bits());
   const Ellipse ellipse(top, mpfr_less_p(tau.lower(), most_tau.lower()) != 0 ? tau : most_tau);
   const Interval way = ellipse.height + ellipse.width - top;
@@ -218,7 +219,7 @@ Intervals memory_moments(const Moments& moments, const mpq_class& rate, const In
   const Interval bound = exp(r * way) * (on_axis + way * (ellipse.smooth_kernel(top) + far));
   Intervals result = moments.smooth(values, bound, ellipse.rate);
   const Intervals logarithm = moments.logarithmic(e, left_out);
-  // A rate that is off by a share of itself changes M by at most 2 of it: ref/memory/README.md, What a displacement
+  // A relative error of the rate changes M by at most twice that error: ref/memory/README.md, What a displacement
   // changes by, with int_0^inf |I1| <= 4.
   for (std::size_t k = 0; k < result.size(); ++k) result[k] = (result[k] + logarithm[k]).widened(2 * share);
   return result;
@@ -259,7 +260,7 @@ double largest_growth(const ProvenMemories& memories, double half_length) {
   return 2 * rate * half_length;
 }
 
-/// Digits that slow memories cost, whose exponentials are nearly lines.
+/// Digits that are lost to slow memories, because their exponentials are nearly lines.
 double digits_of_slowness(const ProvenMemories& memories, double half_length) {
   double digits = 0;
   for (const ExactFunction::Term& term : memories.terms) {
@@ -269,7 +270,7 @@ double digits_of_slowness(const ProvenMemories& memories, double half_length) {
   return digits;
 }
 
-/// Of the expansion and the kernels.
+/// The digits of the expansion and of the kernels.
 int expansion_digits(const ProvenMemories& memories, double half_length, int digits) {
   return digits + 8 +
          static_cast<int>(digits_of_slowness(memories, half_length) + 2 * std::log10(1 + half_length));
@@ -318,7 +319,7 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   const ChebyshevSystem system(middle_of(A), size, kernel, true);
   const Moments moments(system, A);
 
-  // The elastic contact, and one for each exponential.
+  // The columns: the elastic contact, and a contact for each exponential.
   std::vector<BoundedColumn> columns;
   const auto add = [&](const SlopeSeries& right) {
     columns.push_back(system.proven(system.solution(right), right, A));
@@ -327,7 +328,7 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
   for (const Interval& s : memory->s) add(exponential_series(s, A, 2 * size));
   const std::size_t n = memory->s.size();
 
-  // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each; |moments of M| <= 4.
+  // F_i = int_0^inf e^{-r_i w} f'(-w) dw/(2A^2) of each column. The moments of M are at most 4 in magnitude.
   const Interval share(memories.error, working_bits());
   std::vector<Intervals> memories_at, ahead;
   for (const ExactFunction::Term& term : memories.terms) {
@@ -376,7 +377,7 @@ std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, cons
     pressure.energy_radius = pressure.energy_radius + magnitude_of(factor) * columns[k].energy_radius;
   }
 
-  // d1 = (A/pi) int (I1 + sum a_i M_i) p: moments of all.
+  // d1 = (A/pi) int (I1 + sum a_i M_i) p, by the moments of I1 + sum a_i M_i.
   Intervals all = kernel_moments(moments, kernel);
   Interval largest = magnitude_of(log(A / 2)) + 5;
   for (std::size_t i = 0; i < memories.terms.size(); ++i) {

@@ -9,24 +9,24 @@
 
 namespace nipref::ref {
 
-/// The terms a e^(-r w) of N over its instantaneous part by rising rate, w the way in half-thicknesses, a > 0, r >= 0; what
-/// they may be off by as a share of each, and the instantaneous part, 1/stress. Nothing unless all rates are real and all
-/// amplitudes are positive.
+/// The terms a e^(-r w) of N over its instantaneous part, by rising rates, with a > 0, r >= 0 and w the distance
+/// travelled in half-thicknesses; the largest relative error of a and r; and the instantaneous part, 1/stress. Nothing
+/// unless all rates are real and all amplitudes are positive.
 struct ProvenMemories {
   std::vector<ExactFunction::Term> terms;
   mpq_class error, at_once;
 };
 std::optional<ProvenMemories> proven_memories(const data::ViscoelasticNip& nip);
 
-/// The steadily rolling frictionless contact for all half lengths of an interval, with about so many digits at the working
-/// precision; nothing where that takes too many points. Proven: ref/viscoelastic_nip/README.md, Rolling contacts.
+/// The frictionless contact in steady rolling for all half lengths of an interval, to about `digits` digits at the
+/// working precision. Nothing if that takes too many points. Proven: ref/viscoelastic_nip/README.md, Rolling contacts.
 std::optional<ProvenContact> proven_rolling(const ProvenMemories& memories, const Interval& half_length,
                                             int digits);
-/// The same of a load, for a half length about which loads below and above it are proven: near one that is good to some
-/// ten digits, with d ln W/d ln A.
+/// The contact that carries a load, as contacts a little shorter and longer are proven to carry less and more. `near`
+/// is the half length to some ten digits, `growth` is d ln W/d ln A.
 std::optional<ProvenContact> proven_rolling_for_load(const ProvenMemories& memories, const Exact& load,
                                                      const Float& near, const Float& growth, int digits);
-/// The digits that are to be the working precision.
+/// The working precision that these proofs need, in digits.
 int proven_rolling_working_digits(const ProvenMemories& memories, double half_length, int digits);
 
 }  // namespace nipref::ref

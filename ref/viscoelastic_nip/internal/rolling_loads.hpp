@@ -9,11 +9,11 @@
 
 namespace nipref::ref {
 
-/// A nip, known exactly, its method with the number of trailing elements; `digits` of the influences.
+/// A nip, known exactly, and its method with the number of trailing elements. `digits` are those of the influences.
 struct RollingLoads {
   data::ViscoelasticNip nip;
   MovingLoad moving_load;
-  mpq_class memory_error;  ///< of its memory, as a share
+  mpq_class memory_error;  ///< relative error of its memory
   int leading, trailing;
   mpq_class approach;
   int digits;
@@ -25,17 +25,17 @@ struct RollingLoads {
     return contact_length / (2 * loads() * half_thickness());
   }
   [[nodiscard]] Float instantaneous() const { return to_float(moving_load.normal().instantaneous); }
-  /// In which the sheet moves by a distance in half-thicknesses.
+  /// The time in which the sheet moves by a distance in half-thicknesses.
   [[nodiscard]] Exact time(const mpq_class& distance) const {
     return Exact(mpq_class(distance * half_thickness() / mpq_class(nip.speed)));
   }
 };
 
-/// All contacts whose elements have half the width `half_element`, to `spread`, in half-thicknesses. (thesis 7.11)
+/// All contacts whose elements have a half width within `spread` of `half_element`, in half-thicknesses. (thesis 7.11)
 struct RollingGrid {
   mpq_class half_element, spread;
 
-  /// Of so many half widths, in half-thicknesses.
+  /// The length of a number of half widths, in half-thicknesses.
   [[nodiscard]] Interval length(long half_elements) const;
 };
 

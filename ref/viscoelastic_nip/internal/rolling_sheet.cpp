@@ -19,7 +19,7 @@ namespace {
 
 using Terms = std::vector<RollingMemory>;
 
-/// The terms of equal rate, to rounding, are joined.
+/// Adds a term, joined with one whose rate is the same to rounding.
 void add_term(Terms& terms, const RollingMemory& term) {
   const auto same = std::ranges::find_if(terms, [&](const RollingMemory& other) {
     return abs(other.rate - term.rate) <= ldexp(abs(other.rate), 16 - working_bits());
@@ -30,10 +30,10 @@ void add_term(Terms& terms, const RollingMemory& term) {
     same->amplitude = same->amplitude + term.amplitude;
 }
 
-/// Widths at an end over those without memory, times the largest rate.
+/// Largest width of the first panel at an end, over that without memory, times the largest rate.
 constexpr double widest_of_memory = 1.5;
 
-/// The zeros of C(-s), as those of C(-s) prod (r_i - s). They start beside the real axis, as real steps find no complex zeros.
+/// The zeros of C(-s), as those of C(-s) prod (r_i - s). The guesses are complex: real steps find no complex zeros.
 std::vector<ComplexFloat> zeros_of(const Terms& terms) {
   const ComplexFloat beside(1, Float(1) / 8);
   std::vector<ComplexFloat> guesses;
@@ -58,7 +58,7 @@ RollingMaterial rolling_material(const data::ViscoelasticNip& nip) {
   const auto [theta1, theta2] = material_compliances(nip.material);
   RollingMaterial result{theta1.at_once + theta2.at_once, {}, 0, {}};
   result.theta2_at_once = theta2.at_once / result.compliance;
-  const Float ways = Float(nip.sheet_thickness) / 2 / nip.speed;  // half-thicknesses in a unit of time
+  const Float ways = Float(nip.sheet_thickness) / 2 / nip.speed;  // time to move by a half-thickness
   const auto add_rolled = [&](Terms& terms, const Terms& in_time) {
     for (const auto& [amplitude, rate] : in_time)
       add_term(terms, {amplitude * (ways / result.compliance), rate * ways});
@@ -121,10 +121,10 @@ namespace {
 
 using Index = Matrix::Index;
 
-/// The columns of direct_row(): what is known, edge_displacement, the offset, then real and imaginary part of each n_j.
+/// The columns of direct_row(): the known part, edge_displacement, the offset, then Re and Im of each b_j n_j.
 constexpr Index known = 0, edge = 1, shift = 2, first_memory = 3;
 
-/// int kind p/pi of an even and of an odd pressure.
+/// The functionals int kind p/pi of an even and of an odd pressure.
 std::vector<LineFunctional> both_parts(Influence kind) {
   std::vector<LineFunctional> parts(2);
   for (LineFunctional& part : parts) part.pressure(kind, 1 / pi());
@@ -134,7 +134,7 @@ std::vector<LineFunctional> both_parts(Influence kind) {
 
 Fineness fineness_of_traces(double nats) { return {1.5, 2, nats}; }
 
-/// Panels outside that begin as narrow as the first one in the contact.
+/// Panels outside the contact. The first is as narrow as the first panel in the contact.
 std::vector<TractionPanel> outside_panels(const Float& far, const Resolution& resolution,
                                           const TractionPanel& inside, double nats) {
   Fineness fineness = fineness_of_traces(nats);
@@ -142,7 +142,7 @@ std::vector<TractionPanel> outside_panels(const Float& far, const Resolution& re
   return panels_of(far, resolution, fineness);
 }
 
-/// Panels that grow from a place on, downstream or upstream, there with a root or without.
+/// Appends panels that grow from a place on, downstream or upstream, the first with a root of the distance or without.
 void append(std::vector<TracePanel>& panels, const std::vector<TractionPanel>& growing, const Float& place,
             bool downstream, bool has_root, int extra_terms) {
   using Root = TracePanel::Root;
@@ -160,9 +160,9 @@ void append(std::vector<TracePanel>& panels, const std::vector<TractionPanel>& g
   panels.insert(panels.end(), added.begin(), added.end());
 }
 
-/// Nodes with which f times e^(-rate w) is integrated on a panel outside; n are exact for 2n coefficients. On the ellipse by
-/// which the panel's terms are counted, with semi-axes of 3 and 2.8 half widths, a real memory is at most 1, and one that
-/// oscillates e^(1.4 |Im rate| width), which takes 0.8 |Im rate| width more coefficients.
+/// The number of nodes that integrate f times e^(-rate w) on a panel outside the contact; n nodes are exact for 2n
+/// coefficients. On the ellipse for the panel's terms, with semi-axes of 3 and 2.8 half widths, a real memory is at
+/// most 1, an oscillating one at most e^(1.4 |Im rate| width), which takes 0.8 |Im rate| width more coefficients.
 int nodes_of(const TractionPanel& panel, const Resolution& resolution) {
   double turn = 0;
   for (const std::complex<double>& rate : resolution.rates)
@@ -170,16 +170,16 @@ int nodes_of(const TractionPanel& panel, const Resolution& resolution) {
   return panel.terms / 2 + static_cast<int>(0.4 * std::min(turn, 2.0 * panel.terms)) + 4;
 }
 
-/// The solutions for all columns.
+/// The solutions for all columns of `right`.
 Matrix refined_solutions(const Matrix& matrix, const Matrix& right) {
   Matrix solution(right.rows(), right.cols());
   for (Index k = 0; k < right.cols(); ++k) solution.col(k) = refined_solution(matrix, Vector(right.col(k)));
   return solution;
 }
 
-/// The contact of a steadily rolling viscoelastic sheet as a sum of elastic ones, whose right-hand sides are what the inverse of
-/// its compliance makes of the displacement: ref/viscoelastic_nip/README.md, Rolling contacts. n_j is what of the memory j comes
-/// from ahead of the contact.
+/// The contact of a steadily rolling viscoelastic sheet as a sum of elastic contacts, whose right-hand sides the
+/// inverse compliance makes from the displacement: ref/viscoelastic_nip/README.md, Rolling contacts. n_j is the part of
+/// memory j that comes from ahead of the contact.
 class RollingSolution : public NipSolution {
  public:
   /// Integrals are good to about e^-nats.
@@ -204,7 +204,8 @@ class RollingSolution : public NipSolution {
     moment_ = 2 * tractions_.moment().cwiseProduct(odd).sum();
   }
 
-  /// The contact that rolls the other way has the same load and the ends exchanged.
+  /// dW/dA has the product of both ends' coefficients: the contact rolling the other way has the same load, swapped
+  /// ends.
   [[nodiscard]] Float growth() const override {
     const Float leading = tractions_.at_root(leading_).pressure,
                 trailing = tractions_.at_root(trailing_).pressure;
@@ -220,7 +221,7 @@ class RollingSolution : public NipSolution {
     return sum;
   }
 
-  /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi from its value far ahead.
+  /// theta2 P - N g, P the pressure's integral up to x, g = int I3(x - x') p(x') dx'/pi less its value far ahead.
   [[nodiscard]] Float tangential(const Float& x) const override {
     const RollingMaterial& material = sheet_.material;
     const ComplexFloat at_once;
@@ -231,7 +232,7 @@ class RollingSolution : public NipSolution {
     for (const auto& [amplitude, rate] : material.normal) {
       const Trace& trace = elastic_trace(Influence::coupling);
       ComplexFloat faded = trace.faded(rate, x);
-      // Behind all that the sheet feels g stays what it is.
+      // Behind the last panel g is constant.
       if (x > trace.end()) faded = faded + faded_power(rate, x - trace.end(), 0) * Float(load_ / 2);
       sum -= (amplitude * faded).re;
     }
@@ -249,8 +250,7 @@ class RollingSolution : public NipSolution {
   }
 
  private:
-  /// f in the contact for what is known and for units of the displacement at the edge, A^2, of the offset, A, and of
-  /// b_j n_j, A^2.
+  /// f in the contact: the known part, and the parts of an edge displacement A^2, of an offset A, and of b_j n_j = A^2.
   [[nodiscard]] Vector direct_row(const Float& x) const {
     const Float& size = half_length();
     const auto modes = static_cast<Index>(sheet_.inverse.size());
@@ -270,8 +270,8 @@ class RollingSolution : public NipSolution {
     return row;
   }
 
-  /// int_0^inf e^(-r_i w) f(-w) dw by the coefficients of the even part, then by those of the odd part of the pressure: two
-  /// rows for each memory, its real and its imaginary part.
+  /// int_0^inf e^(-r_i w) f(-w) dw as rows for the coefficients of the even and then of the odd part of the pressure.
+  /// Each memory has two rows, for the real and the imaginary part.
   [[nodiscard]] Matrix memory_rows() const {
     const Index columns = tractions_.columns();
     const auto count = static_cast<Index>(sheet_.material.normal.size());
@@ -303,7 +303,7 @@ class RollingSolution : public NipSolution {
     return result;
   }
 
-  /// Even and odd parts of the pressure for each column of direct_row(), below them the constant and the line beside f.
+  /// The even and the odd part of the pressure for each column of direct_row(), with the constant or the line below it.
   [[nodiscard]] std::array<Matrix, 2> bounded_parts() const {
     const std::vector<Float> points = tractions_.matching_points();
     const auto rows = static_cast<Index>(points.size());
@@ -324,8 +324,8 @@ class RollingSolution : public NipSolution {
     return {refined_solutions(even, even_right), refined_solutions(odd, odd_right)};
   }
 
-  /// What must be 0: a row for the constant, one for the line, and for each n_j what it is less what the pressure leaves, real
-  /// and imaginary part; by the columns of direct_row().
+  /// The numbers that must be 0, by the columns of direct_row(): the constant, the line, and for each n_j, in real and
+  /// imaginary part, n_j less the n_j of the pressure.
   [[nodiscard]] Matrix conditions(const std::array<Matrix, 2>& parts) const {
     const Index columns = tractions_.columns(), sides = parts[0].cols();
     const Float square = half_length() * half_length();
@@ -351,7 +351,7 @@ class RollingSolution : public NipSolution {
     return result;
   }
 
-  /// int kind p/pi with alpha = x' - x, upstream.
+  /// int kind p/pi, where alpha = x' - x is positive upstream.
   [[nodiscard]] Float elastic(Influence kind, const Float& x) const {
     const bool leads = x <= half_length(), is_odd = kind == Influence::coupling;
     const Float e = leads ? x : Float(2 * half_length() - x);
@@ -374,7 +374,7 @@ class RollingSolution : public NipSolution {
     return *pressure_;
   }
 
-  /// Of f, in the contact by the roller; of g less its value far ahead; or of its slope, for both of which Influence stands.
+  /// The trace of f (normal), in the contact by the roller, of the g of tangential() (coupling), or of the slope of g.
   [[nodiscard]] const Trace& elastic_trace(Influence kind) const {
     const auto found = elastic_.find(kind);
     if (found != elastic_.end()) return found->second;
@@ -384,7 +384,7 @@ class RollingSolution : public NipSolution {
       const Float value = elastic(kind, x);
       return kind == Influence::coupling ? Float(load_ / 4 - value) : value;
     };
-    // g does not feel that the pressure changes within less than half a thickness, nor has it roots.
+    // g is smooth on the scale of half a thickness, even if the pressure is not, and has no roots at the ends.
     const bool has_roots = kind == Influence::normal;
     Resolution resolution = sheet_.resolution();
     if (!has_roots) resolution.first = 1;

@@ -7,34 +7,34 @@
 
 namespace nipref::ref {
 
-/// A term of a compliance over the instantaneous part of N, as the steadily rolling sheet sees it: with the way
-/// (half-thicknesses) that a material point has gone for the time. Dimensionless.
+/// A term of a compliance over the instantaneous part of N, dimensionless. In steady rolling the distance that a
+/// material point has travelled, in half-thicknesses, takes the place of the time.
 using RollingMemory = ComplianceTerm;
 
 /// The compliances of a steadily rolling sheet.
 struct RollingMaterial {
   Float compliance;                   ///< N at once, 1/stress
-  std::vector<RollingMemory> normal;  ///< of N, beside 1; none is 0
-  Float theta2_at_once;               ///< over that of N
+  std::vector<RollingMemory> normal;  ///< terms of N beside its instantaneous part; none is 0
+  Float theta2_at_once;               ///< theta2 at once over N at once
   std::vector<RollingMemory> theta2;
 };
 
-/// Errors as of material_compliances().
+/// The errors are those of material_compliances().
 RollingMaterial rolling_material(const data::ViscoelasticNip& nip);
 
-/// A steadily rolling sheet, whose N has the memory a_i, r_i, and that of its inverse compliance, b_j, s_j, as in
+/// A steadily rolling sheet. `material.normal` are the a_i, r_i of N and `inverse` the b_j, s_j of its inverse:
 /// ref/viscoelastic_nip/README.md, Rolling contacts.
 struct RollingSheet : NipSheet {
   RollingMaterial material;
   std::vector<RollingMemory> inverse;
 
   explicit RollingSheet(RollingMaterial the_material);
-  /// On panels on which all r_i and s_j change little at an end.
+  /// The panels at an end are so narrow that e^(-r_i x) and e^(-s_j x) change little on them.
   [[nodiscard]] Resolution resolution() const override;
   [[nodiscard]] int unknowns(int terms) const override;
-  /// Where memories make the sheet far softer than it is at once, a fluid over a half-thickness.
+  /// Digits are lost if memories make the sheet far softer than it is at once; a fluid flows over a half-thickness.
   [[nodiscard]] int lost_digits() const override;
-  /// Relaxation lengths must be from 1e-8 to 1e8 contacts.
+  /// BadInput unless relaxation lengths are from 1e-8 to 1e8 contacts.
   void check(double half_length) const override;
   [[nodiscard]] std::unique_ptr<NipSolution> solved(const Float& half_length,
                                                     std::vector<TractionPanel> panels, double nats,

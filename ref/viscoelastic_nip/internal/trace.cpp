@@ -7,12 +7,12 @@
 namespace nipref::ref {
 namespace {
 
-/// Over |rate|: e^(-rate w) is smooth on a piece so long.
+/// Longest piece times |rate|, so that e^(-rate w) is smooth on a piece.
 constexpr int longest_piece_of_memory = 8;
-/// Chebyshev's coefficients of e^(4 x), which such a piece is, are below e^-nats from about that part of the nats on.
+/// From the degree of about 0.7 nats on, the Chebyshev coefficients of e^(4 x), as on such a piece, are below e^-nats.
 constexpr double degree_of_memory = 0.7;
 
-/// The place of a panel where the polynomial's variable is xi, 0 .. 1.
+/// The place on a panel at which the polynomial's variable is xi, 0 .. 1.
 Float place_at(const TracePanel& panel, const Float& xi) {
   if (panel.root == TracePanel::Root::none) return panel.left + panel.width * xi;
   if (panel.root == TracePanel::Root::left) return panel.left + panel.width * (xi * xi);
@@ -39,7 +39,7 @@ Trace::Trace(std::vector<TracePanel> panels, Function function, double nats)
 
 const std::vector<Float>& Trace::coefficients(const Panel& panel) const {
   if (panel.coefficients.empty()) {
-    // As T_k are orthogonal on their points.
+    // The T_k are orthogonal on Chebyshev's points.
     std::vector<Float> chebyshev(static_cast<std::size_t>(panel.shape.terms));
     panel.coefficients.resize(chebyshev.size());
     Float product;
@@ -71,7 +71,7 @@ ComplexFloat Trace::piece(const Panel& panel, const Float& from, const Float& to
   return sum * Float(abs(length) * shape.width);
 }
 
-/// By pieces upstream from x, as long as a panel or as the memory allows.
+/// Integrates by pieces upstream from x, each as long as a panel or as the memory allows.
 ComplexFloat Trace::integral(const ComplexFloat& rate, const Float& x, bool forgets,
                              const Weight& weight) const {
   const Float size = abs(rate), longest = size == 0 ? Float(0) : Float(longest_piece_of_memory / size);

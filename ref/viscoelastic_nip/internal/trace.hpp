@@ -7,8 +7,8 @@
 
 namespace nipref::ref {
 
-/// A part of the way along a sheet. On it a function is a polynomial of the distance from its left end over its width, or
-/// of the root of that; or of the root of the distance from its right end.
+/// A part of the way along a sheet. With x the distance from its left end over its width, a function on it is a
+/// polynomial of x, of sqrt(x) or of sqrt(1 - x).
 struct TracePanel {
   enum class Root { none, left, right };
   Float left, width;
@@ -16,8 +16,8 @@ struct TracePanel {
   int terms;
 };
 
-/// A function of the way x along a sheet by polynomials on panels that follow each other, and what a memory makes of it. It
-/// is 0 before the first panel, and computed on a panel when that is first asked for.
+/// A function g of the way x along a sheet, by polynomials on successive panels, and its integrals with a memory. g is
+/// 0 before the first panel. Its polynomial on a panel is computed when it is first needed.
 class Trace {
  public:
   using Function = std::function<Float(const Float& x)>;
@@ -25,9 +25,9 @@ class Trace {
   /// Integrals are good to about e^-nats.
   Trace(std::vector<TracePanel> panels, Function function, double nats);
 
-  /// int_0^inf e^(-rate w) g(x - w) dw, over what the panels have of it.
+  /// int_0^inf e^(-rate w) g(x - w) dw, without the part behind the last panel.
   [[nodiscard]] ComplexFloat faded(const ComplexFloat& rate, const Float& x) const;
-  /// The same of the integral of g up to x: e^(-rate w) is integrated from 0 to w.
+  /// The same for the integral of g up to x in place of g: the weight of g is then the integral of e^(-rate w) up to w.
   [[nodiscard]] ComplexFloat faded_integral(const ComplexFloat& rate, const Float& x) const;
   /// Where the last panel ends.
   [[nodiscard]] Float end() const;
