@@ -21,7 +21,7 @@ double density_option(const CommandLine& line) {
   return line.number("density").value();
 }
 
-/// As many as are asked for, or the usual number times the density.
+/// The number of scenes: the one that is given, or the default times the density.
 std::size_t scenes_option(const CommandLine& line) {
   const std::size_t scenes = line.count("scenes");
   if (line.option("scenes")) return scenes;
@@ -29,8 +29,8 @@ std::size_t scenes_option(const CommandLine& line) {
       std::max(1.0, std::round(density_option(line) * static_cast<double>(scenes))));
 }
 
-/// Options are for quantities; an absolute number of points for those that are named: what is quick for one
-/// takes hours for another.
+/// Refuses options without effect. --points is for named quantities only, because a number of points that is quick for
+/// one quantity takes hours for another.
 void refuse_options_without_effect(const CommandLine& line, const Selection& selected) {
   if (line.words.empty() && !line.has("changed"))
     refuse_option(line, "points",
@@ -40,7 +40,7 @@ void refuse_options_without_effect(const CommandLine& line, const Selection& sel
     refuse_option(line, name, "has no effect on contacts: must be left out");
 }
 
-/// Ranges of arguments that one of the quantities does not have, or that are none.
+/// Refuses ranges of arguments that one of the quantities does not have, and texts that are no ranges.
 void refuse_ranges(const CommandLine& line, const Selection& selected) {
   if (line.assignments.empty()) return;
   if (selected.has(contacts) || line.has("changed"))
@@ -50,7 +50,7 @@ void refuse_ranges(const CommandLine& line, const Selection& selected) {
     static_cast<void>(parse_ranges(*quantity, line.assignments));
 }
 
-/// Quantities and contacts that changed files have a part in.
+/// The quantities and contacts that depend on changed files.
 Selection changed_selection(const CommandLine& line) {
   if (!line.words.empty()) refuse_option(line, "changed", "must be left out beside names");
   const std::set<std::string> subjects =
@@ -101,7 +101,7 @@ AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
     quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
     works.push_back(quantities_.back().get());
   }
-  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
+  const std::size_t scenes = scenes_option(line);  // a wrong number is refused even without contacts
   if (selected.has(contacts)) {
     hard_cases_ = hard_cases_work();
     scenes_ = scenes_work(scenes, line.option_or_usual("seed"));

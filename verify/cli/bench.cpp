@@ -11,7 +11,7 @@
 namespace nipref::verify {
 namespace {
 
-/// What this run was asked for, to ask the same of an older program.
+/// The words of this call, for the same call of an older program.
 std::vector<std::string> words_of_bench(const CommandLine& line) {
   std::vector<std::string> words = line.words;
   if (const auto isa = line.option("isa")) words.insert(words.end(), {"--isa", *isa});
@@ -23,13 +23,13 @@ using Key = std::tuple<std::string, std::string, std::string>;  ///< quantity, r
 constexpr int rounds = 3;
 
 struct Measured {
-  std::vector<double> nanoseconds;  ///< a round each
+  std::vector<double> nanoseconds;  ///< one for each round
   std::optional<double> ulp;
 };
 
 using Program = std::map<Key, Measured>;
 
-/// One round of a program. BadInput naming "against" if it does not answer as nipref does.
+/// Runs one round of a program. BadInput naming "against" if it does not answer as nipref does.
 void add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) try {
   std::vector<std::string> call{program, "bench", "--json", "--quiet"};
   call.insert(call.end(), words.begin(), words.end());
@@ -44,8 +44,8 @@ void add_round(const std::string& program, const std::vector<std::string>& words
                        "must be a nipref whose bench takes the same words and answers with --json");
 }
 
-/// Runs `bench` of an older program and of this one in turns, a few rounds, with the same words. Of the ways that both
-/// have, the new time over the old one, with the least and the largest ratio of the rounds.
+/// Runs `bench` of an older program and of this one alternately, a few rounds, with the same words. The answer has, for
+/// each method of both, the ratio of the new time to the old one, with the least and the largest of the rounds.
 VerbAnswer bench_against(const std::string& old_program, const CommandLine& line) {
   const auto most_slowdown = max_slowdown_option(line);
   const std::vector<std::string> words = words_of_bench(line);
@@ -54,7 +54,7 @@ VerbAnswer bench_against(const std::string& old_program, const CommandLine& line
   Program before, now;
   progress.begin("bench against", 2 * rounds);
   for (int round = 0; round < rounds; ++round) {
-    // In turns, so that a change of the machine's speed meets both alike.
+    // The order alternates, so that a change of the machine's speed affects both alike.
     for (const bool is_old : {round % 2 == 0, round % 2 != 0}) {
       progress.next(is_old ? "the older program" : "this program");
       add_round(is_old ? old_program : own, words, is_old ? before : now);

@@ -17,18 +17,18 @@ std::vector<std::string> as_meant(std::vector<std::string> words) {
     words.erase(words.begin());
     words.insert(words.empty() ? words.end() : words.begin() + 1, "--help");
   }
-  // To make the catalogue takes as long as all else of a short call.
+  // The catalogue is made only if need be, because this takes as long as all the rest of a short call.
   const bool is_verb = std::ranges::find(verbs(), words.front(), &VerbText::name) != verbs().end();
   if (!is_verb && known_quantity(words.front()) != nullptr) words.insert(words.begin(), "eval");
   return words;
 }
 
-/// Whether the word is an option, and no number below 0 or "-", which is standard input.
+/// Whether the word is an option, and not a negative number or "-", which stands for standard input.
 bool is_option(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && word[1] != '.' && (word[1] < '0' || word[1] > '9');
 }
 
-/// A word with its value behind '=', or of -o directly behind the letter.
+/// A word divided into a name and a value. The value stands behind '=', or directly behind the letter of -o.
 struct Divided {
   std::string name;
   std::optional<std::string> value;
@@ -41,7 +41,7 @@ Divided divided(const std::string& word) {
   return {word.substr(0, end), word.substr(is_letter ? end : end + 1)};
 }
 
-/// The option that is called so, with its hyphens. BadInput, with the nearest name, if there is none.
+/// The option whose name with hyphens is the word's name. BadInput, with the nearest name, if there is none.
 const OptionText& option_called(const VerbText& verb, const Divided& word) {
   std::vector<std::string> known{"--help"};
   for (const OptionText& option : verb.options) {
@@ -67,7 +67,7 @@ void add_option(CommandLine& line, const OptionText& option, const std::string& 
     throw BadInput(option.name, value, "given twice: must be given once");
 }
 
-/// A word with '=' is an option of the verb, an argument of the quantity or a key of the scene.
+/// Adds a word. With '=' it is an option of the verb, an argument of the quantity or a key of the scene.
 void add_word(CommandLine& line, const VerbText& verb, const std::string& word) {
   const auto [name, value] = divided(word);
   if (!value) {

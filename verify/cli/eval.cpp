@@ -13,7 +13,7 @@ using data::BadInput;
 
 /// The result of one path, as it is printed.
 struct EvalAnswer {
-  std::string path;  ///< or the name of the seed's form
+  std::string path;  ///< ref, fast, or the name of the seed's form
   std::string value;
   double seconds;
   int digits;                             ///< for ref those requested, for fast those promised
@@ -40,7 +40,7 @@ const Quantity& quantity_of(const CommandLine& line) {
   return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
 }
 
-/// A number without its name is told the name of the quantity's first argument.
+/// Refuses further words. If a word is a number, the message suggests the name of the quantity's first argument.
 void refuse_more_words(const CommandLine& line) {
   if (line.words.size() < 2) return;
   const Quantity& quantity = quantity_of(line);
@@ -50,7 +50,7 @@ void refuse_more_words(const CommandLine& line) {
          quantity.name, quantity.arguments.front().name, is_number ? word : "...");
 }
 
-/// Null for the right one.
+/// The form that is asked for; null for the corrected form.
 const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
   const std::string form = line.option("form").value_or(right_form);
   if (form == right_form) return nullptr;
@@ -107,7 +107,7 @@ EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arg
 EvalAnswer answer_of_seed(const EvalRequest& request, const ParsedArguments& arguments) {
   const Point point = arguments.nearest(*request.quantity);
   static_cast<void>(
-      request.quantity->by_fast(point, request.accuracy));  // refuses what it cannot be asked for
+      request.quantity->by_fast(point, request.accuracy));  // refuses arguments outside the domain
   const auto [value, seconds] = timed([&] { return request.form->value(point); });
   if (!std::isfinite(value))
     throw BadInput("form", request.form->name, "must be corrected here: the seed's form gives no number");
@@ -144,8 +144,8 @@ Json number_json(const std::string& path, const std::string& text) {
   return path == "ref" ? Json(text) : Json::number(text);
 }
 
-/// What errors are measured against at the arguments; nothing where doubles end. The first answer decides: the values
-/// differ by less than what the scale is for.
+/// The size against which errors at the arguments are measured; nothing where no double is near them. The first
+/// answer's value is used, because the differences between the answers are too small to matter.
 std::optional<double> scale_of(const EvalRequest& request, const ParsedArguments& arguments,
                                const EvalAnswer& answer) {
   return unless_refused([&] {
@@ -161,7 +161,7 @@ Json answer_json(const EvalAnswer& answer) {
           {"digits", answer.digits},
           {"met", answer.met},
           {"times", {{"seconds", answer.seconds}}},
-          // The digits as they were computed.
+          // All digits that were computed, for the text.
           {"_value", answer.value},
           {"_error", answer.error},
           {"_accuracy", answer.met ? Json(fmt::format("{:g}", answer.accuracy)) : Json()}};

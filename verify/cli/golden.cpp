@@ -14,10 +14,10 @@ namespace {
 namespace fs = std::filesystem;
 using data::BadInput;
 
-/// Where new values go: one file, or a folder with a file for each quantity or kind of contacts and the checksums of all.
+/// The destination of new values: one file, or a folder with a file for each name and the checksums of all files.
 class Destination {
  public:
-  /// BadInput if the command line says nothing of it.
+  /// BadInput if the command line names no destination.
   Destination(const CommandLine& line, std::size_t files, std::string extension = ".csv")
       : in_place_(line.has("in-place")), extension_(std::move(extension)) {
     const auto output = line.option("output");
@@ -39,8 +39,8 @@ class Destination {
     return is_file_ ? path_ : path_ / (name + extension_);
   }
 
-  /// BadInput if the file is there and is none of the quantity's or has more rows, or is nipref's own and is not to be
-  /// written.
+  /// Throws BadInput if the file exists and is about another quantity or has more rows, or if it is nipref's own and
+  /// --in-place is not given.
   void check(const std::string& name, std::size_t rows) const {
     const fs::path file = file_of(name);
     std::error_code none;
@@ -62,7 +62,7 @@ class Destination {
     replace_output_file(file_of(name).string(), text);
   }
 
-  /// A single file's checksum is kept only where there is one.
+  /// Writes a golden file and its checksum. For a single file the checksum is written only if there was one before.
   void write(const std::string& name, const GoldenFile& golden) const {
     const fs::path file = file_of(name), folder = file.parent_path();
     const std::string text = golden_text(golden);
@@ -82,7 +82,7 @@ class Destination {
   bool is_file_ = false;
 };
 
-/// What is not asked for is the quantity's own.
+/// The options of the command line, or the quantity's own where it has none.
 GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   GoldenOptions options = golden_options(quantity);
   if (line.option("points")) options.points = line.count("points");
@@ -110,7 +110,7 @@ MadeGolden made_of(const std::string& name, const CommandLine& line, const OnPro
   return make_golden(quantity, options, provenance());
 }
 
-/// The names after the action; without any those of all quantities and kinds of contacts.
+/// The names after the action; without any, those of all kinds of contacts and of all quantities that are of no family.
 std::vector<std::string> names_of(const CommandLine& line) {
   std::vector<std::string> names(line.words.begin() + 1, line.words.end());
   for (const std::string& name : names)
@@ -142,7 +142,7 @@ VerbAnswer make(const CommandLine& line) {
   return {"golden", {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept};
 }
 
-/// A word is a quantity, a kind of contacts, or a file.
+/// The file that a word means: a quantity, a kind of contacts, or a file.
 fs::path file_of(const std::string& word) {
   if (is_contact_kind(word)) return golden_path(word);
   if (const Quantity* const quantity = known_quantity(word)) {
@@ -158,7 +158,7 @@ fs::path file_of(const std::string& word) {
   return word;
 }
 
-/// `folder`: failures that belong to no single file.
+/// `folder` has the failures that belong to no single file.
 Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files) {
   std::size_t rows = 0;
   std::vector<GoldenFailure> all = folder;

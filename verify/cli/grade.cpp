@@ -20,13 +20,13 @@ using data::BadInput;
 
 constexpr double usual_slowdown = 0.1;
 
-/// A kernel that is to be graded, as what.
+/// A kernel to be graded, and the quantity that it computes.
 struct Chosen {
   std::string kernel;
   const Quantity* quantity;
 };
 
-/// Of a bare function: the option, or the word after the file.
+/// The quantity of a bare function: that of the option, or of the word after the file.
 const Quantity& quantity_of_symbol(const CommandLine& line) {
   const auto option = line.option("quantity");
   if (option && line.words.size() > 1)
@@ -52,7 +52,7 @@ Chosen chosen(const KernelInfo& kernel) {
   return {kernel.name, &quantity};
 }
 
-/// Those that the words behind the file name, by their own names or by those of their quantities, or all.
+/// The kernels selected by the words after the file, by their own names or by those of their quantities, or all.
 std::vector<Chosen> chosen_kernels(const CommandLine& line, const Plugin& plugin) {
   const std::vector<KernelInfo> kernels = kernels_of(plugin);
   if (plugin.function) return {{plugin.function->symbol, &quantity_of_symbol(line)}};
@@ -80,8 +80,8 @@ std::string where_text(const CommandLine& line) {
   return fmt::format("{}", fmt::join(mapped(line.assignments, written), " "));
 }
 
-/// Its speed beside fast at full accuracy, both in batches if they can, and beside an older kernel if that is asked for, each
-/// in its own process.
+/// Measures the kernel's speed beside fast at full accuracy, both in batches if possible, and, if asked for, beside an
+/// older kernel, each in its own process.
 void add_speed(const CommandLine& line, PluginKernel& kernel, const Ranges& ranges, Graded& graded) {
   const Quantity& quantity = *graded.grade.found.quantity;
   const std::vector<Point> points = timing_points(quantity, ranges);
@@ -111,7 +111,7 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   double own = 0;
   kernel->evaluate({&found.worst, 1}, {&own, 1});
   progress.at(1, "timing");
-  // A library's version and folder are no part of what the kernel is.
+  // The library's version and folder are not part of the kernel's name.
   std::string file = plugin.file.filename().string();
   if (const std::size_t version = file.find(".so."); version != std::string::npos) file.resize(version + 3);
   Graded graded{.grade = grade_of(chosen.kernel + " of " + file, where_text(line), found),
@@ -136,13 +136,13 @@ bool names_plugin(const CommandLine& line) {
   const std::string& file = line.words.front();
   if (file.ends_with(".so") || line.option("symbol")) return true;
   std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none)) return false;  // what is read of a pipe is gone
+  if (!std::filesystem::is_regular_file(file, none)) return false;  // a pipe can be read only once
   std::array<char, 4> first{};
   std::ifstream(file, std::ios::binary).read(first.data(), first.size());
   return first == std::array{'\x7f', 'E', 'L', 'F'};
 }
 
-/// Kernels of a shared object; fewer if the process was interrupted. Tells progress, unless quiet.
+/// Grades kernels of a shared object; fewer if the process is interrupted. Reports progress, unless quiet.
 std::vector<Graded> graded_kernels(const CommandLine& line) {
   refuse_what_is_wrong(line);
   const Plugin plugin = plugin_of(line, line.words.front());
@@ -178,8 +178,8 @@ std::vector<std::string> remarks_on(const MeasuredPoints& measured) {
   return remarks;
 }
 
-/// Values that are there already: the words are a CSV and, if it is not said there, its quantity. One for each column
-/// of contacts. Tells progress, unless quiet.
+/// Grades the values in a CSV. The words are its name and, if the file does not state it, its quantity. For contacts
+/// there is a grade for each column. Reports progress, unless quiet.
 std::vector<Graded> graded_file(const CommandLine& line) {
   refuse_what_needs_kernels(line);
   if (line.words.size() > 2)
@@ -215,7 +215,7 @@ BaselineKey key_of(const Graded& graded) {
           compiler(),         std::string(fast::instruction_set())};
 }
 
-/// The baseline, read before anything is graded. Where it is to be written there may be none yet.
+/// Reads the baseline, before anything is graded. If it is to be written, there may be no file yet.
 std::optional<Baseline> baseline_of(const CommandLine& line) {
   const auto path = line.option("baseline");
   if (!path) return std::nullopt;
@@ -227,7 +227,7 @@ std::optional<Baseline> baseline_of(const CommandLine& line) {
   return Baseline::read(*path);
 }
 
-/// Compares with the baseline, which is changed before if that is asked for. False if it may not be.
+/// Updates the baseline, if asked for, and then compares with it. False if the update is not allowed.
 bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded) {
   const BaselineKey key = key_of(graded);
   const double error = graded.grade.found.max_error_ulp;

@@ -37,7 +37,7 @@ Json times_json(const Graded& graded) {
           {"to_older", older_json(graded.to_older)}};
 }
 
-/// What ends a process is an error of the test's subject, not a value that is wrong.
+/// Whether the fault is an error in JUnit's sense, because it ends the process. Other faults are failures.
 bool is_error(const Fault& fault) {
   using enum FaultKind;
   return fault.kind == crash || fault.kind == exit || fault.kind == hang || fault.kind == protocol ||
@@ -63,7 +63,7 @@ std::string why_not_kept(const Graded& graded) {
   return fmt::format("baseline: {}: {}", graded.against_baseline->verdict, graded.against_baseline->words);
 }
 
-/// A value beside the truth, with a bar behind the digits that agree.
+/// The value beside the truth, with a bar behind the digits that agree.
 Json own_json(const Graded& graded) {
   if (!graded.own) return {};
   const double value = std::strtod(graded.grade.worst_value.c_str(), nullptr);
@@ -96,7 +96,7 @@ GoldenFile kept_file(const std::string& path, const Quantity& quantity) {
   return file;
 }
 
-/// A test case: times are decimals without exponents there, and a message is one line.
+/// A test case of JUnit, where times are decimals without exponents, and a message is one line.
 Json case_json(const Graded& graded) {
   const Grade& grade = graded.grade;
   const bool errs = std::ranges::any_of(graded.faults, is_error);
@@ -174,7 +174,7 @@ void keep_worst(const std::string& path, const Graded& graded) {
   if (std::ranges::find(file.rows, found.worst, &GoldenRow::arguments) != file.rows.end()) return;
   GoldenRow row = golden_row(quantity, found.worst, ref_value(quantity, found.worst, kept_digits));
   row.origin = "worst:" + graded.grade.what;
-  // What no second method confirms is kept too, without one: the point is what matters here.
+  // The row is kept even if no second method confirms its value, because it is the point that matters here.
   static_cast<void>(confirm_row(quantity, row));
   file.rows.push_back(std::move(row));
   replace_output_file(path, golden_text(file));

@@ -9,27 +9,27 @@
 
 namespace nipref::verify {
 
-/// A kernel beside an older one.
+/// The speed of a kernel beside an older one.
 struct Slowdown {
   std::string older;           ///< file
-  double allowed;              ///< its time over the older one's may be 1 and so much
-  std::optional<Speed> speed;  ///< none: one of them fails
+  double allowed;              ///< the ratio of its time to the older one's may be 1 + allowed
+  std::optional<Speed> speed;  ///< nothing if one of them fails
 
   [[nodiscard]] bool kept() const { return speed && speed->ratio <= 1 + allowed; }
 };
 
-/// A grade and all that is said of it besides.
+/// A grade, with all else that is reported with it.
 struct Graded {
   Grade grade;
   double seconds;
-  std::string promised = {};       ///< what is allowed, in words; empty: what fast promises
+  std::string promised = {};       ///< the allowed error in words; empty if it is fast's promise
   std::optional<double> own = {};  ///< the value at the worst point; nothing where there is none
-  std::string seed = {};           ///< of its points
+  std::string seed = {};           ///< seed of its points
   std::vector<std::string> remarks = {};
   std::optional<BaselineComparison> against_baseline = {};
-  bool is_kernel = false;  ///< what follows is of kernels alone
+  bool is_kernel = false;  ///< the members below are for kernels only
   std::vector<Fault> faults = {};
-  std::optional<Speed> to_fast = {};  ///< none: it fails
+  std::optional<Speed> to_fast = {};  ///< nothing if the kernel fails
   std::optional<Slowdown> to_older = {};
 
   [[nodiscard]] bool kept() const;
@@ -40,13 +40,13 @@ Json graded_json(const Graded& graded);
 /// The test suite in the JUnit format, which Jenkins, GitLab and others read.
 std::string junit_text(const std::vector<Graded>& all);
 
-/// Allows what --promise says and returns it in words, none if it is not given: N or Nulp is in units in the last place, Nrel or N < 1/2 a part of
-/// the scale, as no double keeps less than half a unit, Nabs in the quantity's own unit.
+/// Sets the error that --promise allows and returns it in words; empty without the option. N or Nulp is in units in the
+/// last place, Nabs in the quantity's unit, Nrel a part of the scale. So is N < 1/2: rounding errs by half a unit.
 std::string take_promise(const CommandLine& line, AuditOptions& options);
 
-/// Appends the worst point of a grade, with the reference's value of 50 digits, to a file like those of data/golden,
-/// of which it is the first row if there is none. Nothing if the point is there. BadInput naming "keep-worst" if the
-/// file is about another quantity. OutputError if it cannot be written.
+/// Appends the worst point of a grade, with the reference's value of 50 digits, to a file like those of data/golden.
+/// Makes the file if there is none; does nothing if it has the point. BadInput naming "keep-worst" if the file is about
+/// another quantity. OutputError if it cannot be written.
 void keep_worst(const std::string& path, const Graded& graded);
 
 }  // namespace nipref::verify

@@ -24,7 +24,7 @@ Arrows arrows_in(const TomlTable& table) {
 
 const Subjects in_catalogue{"sheet", "memory", "half_space", "material", "elastic_nip", "viscoelastic_nip"};
 
-/// The subjects of the catalogue, and "contacts", that are computed from a subject of ref or fast.
+/// The subjects of the catalogue, with "contacts", that are computed from a subject of ref or fast.
 Subjects users_of(const std::string& room, const std::string& subject) {
   Subjects users{subject};
   for (std::size_t before = 0; before != users.size();) {
@@ -61,7 +61,7 @@ Subjects touched_by(const std::string& file) {
   return file == "CMakeLists.txt" ? everything() : Subjects{};
 }
 
-/// Lines that git prints.
+/// The lines that a git command prints.
 std::vector<std::string> lines_of_git(std::vector<std::string> words, const std::string& revision) {
   words.insert(words.begin(), "git");
   const ProgramOutput output = output_of(words);

@@ -31,7 +31,7 @@ Json quantity_json(const Quantity* one) {
           {"seed_forms", json_list(quantity.seed_forms, form_json)}};
 }
 
-/// What a scene may hold and what it can want.
+/// A key that a scene may hold; below, a result that it can want.
 Json key_json(const data::SceneKey& key) {
   return {{"name", key.name}, {"unit", key.dimension.text()}, {"meaning", key.meaning}};
 }
@@ -42,7 +42,7 @@ Json result_json(const data::SceneResult& result) {
           {"measured_against", data::text(result.scale)}};
 }
 
-/// The rows that the words name, which are taken from them, or all.
+/// The rows that the words name, or all rows. Words that name a row are removed.
 template <class Rows>
 auto named(const Rows& rows, bool all, std::vector<std::string>& words) {
   std::vector<typename Rows::value_type> result;

@@ -11,7 +11,7 @@
 namespace nipref::verify {
 namespace {
 
-/// What Linux calls the processor; elsewhere nothing.
+/// The processor's name under Linux; elsewhere nothing.
 std::optional<std::string> processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -22,7 +22,7 @@ std::optional<std::string> processor_name() {
   return std::nullopt;
 }
 
-/// Nothing if the system does not say.
+/// The number of cores; nothing if the system does not say.
 std::optional<unsigned> cores() {
   const unsigned count = std::thread::hardware_concurrency();
   return count == 0 ? std::nullopt : std::optional(count);

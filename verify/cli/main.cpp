@@ -7,13 +7,13 @@ namespace {
 
 constexpr int status_not_written = 4, status_interrupted = 130;
 
-/// There is nobody to tell if this fails.
+/// Prints a line on standard error. If this fails, the failure cannot be reported.
 void complain(const std::string& message) { std::fputs(("nipref: " + message + "\n").c_str(), stderr); }
 
 }  // namespace
 
-/// Prints the answer of the call at its end. The exit status is the answer's, 4 where standard output cannot be written, 130
-/// after an interrupt.
+/// Prints the answer of the call at its end. The exit status is the answer's, 4 if standard output cannot be written,
+/// and 130 after an interrupt.
 int main(int argc, char** argv) try {
   using namespace nipref::verify;
   occupy_standard_descriptors();

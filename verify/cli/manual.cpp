@@ -6,8 +6,8 @@
 namespace nipref::verify {
 namespace {
 
-/// For roff, which takes a hyphen for one that is to be read, and a dot or an apostrophe at a line's start for a
-/// command.
+/// Escapes a text for roff, which prints a plain hyphen as a typographic one, and takes a dot or an apostrophe at the
+/// start of a line for a command.
 std::string roff(const std::string& text) {
   std::string escaped;
   for (char before = '\n'; const char letter : text) {
@@ -24,7 +24,7 @@ std::string roff(const std::string& text) {
   return escaped;
 }
 
-/// Names that a verb's words may be, of those that are known here.
+/// The known names that may be words of a verb.
 std::vector<std::string> names_for(const VerbText& verb) {
   const std::string words = verb.text("words");
   std::vector<std::string> names;
@@ -63,7 +63,7 @@ Json verb_json(const VerbText& verb) {
           {"words", fmt::format("{}", fmt::join(words, " "))}};
 }
 
-/// A quantity and its arguments, as they are begun.
+/// A quantity, and "NAME=" for each of its arguments.
 Json arguments_json(const Quantity& quantity) {
   std::string words;
   for (const Argument& argument : quantity.arguments) words += " " + argument.name + "=";

@@ -25,7 +25,7 @@ void write_output_file(const std::string& path, std::string_view text) {
 
 void replace_output_file(const std::string& path, std::string_view text) {
   std::error_code error;
-  // Of a link the file that it stands for is replaced.
+  // Instead of a link the file to which it points is replaced.
   std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
   if (error) target = path;
   const std::filesystem::file_status there = std::filesystem::status(target, error);
@@ -47,7 +47,7 @@ namespace {
 
 [[noreturn]] void fail() { throw OutputError("standard output"); }
 
-/// open() takes the lowest descriptor that is free: this one, as those below are occupied.
+/// Opens a closed descriptor. open() takes the lowest free one: this one, because those below are occupied.
 void occupy(int descriptor, int mode) {
   if (fcntl(descriptor, F_GETFD) == -1 && errno == EBADF && open("/dev/null", mode) == -1) fail();
 }
@@ -78,7 +78,7 @@ bool standard_output_shows_colours() {
 
 void write_to_standard_output(std::string_view text) {
   if (!write_all(STDOUT_FILENO, text)) fail();
-  // Some file systems tell only now that there was no room.
+  // Some file systems report only now that there was no space.
   if (close(STDOUT_FILENO) == -1 && errno != EINTR) fail();
 }
 

@@ -20,8 +20,8 @@ class OutputError : public std::system_error {
 /// Writes the file's new content. OutputError if any of it could not be written.
 void write_output_file(const std::string& path, std::string_view text);
 
-/// The same, so that at any time the file has either the old content or the new one: the text is written to another
-/// file, which is then renamed. A pipe or a device is written to directly.
+/// Replaces the file's content, so that at any time the file has either the old content or the new one: the text is
+/// written to another file, which is then renamed. A pipe or a device is written to directly.
 void replace_output_file(const std::string& path, std::string_view text);
 
 /// Has to be called before any file is opened. If a standard descriptor is closed, the first file that is opened
@@ -43,36 +43,36 @@ void write_to_standard_output(std::string_view text);
 /// the answer has "interrupted": true and only what was finished by then.
 std::string answer_text(std::string_view verb, const Json& members, bool no_times = false);
 
-/// The text for people that a template of cli/templates makes of an answer's members, escaped so if need be.
+/// The text that a template of cli/templates makes of an answer's members, each of which is inserted by `escape`.
 std::string text_of(const std::string& name, const Json& members,
                     const std::function<std::string(const std::string&)>& escape = std::identity());
 
-/// What a verb answers.
+/// The answer of a verb.
 struct VerbAnswer {
-  std::string verb;      ///< as JSON names it
-  Json members;          ///< those whose names begin with '_' are for the text alone
+  std::string verb;      ///< its name in JSON
+  Json members;          ///< members whose names begin with '_' are for the text alone
   bool all_well = true;  ///< otherwise a check fell short
-  /// The template that makes a text of the members, which is folded, by default VERB.txt; or the text, where none makes it.
+  /// The template of the text, by default VERB.txt, which is filled and folded; or a function that returns the text.
   std::variant<std::string, std::function<std::string()>> text = {};
 };
 
 /// The answer as the command line asks for it, as JSON or as text.
 std::string written(const VerbAnswer& answer, const CommandLine& line);
 
-/// What stands below the text of an answer that an interrupt has left unfinished; otherwise empty.
+/// The note below the text of an answer that an interrupt has left unfinished; empty without an interrupt.
 std::string note_of_interrupt();
 
-/// What this program was compiled with.
+/// The compiler of this program.
 std::string compiler();
 
-/// What golden values made now are made with.
+/// The provenance of golden values that this program makes.
 Provenance provenance();
 
-/// What this program was built from and with, and what it runs on: "nipref" in every answer.
+/// The member "nipref" of every answer: what this program was built from and with, and what it runs on.
 Json version_json();
 
-/// This program, whatever machine it runs on: what it was built from and with, the instruction set that fast uses, and
-/// the SHA-256 of the program's file.
+/// This program without its machine: what it was built from and with, the instruction set that fast uses, and the
+/// SHA-256 of the program's file.
 Json program_json();
 
 /// The answer to --version.

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of golden values so many are looked at, of those that take long fewer.
+/// The numbers of golden values that are checked for a quantity; fewer if they take long.
 constexpr std::size_t golden_sample = 25, golden_sample_of_slow = 5;
 constexpr std::size_t points_of_quick_quantity = 10'000;
 
@@ -35,14 +35,14 @@ GoldenSample sample_golden(const Quantity& quantity) {
   return {std::move(file), std::move(checked)};
 }
 
-/// A part of a report: what it is about, with the first words of the lines that tell it in the text, and its work.
+/// A part of a report: what it is about, the first words of its lines in the text, and its work.
 struct ReportPart {
   std::string about;
   std::vector<std::string> heads;
   std::function<void()> work;
 };
 
-/// What takes seconds comes first.
+/// The parts of a report. Parts that take seconds come first.
 std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draws, Progress& progress) {
   std::vector<ReportPart> parts{
       {"errata", {"errata"}, [&] { report.errata = settle_all(formula_errata()); }},
@@ -64,7 +64,7 @@ std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draw
        }},
       {"golden values", {"golden"}, [&] {
          progress.each("golden", catalogue(), &Quantity::name, [&](const Quantity& quantity) {
-           // Whole nips are golden contacts.
+           // The quantities of a family are whole nips, which have golden contacts instead.
            if (quantity.family.empty()) report.golden.push_back(sample_golden(quantity));
          });
        }}};
@@ -77,7 +77,7 @@ std::vector<ReportPart> report_parts(Report& report, AuditRun& audits, bool draw
   return parts;
 }
 
-/// The folder that the report goes to, made now: what cannot be written is refused before anything is done.
+/// Makes the folder of the report. A folder that cannot be made is refused before anything is computed.
 std::optional<fs::path> output_folder(const CommandLine& line) {
   const auto name = line.option("output");
   if (!name) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<fs::path> output_folder(const CommandLine& line) {
   return *name;
 }
 
-/// The text of the older report, read before anything is done. BadInput if it is none.
+/// Reads the older report, before anything is computed. BadInput if the file is not a report.
 std::optional<std::string> older_report(const CommandLine& line) {
   const auto path = line.option("against");
   if (!path) return std::nullopt;
@@ -98,7 +98,7 @@ std::optional<std::string> older_report(const CommandLine& line) {
   return text;
 }
 
-/// Draws each script once: the page of a report that grows shows most plots again.
+/// A drawer that draws each script once, because each page of a growing report shows most plots again.
 Drawer remembering(Drawer draw) {
   auto drawn = std::make_shared<Cache<std::string, std::optional<std::string>>>();
   return [=](const std::string& script) { return *drawn->at(script, [&] { return draw(script); }); };
@@ -110,7 +110,7 @@ constexpr char mathematics[] =
     ;
 constexpr bool has_mathematics = sizeof mathematics > 1;
 
-/// Says where it is and how large.
+/// Writes the page and its data into the folder. Returns the page's path and size in words.
 std::string write_page(const fs::path& folder, const std::string& answer, const Drawer& draw) {
   const std::string page = report_page(answer, draw, has_mathematics);
   const fs::path file = folder / "index.html";
@@ -121,7 +121,7 @@ std::string write_page(const fs::path& folder, const std::string& answer, const 
                      1e-6 * static_cast<double>(page.size()));
 }
 
-/// Does one part after the other, until the process is interrupted. `finished` is told each part but the last.
+/// Does one part after the other, until the process is interrupted. `finished` is called after each part but the last.
 void do_parts(Report& report, const std::vector<ReportPart>& parts,
               const std::function<void(const ReportPart&)>& finished) {
   for (std::size_t i = 0; i < parts.size() && !interrupted(); ++i) {

@@ -11,13 +11,13 @@
 
 namespace nipref::verify {
 
-/// What is timed besides quantities.
+/// The names of the groups that are timed besides quantities.
 std::vector<std::string_view> bench_groups();
 
 /// All that is timed without being named: the groups, and the quantities that are not costly.
 Selection bench_everything();
 
-/// Times what is selected, of quantities and bench_groups(). What is finished, if the process is interrupted.
+/// Times the selected quantities and groups. If the process is interrupted, the report has what is finished.
 BenchReport bench_all(const Selection& selected, Progress& progress,
                       const std::vector<OtherKernel>& others = {});
 
@@ -25,7 +25,7 @@ BenchReport bench_all(const Selection& selected, Progress& progress,
 /// BadInput for unknown ids.
 std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress);
 
-/// True if a cell is unexplained that neither its own table contradicts nor known_misses.csv lists.
+/// Whether a cell is unexplained that is not contradicted by its own table and not listed in known_misses.csv.
 bool fall_short(const std::vector<Replay>& replays);
 
 }  // namespace nipref::verify

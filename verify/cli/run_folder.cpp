@@ -26,7 +26,7 @@ void must(bool done, const fs::path& file) {
   if (!done) throw OutputError(file.string());
 }
 
-/// What is written is on the disk.
+/// Opens a file. What is written to it is on the disk when the write returns.
 int opened(const fs::path& file, int flags) {
   const int number = open(file.c_str(), flags | O_CLOEXEC | O_SYNC, 0666);
   must(number >= 0, file);
@@ -36,7 +36,7 @@ int opened(const fs::path& file, int flags) {
 /// Syncs a folder, so that a new name in it is on the disk.
 void sync_folder(const fs::path& folder) {
   const Descriptor descriptor(opened(folder, O_RDONLY | O_DIRECTORY));
-  must(fsync(descriptor.number()) == 0 || errno == EINVAL, folder);  // where folders cannot be synced
+  must(fsync(descriptor.number()) == 0 || errno == EINVAL, folder);  // EINVAL: folders cannot be synced
 }
 
 /// Writes a file unless it exists. If several processes try at the same time, one of them writes the whole file; `who`

@@ -23,7 +23,7 @@ Shard parse_shard(const std::string& text);
 // holds the run's fingerprint. Each process appends a line for each finished block to its own file,
 // shard-3-of-8.jsonl, and syncs it. A process that is killed leaves at most an incomplete line, which is ignored.
 
-/// The blocks of a run that have findings, each with the hash of its line without times, which takes 8 bytes a block.
+/// The blocks of a run that have findings. Each is stored as the hash of its line without times, in 8 bytes.
 class StoredBlocks {
  public:
   explicit StoredBlocks(std::vector<BlockWork*> works);
@@ -33,16 +33,16 @@ class StoredBlocks {
   [[nodiscard]] bool has_all_of(std::size_t work) const;
   [[nodiscard]] std::size_t count() const;  ///< number of blocks with findings
   [[nodiscard]] std::size_t of() const;     ///< number of all blocks
-  /// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line that
-  /// is no block of these works, or that contradicts an earlier one.
+  /// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line
+  /// that is no block of these works, or that contradicts an earlier one.
   void read(const std::filesystem::path& folder);
-  /// Of a block that this process has done.
+  /// Marks a block that this process has computed.
   void add(std::size_t work, std::size_t block) { hashes_[work][block] = 1; }
   /// The missing blocks in brief, "I1 block 17, I1 blocks 20 to 29 and 7 more"; empty if none is missing.
   [[nodiscard]] std::string gaps() const;
 
  private:
-  /// False if the block has findings already.
+  /// Marks a block that was read. False if the block has findings already; BadInput if these are different.
   bool add(std::size_t work, std::size_t block, const std::string& line, const std::string& where);
 
   std::vector<BlockWork*> works_;
@@ -53,7 +53,7 @@ class StoredBlocks {
 /// BadInput that names "run", the folder, and the first line that differs.
 std::string fingerprint_of(const std::vector<std::filesystem::path>& folders);
 
-/// BadInput that names the first line in which the fingerprint of a folder differs from the expected one.
+/// Throws BadInput that names the first line in which a folder's fingerprint differs from the expected one, if it does.
 void refuse_other_fingerprint(const std::filesystem::path& folder, const std::string& found,
                               const std::string& expected);
 

@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// Golden points are at most one in so many of the points that are asked for.
+/// At most one in `golden_share` of the points is a golden point.
 constexpr std::size_t golden_share = 10;
 
 std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most) {

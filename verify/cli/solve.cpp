@@ -21,20 +21,20 @@ VerbAnswer answer_of(const data::Scene& scene, const SceneSolution<Number>& solu
   return {"solve", answer, solution.missed().empty()};
 }
 
-/// A list as TOML writes it is one value, and so is a title.
+/// The axis of an assignment. A list as TOML writes it is one value, and so is a title.
 Axis axis_of_assignment(const std::string& key, const std::string& text, std::size_t points) {
   const bool swept = key != "title" && !text.starts_with('[') && is_swept(text);
   return swept ? axis_of(key, text, points) : Axis{key, {{text, text}}};
 }
 
-/// A decimal, which is what TOML takes, means the same double.
+/// The scene of a combination. TOML takes decimals; the decimals that are shown are read as the same doubles.
 data::Scene scene_at(const data::SceneText& text, const AxesProduct& scenes, std::size_t number) {
   return data::load_scene(text, scenes.assignments(number, &AxisValue::shown));
 }
 
 std::string place_text(const std::optional<double>& place) { return place ? fmt::format("{}", *place) : ""; }
 
-/// A line for each number of each result, with its place, and lists for JSON.
+/// Adds a line for each number of each result, with its place, and lists for JSON.
 template <class Number>
 void add_lists(SweepRow& row, const SceneSolution<Number>& solution, const std::string& missed,
                const std::string& warnings) {
@@ -85,10 +85,10 @@ SweepRow row_of(const SceneSolution<Number>& solution) {
   return row;
 }
 
-/// A row for each combination with its results and errors, with the names of those that missed the accuracy, and with
-/// what is beyond linear theory; where a profile, a field or a list is wanted, a row for each number with its place.
-/// digits: of ref; nothing: by fast. It falls short if a scene was refused or missed its accuracy. BadInput if all are
-/// refused.
+/// The answer has a row for each combination: its results and errors, the names of the results that missed the
+/// accuracy, and what is beyond linear theory. If a profile, a field or a list is wanted, there is a row for each
+/// number with its place. Without `digits` fast solves the scenes. The answer falls short if a scene was refused or
+/// missed its accuracy. BadInput if all are refused.
 VerbAnswer solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
                        const CommandLine& line) {
   const auto row_at = [&](std::size_t i) {

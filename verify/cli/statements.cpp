@@ -6,7 +6,7 @@
 #include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/text.hpp>
 
-// What the seeds say in words, formulas, figures and tables.
+// The verbs about what the seeds say in words, formulas, figures and tables.
 
 namespace nipref::verify {
 
@@ -79,7 +79,7 @@ VerbAnswer list_tables(const std::vector<std::string>& ids) {
   return {"tables", table_list_json(summaries), true, "tables_list.txt"};
 }
 
-/// Unexplained though the table does not speak against the printed number, and not known to be so.
+/// Whether a cell is unexplained although its table does not contradict the printed number, and is not a known miss.
 bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
   return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&

@@ -37,13 +37,13 @@ std::string refusal_text(const SweepRow& row) {
   return is_computed(row) ? "" : "not computed: interrupted";
 }
 
-/// As a field of CSV: a comma in quotes is one more column to readers such as NumPy's genfromtxt.
+/// A field of CSV without commas: readers such as NumPy's genfromtxt end a column at a comma even in quotes.
 std::string without_commas(std::string text) {
   std::ranges::replace(text, ',', ';');
   return csv_field(text);
 }
 
-/// Of the first row that there is; without one there are no columns.
+/// The first row that was computed, for its columns; without such a row there are none.
 SweepRow shape_of(const std::vector<SweepRow>& rows) {
   const auto known = std::ranges::find_if(rows, is_computed);
   return known == rows.end() ? SweepRow() : *known;

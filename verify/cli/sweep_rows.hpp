@@ -7,45 +7,45 @@
 
 namespace nipref::verify {
 
-/// What came of one combination of a sweep. All rows that were computed have the same columns, the others none.
+/// The result of one combination of a sweep. All rows that were computed have the same columns; other rows have none.
 struct SweepRow {
-  std::vector<std::string> columns;  ///< behind those of the axes
-  std::vector<Json> values;          ///< of JSON, one for each column
-  std::vector<std::string> heads;    ///< of CSV where it has others
-  /// Of CSV, one for each number where a column has several.
+  std::vector<std::string> columns;  ///< names of the columns behind those of the axes
+  std::vector<Json> values;          ///< values for JSON, one for each column
+  std::vector<std::string> heads;    ///< names of the columns of CSV, if they are others
+  /// The cells of the lines of CSV; there is a line for each number where a column has several.
   std::vector<std::vector<std::string>> lines{{}};
-  bool fell_short = false;  ///< of what was asked
+  bool fell_short = false;  ///< whether it misses what was asked
   std::optional<data::BadInput> refused = {};
 
-  /// A column of JSON alone.
+  /// Adds a column for JSON alone.
   void add(const std::string& column, const Json& value) {
     columns.push_back(column);
     values.push_back(value);
   }
-  /// A column of both, where CSV has one line.
+  /// Adds a column for JSON and CSV, where CSV has one line.
   void add(const std::string& column, const Json& value, const std::string& cell) {
     add(column, value);
     lines.front().push_back(cell);
   }
 };
 
-/// What a sweep computes, and how it is answered.
+/// A sweep: what it computes, and the parts of its answer.
 struct Sweep {
-  std::string verb;  ///< of the JSON answer
+  std::string verb;  ///< verb in the JSON answer
   AxesProduct product;
-  Json members;  ///< of the JSON answer, before the rows
-  /// Of a combination, from several threads at once. BadInput: it is refused.
+  Json members;  ///< members of the JSON answer before the rows
+  /// Computes a combination's row; called from several threads at once. BadInput for a combination that is refused.
   std::function<SweepRow(std::size_t)> row_at;
 };
 
-/// Computes a row for each combination, on all cores, and answers with them in the order of the combinations: as CSV, with a
-/// column for each axis before the others and what was refused behind them; or as JSON, the same by columns. The
-/// answer falls short if a row was refused or does. BadInput, the first row's, if all are refused.
+/// Computes a row for each combination, on all cores. The answer has the rows in the order of the combinations, as CSV
+/// or, by columns, as JSON: first a column for each axis, last why a row was refused. The answer falls short if a row
+/// falls short or was refused. If all rows are refused, throws the BadInput of the first row.
 VerbAnswer swept(const Sweep& sweep, const CommandLine& line);
 
-/// What a scene sweeps over, and the command line beside it, in that order; the command line's assignment
-/// stands for what the file has. One combination, of what is assigned, if there is no sweep. BadInput as axis_of
-/// and AxesProduct have it.
+/// The combinations of the axes in the scene, followed by those in the command line. An assignment in the command line
+/// replaces the scene's axis for its key. Without a sweep there is one combination, of the assigned values. BadInput as
+/// from axis_of and AxesProduct.
 AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line);
 
 }  // namespace nipref::verify

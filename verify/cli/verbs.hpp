@@ -12,25 +12,25 @@ Verb list_verb, eval_verb, solve_verb, balance_verb, tables_verb, limits_verb, c
     figures_verb, audit_verb, merge_verb, points_verb, grade_verb, golden_verb, bench_verb, report_verb;
 inline constexpr std::array<std::string_view, 5> golden_actions{"make", "check", "update", "list", "export"};
 
-/// An option of a verb, by its row of verbs.toml, whose keys are described there.
+/// An option of a verb, with its row in verbs.toml, which describes the keys.
 struct OptionText {
   std::string name;
-  bool is_flag;  ///< it has no value
+  bool is_flag;  ///< whether it has no value
   TomlTable row;
 
-  [[nodiscard]] std::string usual() const { return row.text_or("default", ""); }  ///< empty: `meaning` has it
-  [[nodiscard]] std::string letter() const {
-    return row.text_or("letter", "");
-  }  ///< "o" where -o is short for it
+  /// The default; empty if there is none or `meaning` states it.
+  [[nodiscard]] std::string usual() const { return row.text_or("default", ""); }
+  /// "o" if the option may be written as -o.
+  [[nodiscard]] std::string letter() const { return row.text_or("letter", ""); }
 };
 
-/// The meaning with the domain and the default.
+/// The help of an option: its meaning, its domain and its default.
 std::string help_of(const OptionText& option);
 
 /// BadInput that names the option if `value` is outside its range or none of its choices.
 void check_option(const OptionText& option, const std::string& value);
 
-/// A verb of the command line, by its row of verbs.toml.
+/// A verb of the command line, with its row in verbs.toml.
 struct VerbText {
   std::string name;
   Verb* run;
@@ -52,20 +52,20 @@ const VerbText& find_verb(const std::string& name);
 /// The option of this name. Null if the verb has none.
 const OptionText* find_option(const VerbText& verb, std::string_view name);
 
-/// BadInput for a missing word or one too many, and for an option beside others that it must not, or must, stand beside.
+/// Throws BadInput for a missing or extra word, and for an option without those it needs or beside those it excludes.
 void check_company(const VerbText& verb, const CommandLine& line);
 
 /// The help of the program, and of a verb.
 std::string program_help();
 std::string help_of(const VerbText& verb);
 
-/// What help says of all verbs, as a page for man.
+/// The help of all verbs as a manual page.
 std::string manual_page();
 
-/// What bash, zsh or fish needs to complete verbs, their options, and the names of quantities, tables and example scenes.
+/// The script by which bash, zsh or fish completes verbs, options, and names of quantities, tables and example scenes.
 std::string completion_for(const std::string& shell);
 
-/// What comes of a call of the program.
+/// The outcome of a call of the program.
 struct Answer {
   int status;  ///< that of the verb, 2 for BadInput, 4 where a file cannot be written, 70 for an internal error
   std::string output = {};     ///< all that goes to standard output
