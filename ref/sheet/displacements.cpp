@@ -20,7 +20,7 @@ void check_material(const Exact& young, const Exact& poisson) {
 /// A lower bound of -ln of a displacement's size: every coefficient of a kernel is below 4/(pi young).
 double size_nats(const Exact& young) { return std::log(young.approximate()) - std::log(4.0); }
 
-/// N times what over_normal(nats) gives, an interval of half-width about e^{-nats}.
+/// N times over_normal(nats), an interval of half-width about e^{-nats}.
 template <class OverNormal>
 Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& young, const Exact& poisson,
                                const OverNormal& over_normal) {
@@ -33,7 +33,7 @@ Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& youn
   });
 }
 
-/// us over N.
+/// us/N.
 Interval us_interval(const ThetaShares& shares, const Exact& alpha, double nats) {
   const Interval I2 = I2_interval(alpha, nats), pi = Interval::pi(working_precision(nats, 1));
   return (Interval(shares.theta2, I2.precision()) * I2 - I3_interval(alpha, nats)) / pi;

@@ -7,16 +7,16 @@ namespace nipref::ref {
 /// Influence functions of the elastic sheet: displacements of its surface in plane strain under a pair of
 /// opposite unit line loads, one on each face, to any accuracy.
 ///
-/// alpha = y/b is the distance from the load and eta = l/b that of the fixed point of the centre line, b being the
-/// half thickness; both are dimensionless, |.| <= 1000. young > 0 is in any unit of stress, -1 < poisson <= 1/2;
-/// results are in units of 1/young per unit line load. theta1 = (1 + poisson)/young, theta2 = (1 + poisson)(1 - 2
+/// alpha = y/b is the distance from the load, eta = l/b the distance of the fixed point of the centre line from the
+/// load, b the half thickness. Both are dimensionless, |.| <= 1000. young > 0 is in any unit of stress, -1 < poisson <=
+/// 1/2; results are in units of 1/young per unit line load. theta1 = (1 + poisson)/young, theta2 = (1 + poisson)(1 - 2
 /// poisson)/young, N = theta1 + theta2. Promise and errors as in kernels.hpp.
 
-/// [theta2 I4(eta) - theta1 I5(eta)]/(pi N), an odd function of eta. (thesis 4.24, where the sign of eta
-/// stands outside)
+/// [theta2 I4(eta) - theta1 I5(eta)]/(pi N), an odd function of eta. (thesis 4.24, with the sign of eta outside)
 Enclosure F1(const Exact& eta, const Exact& poisson, int digits);
 
-/// |eta|/4 - (1/pi) I6_eta(eta) + theta1 I7(eta)/(pi N), the part of vs/N that depends on eta. (thesis 4.24)
+/// |eta|/4 - (1/pi) I6_eta(eta) + theta1 I7(eta)/(pi N), the part of vs/N that depends on eta. I6_eta is the transform
+/// of 2 cosh z/(z S), see internal/intervals.hpp. (thesis 4.24)
 Enclosure F2(const Exact& eta, const Exact& poisson, int digits);
 
 /// Normal displacement under the normal load, N I1(alpha)/pi; alpha != 0. (thesis 4.8, 4.25a)

@@ -26,9 +26,10 @@ void check_place(const Exact& alpha, const Exact& depth) {
 
 bool on_a_face(const Exact& depth) { return abs(depth.value()) == 1; }
 
-/// The form of all stresses and displacements: with G = 2 sinh z/S under a normal load, 2 cosh z/S under a shear load, and H the
-/// other of these, [first z^(power - 1) G + second z^power H] C + third s z^power G D, where C is cosh sz, or sinh sz where it
-/// is odd in the depth, and D the other. A normal load has its sine or cosine, a shear load its cosine or minus its sine.
+/// The form of all stresses and displacements: [first z^(power - 1) G + second z^power H] C + third s z^power G D,
+/// times a wave. Under a normal load G = 2 sinh z/S and H = 2 cosh z/S; under a shear load they are exchanged. C is
+/// sinh sz if the quantity is odd in the depth s, otherwise cosh sz; D is the other of the two. The wave of a normal
+/// load is sin alpha z if `sine`, otherwise cos alpha z; a shear load has -cos alpha z and sin alpha z instead.
 struct FieldForm {
   bool sine, odd_in_depth;
   int power;
@@ -64,8 +65,8 @@ Enclosure by_parity(const FieldIntegrand& integrand, const Exact& alpha, const E
   });
 }
 
-/// The derivative whose first order has the integrand f G(z) times cosh z or sinh z and the cosine, or sine, of alpha z.
-/// The second has a factor z more and the other wave.
+/// A derivative of a face's displacement. The first derivative has the integrand `first` times sin alpha z or cos alpha
+/// z. The second has one more factor z and the other wave.
 Enclosure on_face(const FieldTerm& first, bool sine, const Exact& alpha, Derivative order, int digits,
                   double first_nats) {
   const Exact face(1.0);
@@ -137,7 +138,7 @@ Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, Shee
     return exact_zero(digits);
   }
   const ThetaShares shares(poisson);
-  // Without the part that depends on eta.
+  // The displacement without the part that depends on eta.
   const FieldForm form{true, false, 0, -shares.theta2, -1, shares.theta1, -shares.theta1};
   const FieldIntegrand integrand = form.at(load, depth);
   const FieldPoint at{alpha.magnitude(), depth.magnitude()};

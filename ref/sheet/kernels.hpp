@@ -33,14 +33,14 @@ Enclosure I6(const Exact& alpha, const Exact& eta, int digits);
 /// int_0^inf 2 sinh x cos(eta x)/S dx. (thesis 4.20)
 Enclosure I7(const Exact& eta, int digits);
 
-/// How many values of kernels were taken: of I1, of I3 and of what I6 has beside I1.
+/// Numbers of kernel values that were computed: of I1, of I3, and of I6 - I1.
 struct KernelValues {
   long normal = 0, coupling = 0, stretch = 0;
 };
 
 /// BadInput naming `name` unless |argument| <= 1000.
 void check_argument(const Exact& argument, const char* name);
-/// The same, and BadInput at 0, where the kernel is infinite.
+/// BadInput naming `name` unless |argument| <= 1000, and at 0, where the kernel is infinite.
 void check_nonzero_argument(const Exact& argument, const char* name);
 
 /// BadInput unless -1 < poisson <= 1/2.
@@ -49,8 +49,7 @@ void check_poisson(const Exact& poisson);
 /// Im z_1, the slowest decay of a kernel, rounded up.
 inline constexpr double slowest_decay = 2.1062;
 
-/// About -ln of the size of I6 and of vs: as |alpha| -> |eta| their linear growth cancels, and the rest decays with
-/// both.
+/// About -ln of the size of I6 and of vs. As |alpha| -> |eta|, their linear growth cancels; the rest decays with both.
 double nats_of_difference(const Exact& alpha, const Exact& eta);
 
 }  // namespace nipref::ref

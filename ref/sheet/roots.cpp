@@ -32,8 +32,8 @@ Interval residual(const Interval& x, long n) {
   return cosh(x) * p.sine - p.y;
 }
 
-/// Re of the root w = 2z, by Newton's steps for sinh w + w = 0 with doubled precision. The error of the first guess is below
-/// 1, and small for large n.
+/// Re w of the root w = 2z, by Newton's method for sinh w + w = 0, which doubles the precision in each step. The error
+/// of the first guess is below 1, and small for large n.
 Float approximate(long n, mpfr_prec_t precision) {
   const double y = (2 * static_cast<double>(n) - 0.5) * std::numbers::pi;
   const double x = std::acosh(y);
@@ -54,7 +54,7 @@ Float approximate(long n, mpfr_prec_t precision) {
   return result;
 }
 
-/// With h_n < 0 on the left and > 0 on the right.
+/// A bracket of Re 2 z_n, with h_n < 0 at its left end and h_n > 0 at its right end.
 Interval bracket(const Float& x, long n) {
   const WorkingDigits working(digits_of(bits_of(x)));
   const auto found = proven_bracket(x, ldexp(x, 2 - static_cast<int>(bits_of(x))), x / 4, 2, -1,

@@ -30,8 +30,7 @@ Float scaled(const mpz_class& integer, long fraction_bits) {
   return result;
 }
 
-/// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb
-/// whenever the nodes are.
+/// The state of the recurrence: B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, as long as the nodes.
 class Recurrence {
  public:
   Recurrence(const Float& kappa, std::size_t most_limbs)
@@ -40,7 +39,7 @@ class Recurrence {
         difference_(most_limbs),
         product_(2 * most_limbs) {}
 
-  /// Extends both numbers, which are 0 at the start, by their signs.
+  /// Extends both numbers, which are 0 at the start, to `limbs` limbs by copies of their sign bits.
   void lengthen(std::size_t limbs) {
     for (Limbs* x : {&fourfold_, &difference_}) {
       const bool negative = limbs_ > 0 && is_negative(x->data(), limbs_);

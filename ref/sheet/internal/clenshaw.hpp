@@ -16,12 +16,11 @@ struct Angle {
 /// The precision that an Angle needs for the sums over `nodes`.
 mpfr_prec_t angle_precision(const Nodes& nodes);
 
-/// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence in Reinsch's form and in fixed point, with B_j = 4 b_j;
-/// |error| <= 4 (last + 3) units 2^-F, which includes the last steps and the rounding of the Angle: ref/README.md, Lemma 5.
+/// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence in Reinsch's form and in fixed point, with B_j = 4 b_j.
+/// |error| <= 4 (last + 3) units 2^-F, including the last steps and the rounding of the Angle: ref/README.md, Lemma 5.
 Float cosine_sum(const Nodes& nodes, const Angle& angle);
 
-/// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last
-/// + 3)^2) units.
+/// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last + 3)^2) units.
 Float sine_sum(const Nodes& nodes, const Angle& angle);
 
 /// The error bound of a recurrence is this many units for each node, see cosine_sum.

@@ -27,7 +27,7 @@ long field_terms_needed(double alpha, double nats) {
   return static_cast<long>(std::ceil(terms));
 }
 
-/// sum of factor c e^{i alpha z} over the terms, c without its 1/2.
+/// The sum of factor 2 c e^{i alpha z} over the terms, with the residues c of ref/sheet/README.md, Inside the sheet.
 ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at, const SheetPole& pole) {
   const mpfr_prec_t precision = pole.z.re.precision();
   const Interval alpha(at.alpha, precision), s(at.depth, precision);
@@ -47,7 +47,7 @@ ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at,
   return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
 }
 
-/// The residue of a term at 0 over pi/4, the part that does not decay.
+/// The contribution of a term's pole at 0, which does not decay with alpha, over pi/4.
 mpq_class at_origin(const FieldTerm& term, const FieldPoint& at) {
   const int order = term.power + (term.sinh ? 1 : 0) - (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
   if (order == -1) return term.sinh ? mpq_class(term.factor * at.depth.value()) : term.factor;
@@ -82,7 +82,7 @@ Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at
 
 namespace {
 
-/// In the addition theorems this many successive nodes share a base.
+/// The number of successive nodes whose waves the addition theorems give from one base.
 constexpr long stride = 16;
 
 /// -2z/(S cosh z) and -2z/(S sinh z).
@@ -90,8 +90,8 @@ struct FieldNode {
   Interval z, of_sinh, of_cosh;
 };
 
-/// Nodes z = (j + 1/2) step, j < nodes.size(), for which aliasing and truncation are below about e^{-nats} at any depth.
-/// Only a few values of `nats` occur, so that many points share the nodes.
+/// Nodes z = (j + 1/2) step, j < nodes.size(), for which aliasing and truncation are below about e^{-nats} at any
+/// depth. Only a few values of `nats` occur, so that many points share the nodes.
 struct FieldNodes {
   double step;  ///< with few bits, so that multiples are exact
   mpfr_prec_t precision;
@@ -149,7 +149,7 @@ struct Waves {
   Waves(const Interval& angle, const Interval& hyperbolic)
       : cosine(cos(angle)), sine(sin(angle)), grows(cosh(hyperbolic)), rises(sinh(hyperbolic)) {}
 
-  /// The functions at the sum of the arguments. Where both are small all terms are positive, and nothing cancels.
+  /// The functions at the sums of the arguments. Nothing cancels where the arguments are small.
   Waves(const Waves& a, const Waves& b)
       : cosine(a.cosine * b.cosine - a.sine * b.sine),
         sine(a.sine * b.cosine + a.cosine * b.sine),
@@ -214,7 +214,7 @@ class Summation {
   std::vector<Interval> factors_;
 };
 
-/// The parts of 1/cosh z and 1/sinh z at w = alpha + i depth.
+/// The closed forms that the parts 1/cosh z and 1/sinh z of the symbols give, at w = alpha + i depth.
 struct ClosedForms {
   ComplexInterval I4, K5, I5, I7, I5_slope, I7_slope;
 
@@ -245,7 +245,7 @@ struct ClosedForms {
   }
 };
 
-/// The closed form of a term's first part, see FieldTerm.
+/// The integral of a term with the part 1/cosh z or 1/sinh z of its symbol.
 Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
   const bool of_sinh = term.symbol == FieldSymbol::sinh_over_S;
   const ComplexInterval& function = of_sinh ? (term.power < 0    ? f.I4

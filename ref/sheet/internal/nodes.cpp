@@ -14,7 +14,7 @@ namespace {
 constexpr long block_length = 32;
 constexpr double ln2 = 0.6931471805599453;
 
-/// 1 - e^{-r h}, the ratio's distance from 1.
+/// 1 - q = 1 - e^{-r h}.
 double one_minus_ratio(const NodeKey& key) { return -std::expm1(-bounds(key.symbol).decay * key.step); }
 
 /// Exponent e with |b_j| <= 2^e: sum_{k>=j} (k-j+1) C' h q^k = C' h q^j/(1-q)^2, one bit of slack.
@@ -34,8 +34,8 @@ long last_node(const NodeKey& key) {
   return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
-/// Evaluates h G(x) at equidistant x > 0 from powers of e^{-x}, each of which is the one before times a factor. What that
-/// rounds is less than the guard bits: ref/sheet/README.md, Kernels.
+/// Evaluates h G(x) at equidistant x > 0 from powers of e^{-x}. Each power is the one before times a factor. The
+/// rounding errors are within the guard bits: ref/sheet/README.md, Kernels.
 class SymbolLine {
  public:
   explicit SymbolLine(const NodeKey& key)
@@ -62,7 +62,7 @@ class SymbolLine {
  private:
   void place(long j) { x_ = static_cast<double>(j) * key_.step; }
 
-  /// G q. For I1 [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)] q/x = [2u q/(1 + u) - 2b (1 + 2x - b)]/x, u = e^{-3x/2}.
+  /// G q. For I1 it is [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)] q/x = [2u q/(1 + u) - 2b (1 + 2x - b)]/x, u = e^{-3x/2}.
   [[nodiscard]] Float numerator(const Float& b, const Float& q) const {
     switch (key_.symbol) {
       case Symbol::I3:
@@ -94,12 +94,12 @@ mpfr_prec_t guard_bits(const NodeKey& key) {
 Float origin_of(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
   if (symbol.is_odd) return 0;
-  // Every origin_value is a multiple of 1/12, exactly.
+  // The exact value of every origin_value is a multiple of 1/12.
   const Float half = Float(key.step * std::round(12 * symbol.origin_value)) / 24;
   return symbol.pole == 2 ? Float(half - pi() * pi() / 12 / key.step) : half;
 }
 
-/// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
+/// Appends `value`, rounded to units of 2^-F, as `count` limbs of two's complement.
 void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Float& value, const NodeKey& key) {
   Float scaled = zero_of_bits(bits_of(value));
   mpfr_mul_2si(raw(scaled), raw(value), key.fraction_bits, MPFR_RNDN);

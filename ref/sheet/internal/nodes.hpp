@@ -8,7 +8,7 @@
 
 namespace nipref::ref {
 
-/// The parameters of a set of nodes. Sets are cached, and shared by all arguments and kernels with the same key.
+/// The parameters of a set of nodes. Sets are cached; all arguments and kernels with the same key share them.
 struct NodeKey {
   Symbol symbol;
   double step;         ///< h: a double with at most 3 significant bits, so that j h is exact
@@ -21,7 +21,7 @@ struct NodeKey {
 /// left out.
 struct NodeBlock {
   long first;         ///< j of the first node
-  std::size_t limbs;  ///< of a node: two's complement, least significant limb first, in units of 2^-F
+  std::size_t limbs;  ///< limbs of a node: two's complement, least significant limb first, units of 2^-F
   long magnitude;  ///< |b_j| <= 2^magnitude for the Clenshaw sums b_j = sum_{k>=j} g_k U_{k-j} that start in
                    ///< this block
   std::vector<mp_limb_t> values;  ///< g_j, one after the other
@@ -29,7 +29,7 @@ struct NodeBlock {
   [[nodiscard]] std::size_t size() const { return values.size() / limbs; }
 };
 
-/// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; at a twofold pole see ref/sheet/README.md, Kernels.
+/// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; for a twofold pole see ref/sheet/README.md.
 ///
 /// Promise: the error of each stored number is at most one unit 2^-F, and the nodes after the last obey
 /// sum_{j > last} |g_j| <= C' h q^{last+1}/(1 - q) <= 2^8 units with q = e^{-r h}, C' = effective_amplitude.
@@ -39,8 +39,7 @@ struct Nodes {
   std::vector<NodeBlock> blocks;
 };
 
-/// The truncation error allowed, in units 2^-F, see Nodes. Sums over some hundred nodes have rounding errors of that
-/// size.
+/// The allowed truncation error of Nodes, in units 2^-F: about the rounding error of a sum over some hundred nodes.
 constexpr long truncation_units = 256;
 
 /// The integer with these limbs in two's complement.

@@ -25,7 +25,7 @@ long terms_needed(double x, double nats) {
   return std::max(0L, static_cast<long>(std::ceil(needed)));
 }
 
-/// n and precision.
+/// The number n of a root and the precision.
 using PoleKey = std::pair<long, mpfr_prec_t>;
 
 SheetPole make_pole(const PoleKey& key) {
@@ -50,7 +50,7 @@ struct PowersOfPole {
   }
 };
 
-/// 2 c_n
+/// Twice the residue, 2 c_n.
 ComplexInterval twice_residue(Symbol symbol, const SheetPole& pole) {
   // In the order of Symbol.
   constexpr std::array<PowersOfPole, 7> all{
@@ -71,8 +71,7 @@ ComplexInterval fading(const Interval& exact_rate, bool to_come, const ComplexIn
   return to_come ? inverse({rate + z.im, -z.re}) : inverse({rate - z.im, z.re});
 }
 
-/// The bits that a term of the size e^{-decay Im z_n} needs, if the relative error of z_n is multiplied by frequency
-/// |z_n|.
+/// The bits for a term of the size e^{-decay Im z_n} whose relative error is frequency |z_n| times that of z_n.
 mpfr_prec_t bits_at_root(long n, double decay, double frequency, double nats) {
   const double imaginary = slowest_decay + static_cast<double>(n - 1) * std::numbers::pi;
   return working_precision(std::max(nats - decay * imaginary, 1.0), frequency * (imaginary + 3));
@@ -98,8 +97,8 @@ Interval passed_poles_of_tanh(const Exact& exact_x, double step, long lines, mpf
   return sum;
 }
 
-/// The sum over the roots: -2 pi Im sum c_n f_n e^{i x z_n} for an even symbol, 2 pi Re of it for an odd one, with
-/// factors |f_n| <= 1.
+/// With s = sum c_n f_n e^{i x z_n} over the roots, |f_n| <= 1: -2 pi Im s for an even symbol, 2 pi Re s for an odd
+/// one.
 template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
@@ -146,7 +145,8 @@ std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
 
 mpfr_prec_t term_precision(long n, double x, double nats) { return bits_at_root(n, x, x, nats); }
 
-// Measured, for every x: the rule takes about as long as nats^2/10^4 terms, or as nats/25 terms where it passes poles.
+// Measured: at every x the trapezoidal rule takes the time of about nats^2/10^4 terms, or of nats/25 if it passes
+// poles.
 bool residues_are_cheaper(double x, double nats) {
   return x >= 1 && static_cast<double>(terms_needed(x, nats)) <= std::min(1e-4 * nats, 0.04) * nats;
 }
@@ -188,7 +188,7 @@ ResidueCoefficients residue_coefficients(PlainKernel kernel, int n, int digits) 
       return part(plain_coefficient(kernel, *sheet_pole(n, working_precision(nats, n))));
     });
   };
-  // Of a sine transform the term is Re C e^(i z x), of a cosine transform -Im C e^(i z x).
+  // The term of a sine transform is Re C e^(i z x), the term of a cosine transform is -Im C e^(i z x).
   if (is_odd(kernel)) {
     return {coefficient([](const ComplexInterval& c) { return -c.im; }),
             coefficient([](const ComplexInterval& c) { return c.re; })};

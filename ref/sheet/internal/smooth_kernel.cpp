@@ -17,15 +17,15 @@ constexpr long watched = 3;   ///< the last coefficients of a panel, which are c
 /// The middle of a panel, in half panels.
 long middle_of_panel(long index) { return 2 * index + 1; }
 
-/// A bound of the n-th Chebyshev coefficient of the interpolation: twice 2 M/28^n, as the aliased coefficients are far
-/// smaller.
+/// A bound of the n-th Chebyshev coefficient of the interpolation: twice 2 M/28^n, because the aliased coefficients,
+/// which are far smaller, are included.
 Interval coefficient_bound(double variation, long n, mpfr_prec_t precision) {
   Interval result(4 * variation, precision);
   for (long k = 0; k < n; ++k) result = result / static_cast<long>(ratio);
   return result;
 }
 
-/// Chebyshev coefficients of the derivative: T_n' = 2n (T_{n-1} + T_{n-3} + ...), of T_0 half.
+/// Chebyshev coefficients of the derivative: T_n' = 2n (T_{n-1} + T_{n-3} + ...), with T_0 halved.
 std::vector<Float> slope_of(const std::vector<Float>& coefficients) {
   std::vector<Float> slope(coefficients.size() + 1);
   for (std::size_t n = coefficients.size(); n-- > 1;)
@@ -61,8 +61,8 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
   const Cosines cosines(points_, precision);
   const std::vector<Interval> values = node_values(index, cosines);
   Coefficients coefficients;
-  // The errors of the interpolation and of the coefficients, and that of Clenshaw's sum, 16 units of N (n + 1) |c_n|, with
-  // that of its argument, which is a unit at most and counts n^2 |c_n|.
+  // The errors of the interpolation and of the coefficients, and 17 N (n + 1) |c_n| units for each coefficient: 16 for
+  // the rounding of Clenshaw's sum and 1 for that of its argument, which is at most a unit and counts n^2 |c_n|.
   Interval error = coefficient_bound(shape_.variation, points_ - 1, precision) / static_cast<long>(ratio - 1);
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   for (long n = 0; n < points_; ++n) {
@@ -88,7 +88,7 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
 
 template <class Evaluate>
 Float SmoothKernel::in_panel(const Float& alpha, const Evaluate& evaluate) {
-  // The first is exact, and the distance from the middle but where it is next to 1.
+  // The product is exact. The distance from the middle is exact except next to alpha = 0.
   Float place = zero_of_bits(std::max(bits_of(alpha), working_bits()));
   mpfr_mul_si(raw(place), raw(alpha), half_panels_per_unit, MPFR_RNDN);
   mpfr_abs(raw(place), raw(place), MPFR_RNDN);

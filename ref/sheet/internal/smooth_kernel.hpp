@@ -11,33 +11,33 @@
 
 namespace nipref::ref {
 
-/// A kernel, or its substitute in a test: an interval of half-width about e^{-nats} that contains the value at alpha
-/// > 0.
+/// A kernel, or its substitute in a test: returns an interval of half-width about e^{-nats} that contains the value at
+/// alpha > 0.
 using NormalKernel = std::function<Interval(const Exact& alpha, double nats)>;
 
-/// The properties of a kernel: whether -ln|alpha| is part of it, and M, see SmoothKernel.
+/// Whether -ln|alpha| is part of a kernel, and the kernel's bound M in ref/sheet/README.md, The smooth kernels.
 struct KernelShape {
   bool logarithmic;
   double variation;
 };
 inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integral_shape{false, 226};
 
-/// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1, interpolated at Chebyshev points on
-/// panels of length 1/4, each of which is made when it is first needed; or I3 for alpha > 0, where the caller has to apply the
-/// sign, or its integral from 0. Proven: ref/sheet/README.md, The smooth kernels.
+/// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, interpolated between few values of I1 at Chebyshev points
+/// on panels of length 1/4. A panel is made when it is first needed. With other shapes J is I3 for alpha > 0, to which
+/// the caller applies the sign, or the integral of I3 from 0. Proven: ref/sheet/README.md, The smooth kernels.
 class SmoothKernel {
  public:
   /// The error is about 10^-digits; the working precision has to be a few digits more.
   SmoothKernel(NormalKernel kernel, int digits, KernelShape shape = I1_shape);
 
-  /// J at |alpha| <= 1000, with error error(). std::logic_error if the kernel's values cannot be those of I1, because
-  /// the last coefficients of a panel exceed their bound.
+  /// J at |alpha| <= 1000, with error error(). Throws std::logic_error if the last coefficients of a panel exceed their
+  /// bound, so that the values given are not those of the kernel.
   [[nodiscard]] Float operator()(const Float& alpha);
   /// The slope of the interpolation at |alpha|. With n points its error is about 8 n^2 error(), by Markov's inequality.
   [[nodiscard]] Float slope(const Float& alpha);
   /// An interval that contains J on an interval of arguments.
   [[nodiscard]] Interval over(const Interval& alpha);
-  /// Bound on the error of every value given so far.
+  /// An error bound for every value given so far.
   [[nodiscard]] const Float& error() const { return error_; }
   [[nodiscard]] long kernel_values() const { return static_cast<long>(panels_.size()) * points_; }
 

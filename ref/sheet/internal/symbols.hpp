@@ -8,16 +8,15 @@ namespace nipref::ref {
 
 /// The functions G(z) whose Fourier transforms give the sheet kernels, by the kernels' names; S(z) = sinh 2z + 2z.
 ///
-/// All are real on the real axis, of one parity, and meromorphic with poles only where S = 0 (z = 0 for those
-/// marked, all others have |Im z| > 2.1) and, for I1, at the poles of tanh(3z/4)
-/// (|Im z| >= 2 pi/3 > 2.09).
+/// All are real on the real axis, even or odd, and meromorphic. Their poles are zeros of S: 0, if the table says so,
+/// and zeros with |Im z| > 2.1. I1 also has the poles of tanh(3z/4), with |Im z| >= 2 pi/3 > 2.09.
 ///
 ///     I1              [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf G cos(a x) dx
 ///     I3              2/S                             odd    simple pole at 0
 ///     I4              2 sinh z/(z S)                  odd    simple pole at 0
 ///     I5              2 cosh z/S                      odd    simple pole at 0
-///     I6_alpha_part   2/(z S)                         even   double pole at 0, what I6 has of alpha beside I1
-///     I6_eta_part     2 cosh z/(z S)                  even   double pole at 0, with the sign changed
+///     I6_alpha_part   2/(z S)                         even   double pole at 0; the part of I6 - I1 that depends on alpha
+///     I6_eta_part     2 cosh z/(z S)                  even   double pole at 0; minus the part of I6 that depends on eta
 ///     I7              2 sinh z/S                      even
 ///
 /// (thesis 4.9, 4.20; the tanh term removes the 1/z tail of I1's integrand, with
@@ -35,7 +34,7 @@ struct SymbolBounds {
   double origin_value;  ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
                         ///< without pole
   double integral;      ///< M >= int_R |G(x + iY)| dx, Y = 2 or 4 pi m
-  double moment;        ///< M' Y/2 >= int_R |z G(z)| |dz| along Im z = Y, the same; odd symbols
+  double moment;        ///< M' Y/2 >= int |z G(z)| |dz| along Im z = Y, with the same Y; odd symbols
 };
 
 inline const SymbolBounds& bounds(Symbol symbol) {

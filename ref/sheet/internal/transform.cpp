@@ -19,19 +19,19 @@ long round_bits(double bits) {
   return static_cast<long>(std::ceil(bits / grain) * grain);
 }
 
-/// The m of the line Im z = 4 pi m on which the aliasing is bounded, see transform(); 0 stands for Im z = 2, which
-/// costs less up to some hundred digits (measured). For more digits m is so large that the largest step is possible
-/// for x up to 5; the number of nodes then grows like nats, not like its square.
+/// The m of the line Im z = 4 pi m on which the aliasing error is bounded; 0 stands for Im z = 2, which costs less up
+/// to some hundred digits (measured). For more digits m is so large that the largest step is possible for x up to 5.
+/// The number of nodes then grows like nats, not like nats^2.
 long lines_passed(double nats) {
   constexpr double few = 300, most_frequency = 2 * std::numbers::pi / step_limit - 5;
   if (nats <= few) return 0;
   return static_cast<long>(std::ceil(nats / (4 * std::numbers::pi * most_frequency)));
 }
 
-/// Im z of the line on which the aliasing is bounded.
+/// Im z of the line on which the aliasing error is bounded.
 double top_of(long lines) { return lines == 0 ? 2 : 4 * std::numbers::pi * static_cast<double>(lines); }
 
-/// >= int |z G(z)| |dz| along Im z = top.
+/// A bound of int |z G(z)| |dz| along Im z = top.
 double moment(const SymbolBounds& symbol, double top) { return symbol.moment * top / 2; }
 
 /// The step and fraction bits for which each part of the error is below about e^{-nats}, times min(1, x) for odd
@@ -48,8 +48,8 @@ NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   return {symbol, step, round_bits(nats / std::numbers::ln2 + std::log2(128 * count * growth))};
 }
 
-// The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding
-// changes their log2 by less than 1e-9; `slack` covers that, and sums are bounded by their largest term.
+// The bounds below are computed as logarithms to base 2 in double, which are sums of terms below 1e6. Rounding changes
+// them by less than 1e-9, which `slack` covers. A sum of two bounds is bounded by twice the larger one.
 constexpr double slack = 1e-6;
 
 /// log2 of cosh(Y x)/(e^{2 pi Y/h} - 1), Y = top: the denominator is at least e^{2 pi Y/h}/4.

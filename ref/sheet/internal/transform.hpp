@@ -12,9 +12,9 @@ namespace nipref::ref {
 ///     even, twofold pole at 0    (1/2) int G(z) e^{i x z} dz along any line Im z = s, 0 < s < 2: the finite
 ///                                part of int_0^inf G(t) cos(x t) dt, plus pi x/4
 ///
-/// by the trapezoidal rule: ref/sheet/README.md, Kernels, says what its aliasing, truncation and rounding are at most. The
-/// value of an even symbol is about e^{-2.1 x}, so that a relative accuracy requires digits and nodes in proportion to x. For
-/// large x residue_series() is used.
+/// by the trapezoidal rule. ref/sheet/README.md, Kernels, bounds its aliasing, truncation and rounding errors. The
+/// value for an even symbol is about e^{-2.1 x}, so that a relative accuracy requires digits and nodes in proportion to
+/// x. For large x residue_series() is used instead.
 Interval transform(Symbol symbol, const Exact& x, double nats);
 
 }  // namespace nipref::ref
