@@ -14,8 +14,8 @@ mpfr_prec_t bits_for(double nats) {
   return static_cast<mpfr_prec_t>(std::ceil(std::max(nats, 1.0) / std::numbers::ln2)) + spare_bits;
 }
 
-/// e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv with exact numbers, length > 0: the memory of a
-/// decaying wave. Its largest exponential is a factor, so that rate >= 0.
+/// The memory of a decaying wave: e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv with exact
+/// numbers, length > 0. e^{-decay} is the largest exponential of the integrand, so that rate >= 0.
 struct DampedWave {
   mpq_class decay;
   mpq_class angle;
@@ -23,7 +23,7 @@ struct DampedWave {
   mpq_class frequency;
   mpq_class length;
 
-  /// e^{-decay + i angle} (1 - e^{-z length})/z, z = rate - i frequency, with more bits where that cancels.
+  /// e^{-decay + i angle} (1 - e^{-z length})/z, z = rate - i frequency, with more bits where the difference cancels.
   [[nodiscard]] ComplexInterval integral(double nats) const {
     const mpq_class turn = std::max<mpq_class>(rate, abs(frequency)) * length;
     const double lost = turn == 0 ? 0 : std::max(0.0, -Exact(turn).log2_magnitude());
@@ -44,14 +44,14 @@ struct Arguments {
   const mpq_class& T;
 };
 
-/// The wave before the load has passed, in v = T - tau - (distance at the end).
+/// The wave before the load passes, in v = T - tau - last, where `last` is T - tau at the end of the integral.
 DampedWave before(const Arguments& x) {
   const mpq_class last = x.T > x.t ? mpq_class(x.T - x.t) : mpq_class(0);
   return {x.lambda * (x.t - x.T) + (x.lambda + x.a) * last, x.b * last, x.lambda + x.a, x.b, x.T - last};
 }
 
-/// The wave after the load has passed, in w = tau - T from `first` to `last`, counted from the end with the larger
-/// integrand.
+/// The wave after the load has passed, w = tau - T from `first` to `last`. v is counted from the end of this range at
+/// which the integrand is larger.
 DampedWave after(const Arguments& x) {
   const mpq_class first = x.T < 0 ? mpq_class(-x.T) : mpq_class(0);
   const mpq_class last = x.t - x.T;
@@ -72,14 +72,14 @@ void check_extent(const Exact& rate, const char* name, const Exact& t, const Exa
   }
 }
 
-/// 0, for values below e^{-7e8} times a length, which is below e^{1e8}.
+/// 0 with an error bound, for values below e^{-7e8} times a length, which is below e^{1e8}.
 Enclosure faded_away(int digits) {
   Enclosure result = exact_zero(digits);
   result.error = upper_end(exp(Interval(-600'000'000L, 64)));
   return result;
 }
 
-/// The real or the imaginary part of a wave's integral; for b = 0 the latter is 0.
+/// `sign` times the real or, for a sine, the imaginary part of a wave's integral.
 Enclosure part(const DampedWave& wave, bool sine, long sign, int digits) {
   if (wave.length <= 0 || (sine && wave.frequency == 0)) return exact_zero(digits);
   if (wave.decay > 700'000'000) return faded_away(digits);
@@ -103,8 +103,8 @@ Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& 
   return DampedWave{decay, 0, rate, 0, length}.integral(nats).re;
 }
 
-/// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, with an error of e^{-nats} times each of its two
-/// parts, before and after T.
+/// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, with an error of e^{-nats} times each of its
+/// two parts, before and after T.
 Interval sign_memory(const mpq_class& lambda, const mpq_class& t, const mpq_class& T, double nats) {
   const mpq_class turn = std::clamp<mpq_class>(T, 0, t);
   const mpq_class since = t - turn;

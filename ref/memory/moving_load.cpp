@@ -24,8 +24,7 @@ constexpr double nats_grain = 16;
 /// I1, I3, I4 or I5; nothing for I2, which has no symbol.
 using Kernel = std::optional<Symbol>;
 
-/// A kernel, or the thesis's sum of so many residues if residue_terms is not 0; for I2, which is a constant, both
-/// agree.
+/// A kernel, or the thesis's sum of `residue_terms` residues if this number is not 0. For I2, a constant, both agree.
 Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int residue_terms) {
   if (alpha.sign() == 0 && kernel != Symbol::I1) return Interval(64);
   if (!kernel) return I2_interval(alpha, nats);
@@ -43,14 +42,15 @@ Interval rational(const mpq_class& value, double nats) {
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
 
-/// The nats for a number of the size 1/rate, or of the distance at rate 0, whose error is to be e^{-nats}.
+/// The relative accuracy, in nats, of a number of the size 1/rate, or of a distance at rate 0, with the error
+/// e^{-nats}.
 double nats_over_rate(const mpq_class& rate, double nats) {
   constexpr double of_longest_way = 8;
   if (rate == 0) return nats + of_longest_way;
   return nats + std::max(0.0, -ln_magnitude(rate));
 }
 
-/// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw; at the rate 0 the finite part.
+/// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw; its finite part if the rate is 0.
 ComplexInterval sign_history(const Exact& alpha, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.re.precision();
   const Interval half_pi = Interval::pi(bits) / 2, way(alpha, bits);
@@ -61,13 +61,13 @@ ComplexInterval sign_history(const Exact& alpha, const ComplexInterval& rate) {
   return long_ago * ComplexInterval{2 * faded.re - 1, 2 * faded.im};
 }
 
-/// A rate of the memory over that of the way, and the number that it is where that is known exactly.
+/// A rate of the memory over speed/half_thickness: as an interval and, if it is known exactly, as a number.
 struct HistoryRate {
   ComplexInterval interval;
   std::optional<mpq_class> exact = {};
 };
 
-/// Of a memory from infinity the kernel, nats, number of residues, alpha and rate.
+/// The key of a memory from infinity: kernel, nats, number of residues, alpha and rate.
 using HistoryKey = std::tuple<Symbol, double, int, mpq_class, mpq_class>;
 
 Interval make_history(const HistoryKey& key) {
@@ -81,8 +81,8 @@ std::size_t size_of_history(const Interval& history) {
   return static_cast<std::size_t>(history.precision()) + sizeof(HistoryKey);
 }
 
-/// The memory from infinity. Those of exact rates are cached with up to 16 nats more than requested, as the loads of a contact
-/// have distances in common.
+/// The memory from infinity. For exact rates it is cached with up to 16 nats more than requested, because the loads of
+/// a contact have distances in common.
 ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRate& rate, double nats,
                               int residue_terms) {
   static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
@@ -92,22 +92,22 @@ ComplexInterval whole_history(Kernel kernel, const Exact& alpha, const HistoryRa
   return {*kept.at({*kernel, rounded_up, residue_terms, alpha.value(), *rate.exact}), Interval(64)};
 }
 
-/// The nats for a number that is multiplied by e^{-faded} and is then to have an error of e^{-nats}. They are one of
-/// nats/2^k, so that loads with the same start share cached results.
+/// The nats for a number whose product with e^{-faded} is to have an error of e^{-nats}. They are nats/2^k for a whole
+/// k, so that loads with the same start share cached results.
 double nats_left(double nats, double faded) {
   double left = nats;
   while (left > 2 && left / 2 >= nats - faded) left /= 2;
   return left;
 }
 
-/// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less the part before the start.
+/// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the memory from infinity minus its part before the start.
 ComplexInterval history(Kernel kernel, const LoadPath& path, const HistoryRate& rate, double wanted_nats,
                         int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
   const mpfr_prec_t bits = rate.interval.re.precision();
   ComplexInterval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
   if (!path.start) {
-    // The infinite part that is left out is counted from the point, not from 0, so that it is the same for all points.
+    // The infinite part that is left out is counted from the point, not from 0: it is then the same for all points.
     if (is_zero(rate.interval) && kernel != Symbol::I1)
       whole.re = whole.re + (kernel ? 1L : 2L) * (Interval::pi(bits) / 4 * Interval(path.alpha, bits));
     return whole;
@@ -123,7 +123,7 @@ double ln_size(const ComplexInterval& z) {
   return size > 0 ? log2_magnitude(size) * ln2 : 0;
 }
 
-/// The memory of a fraction: the sum over its terms, those of a conjugate pair being conjugate.
+/// The memory of a fraction: the sum of the real parts of its terms, because conjugate rates have conjugate terms.
 Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& path,
                     const mpq_class& travel_rate, double nats) {
   constexpr double spare_nats = 48;  // for distances of up to 1000, and for sums
@@ -146,8 +146,9 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& p
   return sum;
 }
 
-/// Bounds of a kernel and of its slope at all distances of at least `nearest` from the load, and of its memory
-/// int_alpha^start e^{-rate (w - alpha)} |I(w)| dw and of rate times that: ref/memory/README.md, Moving loads.
+/// Bounds of a kernel and of its slope at all distances of at least `nearest` from the load, of its memory
+/// int_alpha^start e^{-rate (w - alpha)} |I(w)| dw, and of the rate times the memory: ref/memory/README.md, What a
+/// displacement changes by.
 struct KernelBounds {
   Interval size, slope, memory, faded;
 };
@@ -167,7 +168,7 @@ KernelBounds bounds_of(Kernel kernel, const mpq_class& nearest, const mpq_class&
   return {size, slope, size * Interval(way, bits), size};
 }
 
-/// theta * I(path), without the sheet's 1/pi.
+/// The convolution theta * I along a path, without the sheet's factor 1/pi.
 struct Part {
   ExactFunction theta;
   Kernel kernel;
@@ -200,7 +201,8 @@ struct Part {
     return negative ? -sum : sum;
   }
 
-  /// How far it is from value() at most, for distances and a memory that are off by at most this; no fractions.
+  /// A bound of the change of value() if the distances are off by `error` at most, and amplitudes and rates by `share`
+  /// of them at most. theta has no fractions.
   [[nodiscard]] Interval change(const mpq_class& travel_rate, const PathError& error,
                                 const mpq_class& share) const {
     constexpr mpfr_prec_t bits = 64;
@@ -217,7 +219,7 @@ struct Part {
       const KernelBounds now = bounds(path.alpha, error.alpha, term.rate / travel_rate);
       const mpq_class amplitude = abs(term.amplitude) / travel_rate * (1 + share);
       const Interval first = kernel == Symbol::I1 ? bounds(*path.start, error.start, 0).size
-                                                  : now.size;  // the others are bounded
+                                                  : now.size;  // The other kernels are bounded.
       sum = sum + rational(amplitude, 0) * ((now.size + now.faded) * moved + first * started +
                                             3 * Interval(share, bits) * now.memory);
     }
@@ -247,7 +249,7 @@ void check_not_below_0(const mpq_class& value, const std::string& name) {
   if (value < 0) throw data::BadInput(name, Exact(value).approximate(), "must be >= 0");
 }
 
-/// Refuses too large rates: the cost of a value grows with the square of the rate's logarithm.
+/// Refuses too large rates, because the cost of a value grows with the square of the rate's logarithm.
 void check_function(const ExactFunction& function, const std::string& name, const mpq_class& travel_rate) {
   constexpr double most = 1e100;
   check_not_below_0(function.instantaneous, name + " instantaneous");
@@ -274,7 +276,7 @@ LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& travel_r
   return {alpha, start};
 }
 
-/// Refuses too large distances: with fractions the cost of a value grows at least with the square of the distance.
+/// Refuses too large distances, because with fractions the cost of a value grows at least with the distance squared.
 void check_distance(const ExactFunction& function, const LoadPath& path) {
   constexpr double farthest = 250;
   if (function.fractions.empty()) return;
@@ -286,7 +288,7 @@ void check_distance(const ExactFunction& function, const LoadPath& path) {
         "half thicknesses, must be at most 250 for operators whose roots are no rational numbers");
 }
 
-/// The slowest decay of Un with the distance of the load, 1/half thickness.
+/// The slowest rate at which Un decays with the distance from the load, 1/half thickness.
 double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const mpq_class& travel_rate) {
   double slowest = slowest_decay;
   if (path.alpha.sign() > 0) return slowest;

@@ -7,16 +7,16 @@
 
 namespace nipref::ref {
 
-/// What is not known of the distances, in half thicknesses: of the load from the point (or of the fixed point from the
-/// load) now and at the start.
+/// Error bounds of a distance, in half thicknesses, now and at the start: of the load from the point, or of the fixed
+/// point from the load.
 struct PathError {
   mpq_class alpha, start;
 };
 
-/// What is not known of a moving load: besides distances a share of every amplitude and rate of the memory, below 1/2.
+/// Error bounds of a moving load.
 struct MovingLoadError {
   PathError load, fixed_point;
-  mpq_class memory;
+  mpq_class memory;  ///< of the relative error of every amplitude and rate of the memory, below 1/2
 };
 
 /// The load's path relative to a point of the surface, in half thicknesses: the load is at the distance `alpha`
@@ -30,10 +30,10 @@ struct LoadPath {
 /// `speed` > 0 over the sheet, which was at rest before.
 ///
 /// t >= 0 is the time since the load started, T the time at which it passes the point, t0 the time at which it passes
-/// the fixed point of the centre line; half_thickness > 0, any consistent units. The load's displacements in T, t0, T
-/// - t and t0 - t are at most 1000 half thicknesses. Results are in 1/stress for a unit load per length. A material's
-/// rates are at most 1e100 speed/half_thickness; with fractions the displacements are at most 200. A value takes
-/// milliseconds, with fractions tens of milliseconds.
+/// the fixed point of the centre line; half_thickness > 0, any consistent units. In each of the times T, t0, T - t and
+/// t0 - t the load moves by at most 1000 half thicknesses, if the material has fractions by at most 250. The rates of
+/// the material are at most 1e100 speed/half_thickness. Results are in 1/stress for a unit load per length. A value
+/// takes milliseconds, with fractions tens of milliseconds.
 ///
 /// Definition: with alpha = speed (T - t)/half_thickness and eta = speed (t0 - t)/half_thickness,
 ///
@@ -42,11 +42,11 @@ struct LoadPath {
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///
-/// residue_terms: 0, or 1 to 500 for the sum of this many residues of each kernel, as in the thesis; the error is
-/// then that of the sum's value, without its truncation error.
+/// residue_terms: 0 for the kernels themselves, or 1 to 500 for the sum of this many residues of each kernel, as in the
+/// thesis. The error is then the error of this sum, without the sum's truncation error.
 ///
-/// Every displacement promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for the instantaneous
-/// response, fading.hpp for the memory. Bad arguments throw data::BadInput.
+/// Every displacement promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for the
+/// instantaneous response and fading.hpp for the memory. Bad arguments throw data::BadInput.
 class MovingLoad {
  public:
   MovingLoad(ExactMaterial material, const Exact& speed, const Exact& half_thickness, int residue_terms = 0);
@@ -57,14 +57,14 @@ class MovingLoad {
   /// (sign(0) = 0); at t0 = t it is continuous.
   [[nodiscard]] Enclosure tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                                   int digits) const;
-  /// The same displacements for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha
-  /// > 0: the load has not passed it yet) and eta behind the fixed point; |alpha|, |eta| <= 1000.
+  /// The displacements under a load that started infinitely long ago. It is alpha half thicknesses behind the point,
+  /// which it has not passed yet if alpha > 0, and eta behind the fixed point; |alpha|, |eta| <= 1000.
   [[nodiscard]] Enclosure steady_normal_displacement(const Exact& alpha, int digits) const;
   [[nodiscard]] Enclosure steady_tangential_displacement(const Exact& alpha, const Exact& eta,
                                                          int digits) const;
 
-  /// Bounds of what a displacement changes by within such errors, proven: ref/memory/README.md, Moving loads. The material
-  /// has no fractions. BadInput "y" where the load may be over the point.
+  /// Proven bounds of the change of a displacement by such errors: ref/memory/README.md, What a displacement changes
+  /// by. The material has no fractions. BadInput "y" if the load may be over the point.
   [[nodiscard]] Interval normal_change(const Exact& t, const Exact& T, const MovingLoadError& error) const;
   [[nodiscard]] Interval tangential_change(const Exact& t, const Exact& T, const Exact& t0,
                                            const MovingLoadError& error) const;

@@ -15,14 +15,14 @@
 namespace nipref::ref {
 namespace {
 
-/// The parameters of a block of nodes t = j h of the path z = sinh(t + i angle). Blocks are cached, and shared by all load
-/// positions and rates with the same key.
+/// The parameters of a block of nodes t = j h on the path z = sinh(t + i angle). Blocks are cached; all load positions
+/// and rates with the same key share them.
 struct ContourKey {
   Symbol kernel;
   double angle;
   double step;       ///< h, of so few significant bits that j h is exact
-  mpfr_prec_t bits;  ///< of the intervals
-  long block;        ///< j = nodes_in_block block, ...
+  mpfr_prec_t bits;  ///< precision of the intervals
+  long block;        ///< the block begins with the node j = nodes_in_block block
 
   auto operator<=>(const ContourKey&) const = default;
 };
@@ -75,7 +75,7 @@ std::size_t size_in_bytes(const ContourNodes& nodes) {
   return nodes.size() * (sizeof(ContourNode) + numbers * bits / CHAR_BIT);
 }
 
-/// Computed at the first call and then cached.
+/// The nodes of a block, computed at the first call and then cached.
 std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key) {
   static Cache<ContourKey, ContourNodes> kept(make_contour_nodes, size_in_bytes);
   return kept.at(key);
@@ -84,7 +84,7 @@ std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key) {
 /// The t at which Re z = 2 on the highest path, rounded up.
 constexpr double beyond_two = 1.75;
 
-/// A lower bound of q(t).
+/// A lower bound of q(t) = k t + r Re z + A Im z; the integrand is at most a constant times e^{-q(t)}.
 double nats_of_integrand(Symbol kernel, double distance, double angle, double t) {
   const double symbol = is_odd(kernel) ? bounds(kernel).decay * std::cos(angle) * std::sinh(t) : t;
   return symbol + distance * std::sin(angle) * std::cosh(t);
@@ -106,7 +106,7 @@ ComplexInterval over_i(const ComplexInterval& z) { return {z.im, -z.re}; }
 
 bool is_real(const ComplexInterval& z) { return mpfi_is_zero(z.im.get()) > 0; }
 
-/// U(A, m)
+/// U(A, m) of ref/memory/README.md, The memory of a load from infinity.
 ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexInterval& rate,
                            const MemoryStrip& strip, double nats) {
   const double step = of_few_bits(2 * std::numbers::pi * strip.half_width / (nats + 10), 4);
@@ -114,7 +114,8 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   const mpfr_prec_t bits = working_precision(nats + 12, distance.approximate());
   const Interval A(distance, bits);
   const ComplexInterval m = rounded(rate, bits);
-  // The nodes at t >= 0, and the conjugates of those at -t, which for a real m are the same; at 0 half of both.
+  // The sum over t >= 0, and the conjugate of the sum over t <= 0, which is equal if m is real; t = 0 counts half in
+  // each.
   ComplexInterval right{Interval(bits), Interval(bits)}, left = right;
   ContourKey key{kernel, strip.angle, step, bits, 0};
   for (; key.block * nodes_in_block <= last; ++key.block) {
@@ -139,7 +140,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   return {integral.re.widened(left_out), integral.im.widened(left_out)};
 }
 
-/// P = pi G(i L) e^{-L A}, for odd kernels times i; by the parity of G on the side of Re z >= 0, where e^{-z} is small.
+/// P = pi G(i L) e^{-L A}, for odd kernels times i. By its parity, G is evaluated where Re z >= 0 and e^{-z} is small.
 ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
   const mpfr_prec_t bits = rate.re.precision();
   const bool is_mirrored = mpfr_sgn(rate.im.upper()) > 0;
@@ -150,7 +151,7 @@ ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exa
   return is_mirrored ? over_i(symbol) : times_i(symbol);
 }
 
-/// psi of the pole at i rate, reflected to Re z >= 0.
+/// The angle psi of the pole i L, reflected to Re z >= 0.
 double angle_of_pole(const ComplexInterval& rate) {
   const std::complex<double> pole(std::fabs(mpfr_get_d(rate.im.lower(), MPFR_RNDN)),
                                   mpfr_get_d(rate.re.lower(), MPFR_RNDN));
@@ -189,7 +190,7 @@ ComplexInterval steady_memory(Symbol kernel, const Exact& alpha, const ComplexIn
     passes_pole = !ahead && pole < strip.angle;
   }
   if (is_zero(rate)) {
-    // What of P and of pi/(4 L) is left.
+    // The limits of P and of pi/(4 L), without the infinite part.
     const Interval rest = odd ? -(quarter * Interval(distance, bits)) : 2 * quarter;
     return odd || passes_pole ? ComplexInterval{sum.re + rest, sum.im} : sum;
   }
@@ -207,14 +208,14 @@ namespace {
 
 using Waves = std::vector<ComplexInterval>;
 
-/// Of the roots, |z_n| x < 2^21.
+/// Bits of the roots beyond those of the waves e^{i z_n x}, where |z_n| x < 2^21.
 constexpr mpfr_prec_t spare_bits = 48;
 
 std::size_t size_of_waves(const Waves& waves) {
   return waves.empty() ? 0 : waves.size() * (sizeof(ComplexInterval) + waves.size());
 }
 
-/// Number of terms, precision and x.
+/// The key of waves: number of terms, precision and x.
 using WaveKey = std::tuple<int, mpfr_prec_t, mpq_class>;
 
 /// The waves e^{i z_n x} at x >= 0 that are not negligible.
@@ -231,10 +232,12 @@ Waves make_waves(const WaveKey& key) {
   return waves;
 }
 
-/// The kernel, the side (1 ahead of the load, -1 behind it; 0: no memory), number of terms, precision and rate.
+/// The key of factors: kernel, side (1 ahead of the load, -1 behind it, 0: no memory), number of terms, precision,
+/// rate.
 using FadeKey = std::tuple<PlainKernel, long, int, mpfr_prec_t, mpq_class>;
 
-/// C/(rate - i z), behind the load C/(rate + i z), without memory C, over pi: C is i pi c of an even kernel, pi c of an odd one.
+/// The factors of the waves over pi: C/(rate - i z) ahead of the load, C/(rate + i z) behind it, C without memory. With
+/// the coefficient c of a root, C = i pi c for an even kernel and C = pi c for an odd one.
 Waves make_fades(const FadeKey& key) {
   const auto& [kernel, side, terms, precision, exact_rate] = key;
   const Interval rate(exact_rate, precision);
@@ -248,7 +251,7 @@ Waves make_fades(const FadeKey& key) {
   return fades;
 }
 
-/// The sum at x >= 0, without the kernel's constant.
+/// The sum over the waves at x >= 0, without the kernel's constant.
 Interval wave_sum(PlainKernel kernel, const Exact& x, long side, const Exact& rate, int terms,
                   mpfr_prec_t precision) {
   static Cache<WaveKey, Waves> kept_waves(make_waves, size_of_waves, std::size_t{1} << 27);
@@ -262,7 +265,7 @@ Interval wave_sum(PlainKernel kernel, const Exact& x, long side, const Exact& ra
   }
   const auto left = static_cast<int>(waves->size()) + 1;
   Interval rest(precision);
-  // |rate -+ i z| >= Re z > 1
+  // The bound holds with memory, too, as |rate -+ i z| >= Re z > 1.
   if (left <= terms && is_negligible(left, Interval(x, precision), precision, rest)) sum = sum.widened(rest);
   return Interval::pi(precision) * sum;
 }
