@@ -99,7 +99,7 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
 /// depend on the number of threads. All points are stored, for the distribution of the errors. At full accuracy the
 /// allowed error is promise * ulp(scale), at a lower one the larger of this and rtol * scale. Points that the
 /// reference refuses are left out; BadInput if it refuses all of them. Throws Interrupted
-/// (support/internal/interrupt.hpp) if the process is.
+/// (support/internal/interrupt.hpp) if the process is interrupted.
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options);
 
 /// Audits fast in the same way. Where fast states the error of a value, it must cover the error found, too.

@@ -198,7 +198,7 @@ SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
   return row;
 }
 
-/// A row for each combination, in their order whatever the threads, with the paths that missed the accuracy.
+/// The answer has a row for each combination, in order, with the names of the paths that missed the accuracy.
 VerbAnswer eval_sweep(const EvalRequest& request, const CommandLine& line) {
   const Quantity& quantity = *request.quantity;
   const Assignments all = with_material_numbers(quantity, line.assignments);

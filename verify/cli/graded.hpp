@@ -11,7 +11,7 @@ namespace nipref::verify {
 
 /// The speed of a kernel beside an older one.
 struct Slowdown {
-  std::string older;           ///< file
+  std::string older;           ///< its file
   double allowed;              ///< the ratio of its time to the older one's may be 1 + allowed
   std::optional<Speed> speed;  ///< nothing if one of them fails
 

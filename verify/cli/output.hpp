@@ -24,7 +24,7 @@ void write_output_file(const std::string& path, std::string_view text);
 /// written to another file, which is then renamed. A pipe or a device is written to directly.
 void replace_output_file(const std::string& path, std::string_view text);
 
-/// Has to be called before any file is opened. If a standard descriptor is closed, the first file that is opened
+/// Must be called before any file is opened. If a standard descriptor is closed, the first file that is opened
 /// would get its number, and output for the user would be written into that file. Each closed descriptor is therefore
 /// opened on /dev/null, standard output in such a way that writing to it fails.
 void occupy_standard_descriptors();

@@ -7,7 +7,7 @@
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/json.hpp>
 
-// What the verbs bench, tables and report have in common.
+// Functions that the verbs bench, tables and report share.
 
 namespace nipref::verify {
 

@@ -88,8 +88,7 @@ struct UnmadeContact {
   }
 };
 
-/// Chooses the contacts to confirm by a second method: all that it covers on half-spaces, a tenth of the sweep for
-/// nips.
+/// Chooses contacts to confirm by a second method: all that it covers on half-spaces, a tenth of the sweep for nips.
 std::vector<UnmadeContact*> to_be_confirmed(std::vector<UnmadeContact>& contacts) {
   std::vector<UnmadeContact*> reached, taken;
   for (UnmadeContact& contact : contacts)

@@ -16,7 +16,7 @@ std::string bound_text(const ref::Estimate& reference);
 
 struct GoldenNumber {
   std::string value;  ///< decimal text
-  std::string bound;  ///< of |value - truth|, decimal text
+  std::string bound;  ///< bound of |value - truth|, decimal text
 
   /// The number with its bound. It is a NaN if the text of the value is no number.
   [[nodiscard]] ref::Estimate number() const;

@@ -25,7 +25,7 @@ bool is_slow(const Quantity& quantity);
 struct GoldenOptions {
   std::size_t points;
   int digits;
-  std::string seed = "1";  ///< of the random points; any text
+  std::string seed = "1";  ///< seed of the random points; any text
   OnProgress progress = {};
 };
 

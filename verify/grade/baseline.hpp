@@ -47,8 +47,8 @@ struct BaselineComparison {
 /// Compares the largest error with the earlier one of the same key.
 BaselineComparison compare_with(const Baseline& baseline, const BaselineKey& key, double max_error_ulp);
 
-/// Adds an entry, or lowers its error; raises it only for a reason, which is stored. False if it would have to be
-/// raised without a reason.
+/// Adds an entry, or lowers its error. Raises the error only with a reason, which is stored; without one the entry
+/// stays as it is, and the result is false if the error is WORSE.
 bool update(Baseline& baseline, const BaselineKey& key, double max_error_ulp,
             const std::optional<std::string>& reason);
 

@@ -10,9 +10,8 @@
 namespace nipref::verify {
 
 /// The results of a kind of golden contacts as quantities KIND.RESULT, which live as long as the program. Their
-/// arguments are the keys that the kind's sweep varies; a key with lists is a choice. The reference solves a contact
-/// once for all results, to contact_digits. Errors have the scales of the scene's results. BadInput if there is no such
-/// kind.
+/// arguments are the keys that the sweep varies; a key with lists is a choice. The reference solves a contact once for
+/// all results, to contact_digits. Errors have the scales of the scene's results. BadInput if there is no such kind.
 const std::vector<Quantity>& contact_quantities(const std::string& kind);
 
 /// The contacts of all combinations as points of these quantities. BadInput for a key that does not vary, and for a

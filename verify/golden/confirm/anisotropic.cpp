@@ -24,8 +24,7 @@ struct StrohSolid {
   std::array<std::array<Float, 6>, 6> voigt;
   Float density;
 
-  /// Y, the inverse of the impedance, for the line n at the angle psi and a phase speed, in the axes n, across n, and
-  /// 3.
+  /// Y, the inverse of the impedance, for the line n at the angle psi and a phase speed, in the axes (n, across, 3).
   [[nodiscard]] std::array<std::array<Complex, 3>, 3> admittance(const Float& psi_degrees,
                                                                  const Float& phase) const;
 };
@@ -119,8 +118,7 @@ struct CriticalLine {
   double psi, speed;
 };
 
-/// Returns the minimum of the critical speed over all lines. Newton's iteration from `near` finds the zero of its
-/// slope.
+/// Returns the minimum of the critical speed over all lines, by Newton's iteration for a zero of its slope from `near`.
 Confirmation lowest_surface_wave(const StrohSolid& solid, double theta, const CriticalLine& near) {
   Float psi = near.psi, value = 0;
   const Float step("1e-22");
@@ -137,8 +135,7 @@ Confirmation lowest_surface_wave(const StrohSolid& solid, double theta, const Cr
   return by_secant(value);
 }
 
-/// The transversely isotropic solid, in units of the seed's steel: its shear modulus and density, exact decimal
-/// numbers.
+/// The transversely isotropic solid in units of the shear modulus and density of the seed's steel, exact decimals.
 StrohSolid transverse_solid(Arguments x) {
   const auto axis = x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
   const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,

@@ -76,8 +76,7 @@ Confirmation of_sign(Arguments x) {
                       (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
 }
 
-/// The load's path relative to a point, in half-thicknesses: the present distance, and that at the start, if there was
-/// one.
+/// The load's path relative to a point, in half-thicknesses: the present distance, and that at the start, if any.
 struct LoadPath {
   mpq_class alpha;
   std::optional<mpq_class> start;
@@ -115,7 +114,7 @@ class Convolution {
     if (kernel.is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
   }
 
-  /// Adds `share` times the convolution of theta with pi sign.
+  /// Adds `share` times the convolution of theta with pi sign(w).
   void add_sign(Long& sum, int sign, const mpq_class& share, const LoadPath& way) const {
     Long total = theta_.instantaneous * sgn(way.alpha);
     for (const auto& [amplitude, rate] : theta_.terms) {

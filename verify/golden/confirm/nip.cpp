@@ -88,7 +88,7 @@ class GrippedContact {
     solve();
   }
 
-  /// nip.load, .indentation, .creep, .peak_pressure, .peak_shear
+  /// Returns nip.load, .indentation, .creep, .peak_pressure, .peak_shear.
   [[nodiscard]] std::vector<Float> numbers() const {
     Float load = 0, depth = 0;
     for (int j = -nodes(); j <= nodes(); ++j) {
@@ -176,7 +176,7 @@ class GrippedContact {
   Float half_length_, beta_;
   Grid grid_;
   Kernels kernels_;
-  /// Beyond the last node, with (p, q), the pressure is along p - across q and the shear across p + along q.
+  /// Beyond the last node, with tractions (p, q), the pressure is along p - across q and the shear across p + along q.
   std::vector<Float> along_, across_;
   std::vector<Float> pressure_, shear_;
   Float strain_;

@@ -1,5 +1,5 @@
 // Runs a plugin for the program that grades it: nipref-kernel-host FILE SYMBOL ARITY FLAGS SECONDS. exchange.hpp
-// describes how they talk. It is a separate program so that no fault of the plugin affects nipref.
+// describes how the two communicate. The host is a separate program so that no fault of the plugin affects nipref.
 
 #include <fcntl.h>
 #include <sys/mman.h>
