@@ -1,5 +1,5 @@
-# nipref_build_info.hpp out of verify/support/internal/build_info.hpp.in. What stays is filled in when CMake configures,
-# commit and build type by this file as a script in every build, which touches the header only if they have changed.
+# Makes nipref_build_info.hpp from verify/support/internal/build_info.hpp.in. CMake fills in constants when it configures.
+# This file, run as a script in every build, fills in commit and build type; it writes the header only if they change.
 if(CMAKE_SCRIPT_MODE_FILE)
   function(ask_git variable)
     execute_process(COMMAND git -C ${source} ${ARGN} OUTPUT_VARIABLE answer RESULT_VARIABLE status ERROR_QUIET
@@ -12,7 +12,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   set(commit unknown)
   set(commit_date unknown)
   ask_git(top rev-parse --show-toplevel)
-  if(top STREQUAL source)  # and not a folder in somebody else's repository
+  if(top STREQUAL source)  # not a folder in somebody else's repository
     ask_git(commit describe --always --dirty --abbrev=40 --exclude=*)
     ask_git(commit_date log -1 --format=%cI)
   endif()
@@ -20,7 +20,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# The version that HEADER of the imported TARGET defines: one text, or the numbers of several lines.
+# The version that HEADER of the imported TARGET defines, as one text or as numbers in several lines.
 function(nipref_version_in_header variable target header pattern)
   get_target_property(directory ${target} INTERFACE_INCLUDE_DIRECTORIES)
   file(STRINGS ${directory}/${header} lines REGEX "define +${pattern}")
@@ -29,7 +29,7 @@ function(nipref_version_in_header variable target header pattern)
   set(${variable} "${version}" PARENT_SCOPE)
 endfunction()
 
-# A target that keeps HEADER true.
+# A target that keeps HEADER up to date.
 function(nipref_build_info target header)
   nipref_version_in_header(GMP_VERSION GMP::gmp gmp.h "__GNU_MP_VERSION(_MINOR|_PATCHLEVEL)? ")
   nipref_version_in_header(MPFR_VERSION MPFR::mpfr mpfr.h MPFR_VERSION_STRING)

@@ -1,7 +1,7 @@
-# Debian packages, by `cpack` in the folder of a build for /usr: of one commit, built in the same folders, they are the
-# same bytes.
-#   nipref         the program, what it reads, manual, completion, kernel.h
-#   libnipref-dev  libraries, headers, what find_package and pkg-config read
+# Debian packages, made by `cpack` in the folder of a build for /usr. Packages of one commit that are built in the same
+# folders are identical.
+#   nipref         the program, its data, manual, completion, kernel.h
+#   libnipref-dev  libraries, headers, files for find_package and pkg-config
 #   python3-nipref the package for Python
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "nipref <nipref@localhost>")

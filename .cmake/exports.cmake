@@ -1,6 +1,6 @@
-# Writes the version script of libnipref_fast.so: of the symbols of the two archives, the C interface is public, and in
-# nipref::data and nipref::fast what the installed headers name; not their `internal` namespaces, nor other libraries'
-# templates. The linker's own patterns cannot say "but not", so the symbols are listed one by one.
+# Writes the version script of libnipref_fast.so. These symbols of the two archives are public: the C interface, and in
+# nipref::data and nipref::fast the names in the installed headers, but no `internal` namespaces and no templates of
+# other libraries. The linker's own patterns have no exceptions, so that the symbols are listed one by one.
 execute_process(COMMAND ${nm} --extern-only --defined-only --format=posix ${data} ${fast} OUTPUT_VARIABLE symbols
   COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "\n(nipref_|_Z(T[VIS])?NK?6nipref4(data|fast))[^ ]+ " symbols "${symbols}")

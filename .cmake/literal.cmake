@@ -1,3 +1,3 @@
-# Makes a literal of the file `from`, written to `to`.
+# Writes the content of the file `from` as a literal to the file `to`.
 file(READ ${from} text)
 file(WRITE ${to} "R\"text(${text})text\"\n")

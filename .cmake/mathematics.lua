@@ -1,5 +1,5 @@
--- For pandoc, in the folder ref: README.md and the pages that it links to as one. A link between them becomes one to a place
--- in this page; the names of sources and tests stay as text.
+-- A filter for pandoc, run in the folder ref, that joins README.md and the pages that it links to into one page. Links
+-- between them become links within this page; the names of sources and tests stay as text.
 
 local style = [[
 <style>
@@ -11,7 +11,7 @@ p, .scroll { overflow: auto hidden; padding: .4em 0; margin: .6em 0; }
 
 local pages = {''}  -- folders, in the order of their first links
 
--- Where a link of the page in FOLDER leads to in this page, or out of it; nil if to a file.
+-- The place in this page, or outside it, to which a link of the page in FOLDER leads; nil if the link leads to a file.
 local function place(folder, target)
   if target:match('^%a+:') then return target end
   local path, part = target:match('^([^#]*)#?(.*)$')

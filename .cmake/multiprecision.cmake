@@ -1,4 +1,4 @@
-# GMP, MPFR, MPC and MPFI as targets: none of them has a CMake package. Included by the build and by the installed package.
+# Targets for GMP, MPFR, MPC and MPFI, which have no CMake packages. The build and the installed package include this.
 function(nipref_c_library target library header)
   if(TARGET ${target})
     return()

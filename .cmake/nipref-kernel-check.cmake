@@ -1,12 +1,12 @@
 # nipref_add_kernel_check(NAME test QUANTITY I1 TARGET mylib [SYMBOL f | KERNEL name] [PROMISE 4] [POINTS 10000]
 #   [RANGES alpha=1e-3..50 ...] [BASELINE file.toml] [JUNIT file.xml] [TIME_LIMIT 10] [THREAD_SAFE])
 #
-# A test of CTest that grades a function or a kernel of a shared library or module: see `nipref help grade`, whose options
-# these are. SYMBOL is a double f(double, ...); KERNEL one that the library lists as nipref/kernel.h has it; with neither,
-# all its kernels of that quantity. The largest error found is a measurement of the test.
-# BASELINE is a file of the source folder, which the same call with --update-baseline writes, in whatever folder (`ctest -V`
-# shows the call): an error is compared with the entry of the same quantity, symbol or kernel, file of the library without
-# folder and version, RANGES, POINTS, compiler of nipref and instruction set. Without the file, or the entry, the test fails.
+# Adds a test to CTest that grades a function or a kernel of a shared library or module. The options are those of
+# `nipref help grade`. SYMBOL is a double f(double, ...), KERNEL a kernel that the library lists as in nipref/kernel.h.
+# Without both, all kernels of the quantity are graded. The largest error found is a measurement of the test. BASELINE
+# is a file of the source folder, which the same call with --update-baseline writes from any folder (`ctest -V` shows
+# the call). An error is compared with the entry of the same quantity, symbol or kernel, library file without folder and
+# version, RANGES, POINTS, compiler of nipref and instruction set. Without the file or the entry the test fails.
 function(nipref_add_kernel_check)
   set(values NAME QUANTITY TARGET SYMBOL KERNEL PROMISE POINTS BASELINE JUNIT TIME_LIMIT)
   cmake_parse_arguments(PARSE_ARGV 0 CHECK "THREAD_SAFE" "${values}" "RANGES")

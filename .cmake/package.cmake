@@ -1,4 +1,4 @@
-# The installed package beside its targets: what find_package and pkg-config read, and the way back.
+# The installed package besides its targets: the files for find_package and pkg-config, and the target that uninstalls.
 include(CMakePackageConfigHelpers)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/nipref)
 configure_package_config_file(.cmake/nipref-config.cmake.in ${PROJECT_BINARY_DIR}/nipref-config.cmake

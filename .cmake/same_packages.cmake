@@ -1,9 +1,9 @@
-# Run by cpack when all is installed where packages are made of it.
+# Run by cpack after everything is installed in the folder of which packages are made.
 if(NOT CPACK_NIPREF_PREFIX STREQUAL "/usr")
   message(FATAL_ERROR "packages are made of a build with -D CMAKE_INSTALL_PREFIX=/usr")
 endif()
 
-# What would tell two packages of one commit apart: times, and the umask of who makes them.
+# Removes what would differ between two packages of one commit: times, and the effect of the user's umask.
 execute_process(COMMAND git -C ${CMAKE_CURRENT_LIST_DIR} log -1 --format=%ct OUTPUT_VARIABLE commit_time
   OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(commit_time AND NOT DEFINED ENV{SOURCE_DATE_EPOCH})

@@ -1,4 +1,4 @@
-# Removes what `cmake --install` has put in its latest place, and the folders of nipref's own that this leaves empty.
+# Removes the files of the latest `cmake --install`, and the folders of nipref's own that are empty then.
 file(GLOB manifests ${build}/install_manifest*.txt)
 if(NOT manifests)
   message(FATAL_ERROR "nothing was installed from ${build}: it has no install_manifest.txt")

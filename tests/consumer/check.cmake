@@ -1,5 +1,5 @@
-# Installs the build tree into a fresh prefix, moves it, and uses it as strangers do: from their own folders, with their
-# own projects, without the packages that its components do not need. Then removes it.
+# Installs the build into a fresh prefix, moves it, and uses it as strangers do: from their own folders, with their own
+# projects, without the packages that its components do not need. Then removes it.
 set(work ${build}/consumer)
 set(prefix ${work}/prefix)
 set(moved ${work}/moved)
@@ -7,7 +7,7 @@ file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
 unset(ENV{NIPREF_DATA})
 
-# What was unpacked because it could not be installed is installed as far as this test is concerned.
+# Packages that were unpacked because they could not be installed count as installed in this test.
 file(GLOB unpacked ${build}/packages/usr/lib/*-linux-*)
 if(unpacked)
   cmake_path(GET unpacked FILENAME architecture)
@@ -38,7 +38,7 @@ function(expect_not pattern)
   endif()
 endfunction()
 
-# The build's own list of what was installed is kept for its owner.
+# The build's own list of installed files is kept.
 set(manifest ${build}/install_manifest.txt)
 if(EXISTS ${manifest})
   file(RENAME ${manifest} ${work}/owners_manifest.txt)
@@ -50,7 +50,7 @@ if(EXISTS ${work}/owners_manifest.txt)
 endif()
 file(RENAME ${prefix} ${moved})
 
-# The program reads what is beside it, not the source tree nor where it was installed first.
+# The program reads the files beside it, neither those of the source tree nor those of the first prefix.
 file(READ ${moved}/share/nipref/tables/thesis-VII.csv table)
 string(REPLACE "Elastic rolling, complete slip" "The moved table" table "${table}")
 file(WRITE ${moved}/share/nipref/tables/thesis-VII.csv "${table}")
@@ -65,13 +65,13 @@ expect("## Roots")
 file(READ ${moved}/share/doc/nipref/README.md output)
 expect("# nipref")
 
-# A component that there is not is told as the reason.
+# A missing component is named as the reason.
 file(WRITE ${work}/unknown.cmake "cmake_minimum_required(VERSION 3.25)
 find_package(nipref REQUIRED COMPONENTS fortran)")
 execute_process(COMMAND ${CMAKE_COMMAND} -D nipref_ROOT=${moved} -P ${work}/unknown.cmake ERROR_VARIABLE output RESULT_VARIABLE status)
 expect("Component[ \n]+fortran[ \n]+is[ \n]+not[ \n]+installed")
 
-# A kernel of somebody who has the program and its header alone.
+# The kernel of a user who has only the program and its header.
 file(WRITE ${work}/mine.c "#include <math.h>
 #include <nipref/kernel.h>
 double f(double alpha) { return alpha == 0 ? 0 : copysign(1.5707963267948966, alpha); }
@@ -92,11 +92,11 @@ expect("mine of[ \n]+[^ \n]*mine.so[ \n]+as[ \n]+I2,[ \n]+its[ \n]+domain:[ \n]+
 run(${moved}/bin/nipref grade ./mine.so --symbol f --quantity I2 --points 500)
 expect("f of[ \n]+[^ \n]*mine.so[ \n]+as[ \n]+I2,[ \n]+its[ \n]+domain:[ \n]+PASS")
 
-# The tests of somebody's own kernels: CTest, its measurements and JUnit.
+# The tests of a user's own kernels: CTest, its measurements and JUnit.
 set(kernel_check ${work}/kernel_check)
 run(${CMAKE_COMMAND} -S ${source}/kernel_check -B ${kernel_check} -D nipref_ROOT=${moved})
 run(${CMAKE_COMMAND} --build ${kernel_check})
-# CTest will give the whole path.
+# CTest will pass the whole path.
 run(${moved}/bin/nipref grade kernel_check/libmylib.so --symbol sign_kernel --quantity I2 --points 500
   --baseline ${kernel_check}/baseline.toml --update-baseline)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${kernel_check} --verbose --output-junit junit.xml)
@@ -109,7 +109,7 @@ foreach(file_and_says "sound.xml|failures=\"0\"" "wrong.xml|<failure message=\"l
   expect("${file_and_says}")
 endforeach()
 
-# The commands of the workflow that strangers may take, but what installs a compiler.
+# The commands of the workflow that users may copy, except those that install a compiler.
 file(STRINGS ${source}/kernel_check/github.yml commands REGEX "- run: (gcc|nipref)")
 list(TRANSFORM commands REPLACE ".*- run: " "")
 list(JOIN commands " && " commands)
@@ -117,7 +117,7 @@ run(${CMAKE_COMMAND} -E env --modify PATH=path_list_prepend:${moved}/bin
   sh -c "cp ${source}/kernel_check/mylib.c . && ${commands}" )
 expect("sign_kernel of[ \n]+[^ \n]*mylib.so[ \n]+as[ \n]+I2,[ \n]+its[ \n]+domain:[ \n]+PASS")
 
-# Examples of everything, given the folder of the data by the package.
+# Examples of everything. The package tells them the folder of the data.
 run(${CMAKE_COMMAND} -S ${source} -B ${work}/examples -D nipref_ROOT=${moved})
 run(${CMAKE_COMMAND} --build ${work}/examples)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${work}/examples --verbose)
@@ -126,7 +126,7 @@ expect("The moved table")
 expect("L: replayed 0.0579, corrected 0.0[1-9]+ ")
 expect("promise of [0-9.]+ missed")
 
-# fast alone, without the packages of all others.
+# fast alone, without the packages that the other rooms need.
 set(without)
 foreach(package Boost Eigen3 fmt GSL nlohmann_json)
   list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
@@ -147,7 +147,7 @@ foreach(program IN LISTS programs)
   expect_not("\\[lib(fmt|gsl|gmp|mpfr|mpc|mpfi|boost)[^]]*")
 endforeach()
 
-# Everything from C and Fortran, by one shared library that shows its C functions alone.
+# Everything from C and Fortran, by one shared library that exports only its C functions.
 if(shared)
   set(c_interface ${work}/c_interface)
   run(${CMAKE_COMMAND} -S ${source}/c_interface -B ${c_interface} -D nipref_ROOT=${moved} ${without})
@@ -164,7 +164,7 @@ if(shared)
   expect_not("\n[0-9a-f]* [A-Za-z] _Z[^\n]*")
 endif()
 
-# What is read when all its headers are, and when all of all components are.
+# The files that the compiler reads if it reads all headers of these rooms.
 function(headers_read rooms)
   set(text)
   foreach(room IN LISTS rooms)
@@ -185,7 +185,7 @@ headers_read("data;fast")
 expect_not("[^\n]*/(boost/|(gmp|mp[cf][a-z]*)\\.h)")
 headers_read("data;fast;ref;verify")
 
-# The shared library shows its public interface and no more, and needs the C++ library alone.
+# The shared library exports only its public interface, and needs only the C++ library.
 if(shared)
   file(GLOB_RECURSE library ${moved}/libnipref_fast.so)
   run(readelf --dynamic ${library})
@@ -203,7 +203,7 @@ if(shared)
   endif()
 endif()
 
-# pkg-config finds it where it was moved to.
+# pkg-config finds the package in its new place.
 find_program(pkg_config NAMES pkg-config)
 if(pkg_config AND NOT sanitize)
   file(GLOB_RECURSE pc ${moved}/nipref-fast.pc)
@@ -219,7 +219,7 @@ if(pkg_config AND NOT sanitize)
   expect("I1\\(0.73\\) = 0\\.20699024464081[0-9]+\n")
 endif()
 
-# Uninstalling leaves what others have put there.
+# Uninstalling leaves the files that others have put there.
 file(RENAME ${moved} ${prefix})
 file(WRITE ${prefix}/include/another.h "")
 run(${CMAKE_COMMAND} -D build=${work} -P ${source}/../../.cmake/uninstall.cmake)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The Debian packages of a build for /usr, in a clean Debian 12: they install, work, and serve a stranger's project; made
-# again they are the same. By root, with debootstrap and a network.
+# Checks the Debian packages of a build for /usr in a clean Debian 12: they install, work, and serve a stranger's
+# project. Packages that are made again are identical. Needs root, debootstrap and a network.
 #   check.sh BUILD_FOLDER
 set -euo pipefail
 build=$(cd "$1" && pwd)
@@ -15,7 +15,7 @@ for package in "$room"/packages/*.deb; do
   cmp "$package" "$room/again/${package##*/}"
 done
 
-# From where this machine gets its own packages.
+# The mirror of this machine's own packages.
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -n 1)
 debian=$room/debian
 debootstrap --variant=minbase bookworm "$debian" "${mirror:-http://deb.debian.org/debian}" >"$room/debootstrap.log" ||

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# .ci/prepare on machines of all kinds: apt, dpkg and the compiler are stand-ins that tell what they were asked for.
+# Tests .ci/prepare on machines of all kinds. apt, dpkg and the compiler are stand-ins that record their calls.
 set -euo pipefail
 prepare=$(cd "$(dirname "$0")/../.." && pwd)/.ci/prepare
 room=$(mktemp -d)
@@ -20,7 +20,7 @@ case " $* " in
 *download*) touch package.deb ;;
 esac'
 
-# Runs get_missing on a machine; what was asked of apt and dpkg is then in $asked, what was said in $said.
+# Runs get_missing on a machine. Then $asked has the calls of apt and dpkg, $said the output.
 on_machine() {
   rm -rf "$room/work" && mkdir "$room/work"
   said=$(cd "$room/work" && env PATH="$room/bin:$PATH" ROOM="$room/work" "$@" bash -euo pipefail -c '. "$0"; get_missing' "$prepare" 2>&1) || said+=" failed"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The wheel of a build serves a stranger: in an empty venv, without a network, beside the system's NumPy.
+# Checks that the wheel of a build serves a stranger: in an empty venv, without a network, beside the system's NumPy.
 #   check.sh BUILD_FOLDER
 set -euo pipefail
 build=$(cd "$1" && pwd)

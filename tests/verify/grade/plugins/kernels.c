@@ -1,4 +1,4 @@
-/* Kernels that are wrong on purpose, and some that are right. Most do it at 17.25 alone. */
+/* Kernels that are wrong on purpose, and some that are right. Most are wrong at 17.25 only. */
 
 #include <fenv.h>
 #include <math.h>
@@ -26,7 +26,7 @@ static double sound(double alpha) {
   return value;
 }
 
-/* Not known to the compiler: what is at fault is not taken out. */
+/* The compiler does not know these values, so that it does not remove a fault. */
 static volatile int yes = 1;
 static volatile double nothing;
 
@@ -47,7 +47,7 @@ static void flush(void) {
 #endif
 }
 
-/* One point in, one value out. */
+/* Computes one value from one point. */
 #define EACH(name, expression)                                                          \
   static int name(void* state, size_t n, const double* const* arguments, double* out) { \
     (void)state;                                                                        \
@@ -121,7 +121,7 @@ static int refuses(void* state, size_t n, const double* const* arguments, double
   return all_sound(state, n, arguments, out);
 }
 
-/* As work space in static memory is. */
+/* Like a kernel with its work space in static memory. */
 static volatile double shared;
 static double by_shared(double x) {
   shared = x;
@@ -138,7 +138,7 @@ static int sound_I6(void* state, size_t n, const double* const* arguments, doubl
   return 0;
 }
 
-/* A state that has to be there. */
+/* A state that the kernel needs. */
 static int make(void** state) {
   if (*state != NULL) return 1;
   *state = malloc(sizeof(double));
@@ -166,7 +166,7 @@ static void crash_at_the_end(void* state) {
   crash();
 }
 
-/* An answer that says nothing, where the host speaks. */
+/* Writes an empty answer where the host writes its own. */
 static int speak(void** state) {
   const size_t nothing = 0;
   (void)state;
@@ -190,7 +190,7 @@ double bare_shares(double alpha) { return by_shared(alpha); }
       NIPREF_KERNEL_ABI, sizeof(nipref_kernel), #name, quantity, arity, flags, open, evaluate, close};
 #define I3(evaluate) KERNEL(evaluate, "I3", 1, 0, 0, evaluate, 0)
 #define ADDRESS(evaluate) &k_##evaluate,
-/* Those that need nothing else, each by what is to be done with it. */
+/* The kernels of I3 without a state. DO is applied to each of them. */
 #define OF_I3(DO) \
   DO(no_number) DO(crashes) DO(crashes_always) DO(crashes_often) DO(hangs) DO(hangs_always) DO(flushes) DO(rounds_up) \
   DO(exits) DO(prints) DO(aborts) DO(first_is_other) DO(crashes_in_batches) DO(slow) DO(one_too_many) DO(one_too_early) \

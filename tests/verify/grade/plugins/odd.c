@@ -1,4 +1,4 @@
-/* Shared objects that are odd as a whole; which is what it is compiled for. */
+/* Shared objects that are odd as a whole. The macro that is defined says in what way. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #endif
 
 #if defined(PRINTS_AND_FLUSHES)
-/* As those made with -ffast-math do. */
+/* Like an object made with -ffast-math. */
 __attribute__((constructor)) static void on_load(void) {
   printf("loaded\n");
 #if defined(__x86_64__)
@@ -39,7 +39,7 @@ static int zero(void* state, size_t n, const double* const* arguments, double* o
 #define ABI NIPREF_KERNEL_ABI
 #endif
 
-/* As if the structure had grown. */
+/* Like the structure of a newer version, with more members. */
 static const struct {
   nipref_kernel known;
 #if defined(NEWER)
@@ -48,7 +48,7 @@ static const struct {
 } kernel = {.known = {ABI, sizeof kernel, "zero", "I3", 1, 0, 0, zero, 0}};
 
 #if defined(FICKLE)
-/* Each process another number of arguments than the one before, which has left a file, or removed it. */
+/* The number of arguments differs from one process to the next: a process leaves a file, or removes it. */
 static uint32_t arity(void) {
   const char* const file = getenv("NIPREF_TEST_FICKLE");
   if (remove(file) == 0) return 2;

@@ -1,4 +1,4 @@
-/* What the README's commands take for somebody's kernels: I2 is the sign times pi/2. */
+/* A user's kernels for the README's commands: I2 is the sign times pi/2. */
 #include <math.h>
 #include <nipref/kernel.h>
 
