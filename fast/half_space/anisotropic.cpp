@@ -38,7 +38,7 @@ AnisotropicHalfSpace::AnisotropicHalfSpace(const data::Stiffness& solid, Directi
 LineResponse AnisotropicHalfSpace::along(Direction psi) const { return implementation_->at(psi).normal; }
 
 PressureWave AnisotropicHalfSpace::inside(Direction psi) const {
-  const LineResponse surface = along(psi);  // refuses what is not subcritical
+  const LineResponse surface = along(psi);  // throws unless the line is subcritical
   return {surface, *implementation_->line.decay(psi, implementation_->motion)};
 }
 

@@ -16,7 +16,7 @@ constexpr Two degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
 
 Direction of_words(Two cosine, Two sine) { return {cosine.high, sine.high, cosine.low, sine.low}; }
 
-/// By Taylor's series for |angle| <= pi/4, with a truncation error below 2^-117.
+/// The direction by Taylor's series for |angle| <= pi/4, with a truncation error below 2^-117.
 Direction of_small_angle(Two angle) {
   constexpr Two one{1};
   const Two squared = square(angle);

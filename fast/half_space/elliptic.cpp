@@ -31,15 +31,15 @@ struct Ellipse {
 /// The entries 11, 12 and 22 of a symmetric 2x2 matrix.
 using Symmetric = Eigen::Vector3d;
 
-/// The integrals over all directions psi that decide the shape, for m the unit vector along L^T n, |L^T n| = w.
+/// The integrals over all directions psi that determine the shape. m is the unit vector along L^T n, and w = |L^T n|.
 struct Balance {
   std::array<double, 5> sums;  ///< int K m1^(4-j) m2^j/w dpsi, j = 0 ... 4
   Symmetric curvatures;        ///< L^T curvatures L
 
   [[nodiscard]] double sum() const { return sums[0] + 2 * sums[2] + sums[4]; }  ///< int K/w dpsi
-  /// The function of the ellipse that is concave in L L^T and stationary where int K n n/w^3 dpsi = curvatures.
+  /// A function of the ellipse that is concave in L L^T, and stationary where int K n n/w^3 dpsi = curvatures.
   [[nodiscard]] double objective() const { return -2 * sum() - curvatures[0] - curvatures[2]; }
-  /// Its gradient.
+  /// The gradient of the objective.
   [[nodiscard]] Symmetric gradient() const {
     return Symmetric(sums[0] + sums[2], sums[1] + sums[3], sums[2] + sums[4]) - curvatures;
   }
@@ -59,8 +59,8 @@ Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
   return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
 }
 
-/// The variable u with psi - major = am(u, k), k' = b/a, -K <= u <= K. In it w = a dn(u) and m = (cd, k' sd) are smooth
-/// functions for however slender an ellipse.
+/// The variable u with psi - major = am(u, k), k' = b/a, -K <= u <= K. As functions of u, w = a dn(u) and
+/// m = (cd, k' sd) are smooth however slender the ellipse is.
 class Parameter {
  public:
   explicit Parameter(double ratio) : ratio_(ratio), jacobi_(ratio) {}
@@ -75,7 +75,7 @@ class Parameter {
     const bool near_major = magnitude <= 0.5;
     const auto [sn, cn, dn] = jacobi_((near_major ? magnitude : 1 - magnitude) * quarter_period());
     const double cd = cn / dn, sd = ratio_ * sn / dn;
-    // In the minor half by the functions of K - u.
+    // Nearer to the minor axis the functions of K - u are used.
     const auto [c, s, m1, m2] = near_major ? std::array{cn, sn, cd, sd} : std::array{sd, cd, sn, cn};
     return {{c, std::copysign(s, share)}, {m1, std::copysign(m2, share)}};
   }
@@ -116,7 +116,7 @@ Mesh adapted_mesh(const Ellipse& ellipse, const Compliance& compliance) {
   return internal::adapt_panels<5>(Terms(ellipse, compliance), -1, 1);
 }
 
-/// The integrals for an ellipse, on the panels that were made for a similar one.
+/// The integrals for an ellipse, on panels that were made for a similar ellipse.
 Balance balance(const Ellipse& ellipse, const Indenter& body, const Compliance& compliance,
                 const std::vector<internal::Subinterval>& panels) {
   Balance result{{}, scaled_curvatures(ellipse, body)};
@@ -138,7 +138,7 @@ Eigen::Matrix3d curvature_of(const Balance& at) {
   return 1.5 * hessian;
 }
 
-/// The change E that Newton's method asks for.
+/// The change E of a step of Newton's method.
 Symmetric newton_step(const Balance& at) { return Elimination(curvature_of(at)).solve(at.gradient()); }
 
 /// The ellipse of L (1 + E/2). Its minor axis is computed from the determinant, where nothing cancels.
@@ -193,8 +193,8 @@ Estimate sum_of(const Mesh& mesh) {
 
 constexpr double few_roundings = 0x1p-50;
 
-/// The largest change E of the ellipse that the errors of the integrals (the rounding of K included) and of the
-/// curvatures can cause.
+/// The largest change E of the ellipse that can result from errors of the integrals, including the rounding of K, and
+/// of the curvatures.
 Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
   const auto of_pair = [&](std::size_t j) { return mesh.integral[j].error + mesh.integral[j + 2].error; };
   const Symmetric gradient =
@@ -202,7 +202,7 @@ Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
   return curvature_of(at).inverse().cwiseAbs() * gradient;
 }
 
-/// The first approximation: axes along those of the body, and within a few per cent Hertz's axis ratio.
+/// The first approximation: its axes are along those of the body, and its axis ratio is Hertz's to a few per cent.
 Ellipse first_shape(const Indenter& body) {
   const auto [small, large] = std::minmax(body.curvature_1, body.curvature_2);
   const Direction major = body.curvature_1 <= body.curvature_2 ? Direction{1, 0} : Direction{0, 1};
@@ -216,8 +216,8 @@ Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& 
   return {shape.a * scale, shape.b * scale, shape.major};
 }
 
-/// By a table of the compliance. Where the panels of the first ellipse do not do for those to which it turns, as the peaks of
-/// the compliance stay where they are, they are made anew for each.
+/// Finds the ellipse with a table of the compliance. As the ellipse may turn, while the peaks of the compliance do not,
+/// the panels of the first ellipse may not suffice. If the iteration fails with them, each ellipse gets its own panels.
 Ellipse approximate_ellipse(const Indenter& body, const Compliance& table) {
   const Ellipse shape = first_shape(body);
   const Mesh mesh = adapted_mesh(shape, table);
@@ -235,8 +235,8 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   const double ratio = body.curvature_1 / body.curvature_2;
   if (!(ratio >= 1e-10 && ratio <= 1e10))
     throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
-  // A few supercritical lines about the motion could lie between the nodes of a panel. The motion is mostly along an
-  // axis of the body.
+  // A narrow range of supercritical lines about the motion could lie between the nodes of a panel. As the motion is
+  // mostly along an axis of the body, these axes are checked.
   for (const Direction axis : {Direction{1, 0}, Direction{0, 1}})
     static_cast<void>(checked_compliance(response, axis));
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
@@ -250,7 +250,7 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
     const double before = change;
     mesh = adapted_mesh(ellipse, exact);
     change = solve(ellipse, on_panels);
-    if (std::isfinite(before) && change > before / 2) break;  // stagnation: the compliance is no better known
+    if (std::isfinite(before) && change > before / 2) break;  // stagnation at the rounding of the compliance
   }
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;
@@ -268,7 +268,7 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
 // In the frame of the ellipse its matrix is (a^2 (1 + E11), a b E12; ., b^2 (1 + E22)).
 void EllipticContact::set_errors(double e11, double e12, double e22) {
   const double a = major_length_, b = minor_length_, twist = a * b * e12;
-  // A lower bound of a^2 - b^2. Where it is not positive, the ellipse may be a circle and its axes have any direction.
+  // A lower bound of a^2 - b^2. If it is not positive, the ellipse may be a circle, and its axes may have any direction.
   const double apart = (a - b) * (a + b) - a * a * (e11 + few_roundings) - b * b * (e22 + few_roundings);
   const double turn = apart > 0 ? std::min(twist / apart, std::numbers::pi / 2) : std::numbers::pi / 2;
   const double of_turn = twist * std::min(1., turn);
@@ -285,7 +285,7 @@ Estimate EllipticContact::axis_ratio() const {
 
 Estimate EllipticContact::orientation() const {
   const double angle = std::atan2(major_.sine, major_.cosine);
-  // To first order in the turn; if that is not small, any angle is possible.
+  // The error is correct to first order in the turn; if the turn is not small, any angle is possible.
   constexpr double small = 0.25;
   return {angle, turn_ < small ? turn_ + few_roundings * std::fabs(angle) : std::numbers::pi / 2};
 }
@@ -316,8 +316,7 @@ Estimate EllipticContact::pressure(const EllipticLoad& load, Direction psi, doub
   return load.peak_pressure * Estimate{shape.value, shape.error + shape.value * end.error / end.value};
 }
 
-// The ellipse with its axes multiplied by `factor`, whose pressure follows from int K n n/w^3 dpsi = factor^-3
-// curvatures.
+// The load for axes multiplied by `factor`. The pressure follows from int K n n/w^3 dpsi = factor^-3 curvatures.
 EllipticLoad EllipticContact::scaled(const Estimate& factor) const {
   const double factor_error = factor.error / factor.value + few_roundings;
   const auto estimate = [&](double value, double error) { return Estimate{value, value * error}; };

@@ -16,35 +16,35 @@ struct EllipticLoad {
   Estimate peak_pressure;  ///< unit of stress
 };
 
-/// The exact frictionless contact of a rigid smooth body with a half-space of any compliance K(psi), at rest
-/// or moving steadily at a subcritical speed. A pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) displaces the
-/// surface below it by (p0 a b/4) int_0^pi K(psi) (1 - (n.x)^2/w^2)/w dpsi, n = (cos psi, sin psi) and w(psi)
-/// the half-width of the ellipse along n; so its ellipse follows from int K n n/w^3 dpsi being proportional
-/// to the curvatures of the body. That is the stationary point of a function strictly concave in the matrix
-/// of the ellipse, so that there is exactly one. It is found by Newton's method with line search. The integrals are
-/// taken over the variable of the Jacobi amplitude, in which they stay smooth for slender ellipses, on panels that are
-/// halved where K requires it (near critical lines) and made anew until the ellipse has converged.
+/// The exact frictionless contact of a rigid smooth body with a half-space of any compliance K(psi), at rest or moving
+/// steadily at a subcritical speed. A pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) displaces the surface below it by
+/// (p0 a b/4) int_0^pi K(psi) (1 - (n.x)^2/w^2)/w dpsi, where n = (cos psi, sin psi) and w(psi) is the half-width of the
+/// ellipse along n. Hence in the ellipse of the contact int K n n/w^3 dpsi is proportional to the curvatures of the
+/// body. This is the condition for a stationary point of a function that is strictly concave in the matrix of the
+/// ellipse, so that there is exactly one such ellipse. Newton's method with line search finds it. The variable of
+/// integration is that of the Jacobi amplitude, in which the integrands stay smooth for slender ellipses. Panels are
+/// halved where K requires it, near critical lines, and are adapted again until the ellipse has converged.
 class EllipticContact {
  public:
-  /// The compliance must be positive and finite at every direction, else BadInput; the coupling is not used.
-  /// Curvature ratios 1e-10 <= curvature_1/curvature_2 <= 1e10, BadInput otherwise.
+  /// The compliance must be positive and finite in every direction, and 1e-10 <= curvature_1/curvature_2 <= 1e10;
+  /// otherwise BadInput. The coupling is not used.
   EllipticContact(const SurfaceResponse& response, const Indenter& body);
 
   [[nodiscard]] Estimate axis_ratio() const;  ///< b/a <= 1
-  /// Angle of the major axis with x1, -pi/2 < angle <= pi/2; error up to pi/2 if the ellipse is a circle.
+  /// The angle of the major axis with x1, -pi/2 < angle <= pi/2. The error is up to pi/2 if the ellipse is a circle.
   [[nodiscard]] Estimate orientation() const;
-  /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
+  /// The distance of the edge from the centre over a, in the direction psi; psi is of unit length, else BadInput.
   [[nodiscard]] Estimate radius_ratio(Direction psi) const;
-  /// The distance of the edge from the centre in the direction psi over that in the direction `to`.
+  /// The ratio of the distances of the edge from the centre in the directions psi and `to`.
   [[nodiscard]] Estimate span_ratio(Direction psi, Direction to) const;
   /// The pressure under a load of this contact at the distance x from the centre in the direction psi, 0 outside the
   /// contact; unit of stress. x must be finite and psi of unit length, else BadInput.
   [[nodiscard]] Estimate pressure(const EllipticLoad& load, Direction psi, double x) const;
-  /// The displacement, against what is far away, of a half-space with these waves, which may be one of two bodies: along x1,
-  /// along x2 and into it, unit of length, at the distance x from the centre in the direction psi, inside the contact or
-  /// outside, at this depth below the surface; at depth 0 waves of the surface alone suffice. Accuracy: that of the ellipse,
-  /// times their size where the first two vanish. x must be finite, the depth finite and >= 0, else BadInput. (brock2012 17,
-  /// with its kernels corrected)
+  /// The displacement of a half-space with these waves relative to distant points: along x1, along x2 and into the
+  /// half-space, unit of length. The half-space may be one of two bodies. The point is at the distance x from the centre
+  /// in the direction psi, inside or outside the contact, at this depth; at depth 0 waves of the surface alone suffice.
+  /// The relative accuracy is that of the ellipse; where the first two components vanish, it is relative to the size of
+  /// their terms. x must be finite, the depth finite and >= 0; otherwise BadInput. (brock2012 17, its kernels corrected)
   [[nodiscard]] std::array<Estimate, 3> displacement(const EllipticLoad& load,
                                                      const PressureWaves& half_space, Direction psi, double x,
                                                      double depth = 0) const;
@@ -63,7 +63,7 @@ class EllipticContact {
   Direction major_;
   double sum_;                                                                  ///< int K/w dpsi
   double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;  ///< relative
-  double turn_ = 0;  ///< error of the major axis's angle
+  double turn_ = 0;  ///< error of the angle of the major axis
 };
 
 }  // namespace nipref::fast

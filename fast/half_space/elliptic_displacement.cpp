@@ -25,22 +25,22 @@ struct Scaled {
   }
 };
 
-/// A part of the integral over the lines: m = start turned by +-angle(v), v from 0 to `last`. The place is on the line of m
-/// for which t = at_start cos(angle) + slope sin(angle), with which t keeps its digits where it is small.
+/// A part of the integral over the lines: m is `start` turned by sense angle(v), with v from 0 to `last`. The line of m
+/// through the place has t = at_start cos(angle) + slope sin(angle), a form in which a small t keeps its digits.
 struct Arc {
   Scaled start;
   double sense, at_start, slope;
-  double from, core, last;  ///< core: its sign is that of the sense in which v counts
+  double from, core, last;  ///< core is negative if the angle falls with v
 
   [[nodiscard]] double angle(double v) const { return from + core * std::sinh(v); }
   [[nodiscard]] double slope_of_angle(double v) const { return std::fabs(core) * std::cosh(v); }
 };
 
-/// The lines of half a turn for the place e, at a depth with b as unit of length: in both senses from the major axis to the
-/// line across e, where t = 0. Each half of an arc begins at its own end, where w and t may be small; the lines that touch the
-/// ellipse part it, or the line nearest to that if the place is within it. In the surface the integrand has a kink there,
-/// below it bends where t changes by the depth over w. So narrow a bend would be seen by no panel: v counts in units of it
-/// next to the line, and farther off in those of the logarithm.
+/// The lines of half a turn for the place e, at a depth in units of b. Arcs run in both senses from the major axis to the
+/// line across e, where t = 0. Each half of an arc begins at its own end, where w and t may be small. It is split at the
+/// line that touches the ellipse or, if the place is inside the ellipse, at the line nearest to touching. At that line
+/// the integrand has a kink on the surface and a bend below it, where t changes by the depth over w. A narrow bend could
+/// escape the panels; therefore v is the angle in units of the bend next to the line, and logarithmic farther off.
 std::vector<Arc> arcs_to(const Scaled& e, double ratio, double depth) {
   constexpr double half_turn = std::numbers::pi;
   const double distance = std::hypot(e.first, e.second);
@@ -58,7 +58,7 @@ std::vector<Arc> arcs_to(const Scaled& e, double ratio, double depth) {
       const double change = depth * std::hypot(ratio * m.first, m.second) + std::max(0.0, 1 - distance);
       const double bend =
           2 * change / (slope_of_t + std::sqrt(slope_of_t * slope_of_t + 2 * distance * change) + 0x1p-500);
-      // What happens within 2^-30 is less than a rounding of the integral.
+      // Angles within 2^-30 of the line contribute less than a rounding error of the integral.
       const double core = std::max(std::min(bend, half_turn) + std::fabs(touches - edge), 0x1p-30);
       const auto add_part = [&](double from, double unit, double size) {
         if (!(size > 0)) return;
@@ -78,14 +78,14 @@ std::vector<Arc> arcs_to(const Scaled& e, double ratio, double depth) {
   return arcs;
 }
 
-/// What a line adds to the displacement over pi p0 a/4, with b as unit of length: its wave at the place t + i g depth/w, in the
-/// surface Re Y (1 - t^2) w and Im Y H[1 - t^2] w.
+/// The contribution of a line to the displacement over pi p0 a/4, with b as unit of length: its wave at
+/// t + i g depth/w; on the surface Re Y (1 - t^2) w and Im Y H[1 - t^2] w.
 struct Line {
   PressureWave wave;
-  Direction n;          ///< from the motion
+  Direction n;          ///< direction from the motion
   double width, depth;  ///< depth over width
   std::array<internal::PressurePotential, 3> potentials;
-  std::complex<double> smooth;  ///< C at the mean place: where decays meet, the wave's parts are not
+  std::complex<double> smooth;  ///< C at the mean place, smooth where decays meet, unlike the wave's parts
 
   Line(PressureWave of, Direction along, double t, double w, double z)
       : wave(std::move(of)), n(along), width(w), depth(z / w) {
@@ -103,8 +103,8 @@ struct Line {
       for (auto& component : wave.shares[j]) component *= factor;
   }
 
-  /// The displacement along the motion, across it and into the half-space, each with a size, and these sizes, of the first two
-  /// and of the third. With them parts that may vanish are integrated to the rounding of what cancels in them.
+  /// The displacements along the motion, across it and into the half-space, each plus a size; then the sizes of the first
+  /// two and of the third. With them, parts that may vanish are integrated to the rounding error of what cancels.
   [[nodiscard]] std::array<double, 5> terms() const {
     std::array<double, 3> sums{};
     for (std::size_t j = 0; j < wave.count; ++j)
@@ -115,9 +115,9 @@ struct Line {
     return {n.cosine * sums[0] - n.sine * sums[1] + in_surface,
             n.sine * sums[0] + n.cosine * sums[1] + in_surface, sums[2] + into, in_surface, into};
   }
-  /// The most that the displacement in the surface, and that into it, change for each relative change of the force or of the
-  /// response; for one of the width w it is three times as much, as w d/dw of C(s/w)/w is (2 L - 3 C)/w. The third number is
-  /// what roundings of the displacement into the half-space are relative to.
+  /// The largest changes of the displacements in the surface and into the half-space per relative change of the force
+  /// or of the response. Per relative change of the width w they are three times as large, as w d/dw of C(s/w)/w is
+  /// (2 L - 3 C)/w. The third number is the scale of the rounding errors of the displacement into the half-space.
   [[nodiscard]] std::array<double, 3> changes() const {
     std::array<double, 3> sums{};
     for (std::size_t j = 0; j < wave.count; ++j) {
@@ -186,7 +186,7 @@ std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
     }
   }
   const auto relative = [](const Estimate& number) { return number.error / number.value; };
-  // The force is (2 pi/3) p0 a b, so that besides it only w has an error: that of the axes and of their twist.
+  // As the force is (2 pi/3) p0 a b, only the force and w contribute errors; that of w is due to the axes and their twist.
   const double of_width = std::max(relative(load.semi_major), relative(load.semi_minor)) + twist_error_;
   const double change = relative(load.force) + internal::response_rounding + 3 * of_width;
   const double unit = load.peak_pressure.value * b / 4;

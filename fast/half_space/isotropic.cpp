@@ -22,7 +22,7 @@ constexpr Two one{1};
 
 bool is_subcritical(const IsotropicLine& line) { return line.shear_decay.high > 0 && line.rayleigh.high > 0; }
 
-/// If X is not below that of shear waves, none of the results is > 0.
+/// The line with this X. If X is not below 1, its value at the speed of shear waves, all other members are 0.
 IsotropicLine line_at(Two X, double poisson) {
   const Two below_shear = one - X;
   if (!(below_shear.high > 0)) return {X, {}, {}, {}, {}, {}};
@@ -51,8 +51,8 @@ IsotropicLine any_line(const data::IsotropicSolid& solid, double speed, Directio
   solid.check();
   internal::check_not_negative("speed", speed);
   internal::check_direction("psi", from_motion);
-  // The cosine is that of the unit vector along from_motion: near the motion, the rounding of from_motion's length
-  // would be an error of K that grows towards the Rayleigh speed.
+  // X uses the unit vector along from_motion: otherwise the rounding of from_motion's length would cause an error of K
+  // that grows towards the Rayleigh speed.
   const Two along = speed * internal::cosine_of(from_motion);
   const Two X = solid.density * square(along) / internal::squared_length(from_motion) / solid.shear;
   return line_at(X, solid.poisson);

@@ -34,10 +34,10 @@ double critical_speed(const data::IsotropicSolid& solid) {
   return std::sqrt(solid.shear / solid.density) * isotropic_rayleigh_speed(solid.poisson);
 }
 
-/// A surface and its critical speed; of a rigid body's nothing and infinity.
+/// A surface and its critical speed. A rigid body has no response and an infinite critical speed.
 struct Surface {
   SurfaceResponse response;
-  PressureWaves inside = {};  ///< of a half-space
+  PressureWaves inside = {};  ///< for a half-space only
   double critical_speed = std::numeric_limits<double>::infinity();
 };
 
@@ -68,7 +68,7 @@ struct HalfSpaceOf {
   }
   Surface operator()(const data::Stiffness& solid) const {
     const Direction motion = motion_of(problem);
-    // No line tells by itself that another is critical.
+    // The response on one line does not show whether another line is critical.
     const auto critical = fast::critical_speed(solid, motion);
     if (problem.speed >= critical.speed) throw internal::supercritical(problem.speed, critical);
     return surface_of(AnisotropicHalfSpace(solid, motion, problem.speed), motion, critical.speed);
@@ -90,7 +90,7 @@ struct BodyOf {
     };
     return surface;
   }
-  /// Rigid.
+  /// A rigid body.
   template <class Body>
   Surface operator()(const Body&) const {
     return {};

@@ -8,17 +8,17 @@
 
 namespace nipref::fast {
 
-/// The joint response of the body and the half-space of a problem on the line at an angle from the motion. It counts its
-/// own evaluations.
+/// The joint response of the body and the half-space of a problem, on the line at an angle from the motion. The class
+/// counts the evaluations.
 class JointResponse {
  public:
   /// BadInput "speed" unless the speed is subcritical on every line.
   explicit JointResponse(const data::HalfSpaceProblem& problem);
 
   [[nodiscard]] LineResponse operator()(Direction from_motion) const;
-  /// Of the half-space alone: at the surface, where the depth is 0, or inside.
+  /// The response of the half-space alone: on the surface only if the depth is 0, otherwise inside.
   [[nodiscard]] PressureWaves of_half_space(double depth = 0) const;
-  // Compliances, couplings and the smallest critical speed of this motion, unit of speed; the errors are of rounding.
+  // Compliances, couplings and the smallest critical speed of this motion, unit of speed. The errors are rounding errors.
   [[nodiscard]] Estimate compliance(double degrees) const;
   [[nodiscard]] Estimate coupling(double degrees) const;
   [[nodiscard]] Estimate critical_speed() const;

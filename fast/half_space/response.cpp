@@ -12,7 +12,7 @@ PressureWave::PressureWave(const LineResponse& y, const std::array<Vector, 3>& m
     for (std::size_t k = 0; k < 3; ++k) g(static_cast<int>(i), static_cast<int>(k)) = matrix[i][k];
   const Eigen::Vector3cd values = Eigen::ComplexSchur<Eigen::Matrix3cd>(g, false).matrixT().diagonal();
   decays = {values[0], values[1], values[2]};
-  // The first and the last are the farthest from each other: a second divided difference is divided by their distance.
+  // The decays farthest apart become first and last, as a second divided difference is divided by their distance.
   const auto apart = [&](std::size_t i, std::size_t k) { return std::abs(decays[i] - decays[k]); };
   if (apart(0, 1) > apart(0, 2)) std::swap(decays[1], decays[2]);
   if (apart(1, 2) > apart(0, 2)) std::swap(decays[0], decays[1]);

@@ -16,7 +16,7 @@ namespace nipref::fast {
 struct LineResponse {
   double compliance, coupling;
   double coupling_across = 0;  ///< 0 unless the solid distinguishes left and right of the line
-  // Both are 0 where x3 = const is a plane of symmetry of the solid.
+  // Both are 0 if x3 = const is a plane of symmetry of the solid.
   double shear_compliance = 0, shear_compliance_across = 0;
 };
 
@@ -37,22 +37,22 @@ inline LineResponse in_contact(const LineResponse& lower, const LineResponse& up
 /// directions have the same compliance, the same couplings, and shear compliances of opposite sign.
 using SurfaceResponse = std::function<LineResponse(Direction)>;
 
-/// What a wave of pressure e^{ikx} along a line, k > 0, does inside the half-space: at the depth z it displaces it by
+/// The displacement inside the half-space under a wave of pressure e^{ikx} along a line, k > 0. At the depth z it is
 /// e^{ikx}/k times f[g0] v0 + f[g0, g1] v1 + f[g0, g1, g2] v2 along the line, across it and downwards, with divided
-/// differences of f(g) = e^{-gkz}. That is e^{-Gkz} v0 for a matrix G with the eigenvalues g, some of which may be equal.
+/// differences of f(g) = e^{-gkz}. This is e^{-Gkz} v0 for a matrix G with eigenvalues g, some of which may be equal.
 struct PressureWave {
   using Vector = std::array<std::complex<double>, 3>;
 
-  Vector decays;                 ///< g, Re g > 0; of two the second twice
+  Vector decays;                 ///< g, Re g > 0; if there are two, the second twice
   std::array<Vector, 3> shares;  ///< v, 1/stress
-  std::size_t count = 1;         ///< of shares that are not 0
+  std::size_t count = 1;         ///< number of shares that are not 0
 
-  /// At the surface alone.
+  /// For the surface alone.
   PressureWave(const LineResponse& y)
       : decays{},
         shares{{{std::complex(y.shear_compliance, y.coupling),
                  std::complex(y.shear_compliance_across, y.coupling_across), y.compliance}}} {}
-  /// G in the same axes, by rows.
+  /// For any depth, from G in the same axes, by rows.
   PressureWave(const LineResponse& y, const std::array<Vector, 3>& matrix);
 };
 using PressureWaves = std::function<PressureWave(Direction)>;

@@ -19,7 +19,7 @@ using data::BadInput;
 
 namespace {
 
-/// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: some terms, and the rest by Boole's summation formula to rounding.
+/// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: the first terms, and the rest by Boole's summation formula to rounding.
 std::complex<double> alternating_sum(std::complex<double> z) {
   constexpr int terms = 32;  // even; then |z| > 64
   std::complex<double> sum = 0;
@@ -28,8 +28,8 @@ std::complex<double> alternating_sum(std::complex<double> z) {
   return sum + x / 2. + y * (0.5 + y * (-1. + y * (8. + y * (-136. + y * 3968.))));
 }
 
-/// int_0^1 t sqrt(1 - t^2) cos(P ln((1-t)/(1+t))) dt of (brock2012 54). With t = tanh v and by parts it needs
-/// int_0^inf sin(2 P v)/cosh(v) dv, an alternating sum.
+/// int_0^1 t sqrt(1 - t^2) cos(P ln((1-t)/(1+t))) dt of (brock2012 54). Substitution of t = tanh v and integration by
+/// parts lead to int_0^inf sin(2 P v)/cosh(v) dv, an alternating sum.
 double oscillating_moment(double index) {
   const double a = 2 * index;
   const double sech_sine = 2 * alternating_sum({1, -a}).imag();
@@ -41,7 +41,7 @@ constexpr double rounding = 0x1p-50;
 
 }  // namespace
 
-/// The properties of one line that do not depend on the load. X = c^2 cos^2 may be 0, so that it is divided out first.
+/// The properties of one line that do not depend on the load. X = c^2 cos^2 may be 0; therefore it is cancelled first.
 struct RollingSphere::Shape {
   double slowness_ratio;  ///< sqrt(wS/wD)
   double index;           ///< P
@@ -68,7 +68,7 @@ RollingSphere::Shape RollingSphere::shape(Direction from_motion) const {
           std::sqrt(line.rayleigh.high / line.defect.high)};
 }
 
-// The terms of the moment grow like P^2 with the oscillation of the tractions, and cancel.
+// As the tractions oscillate, the terms of the moment grow like P^2 and cancel.
 Estimate RollingSphere::force_factor() const {
   const auto terms = [&](Direction from_motion) {
     const Shape line = shape(from_motion);
@@ -100,7 +100,7 @@ RollingLine RollingSphere::along(Direction from_motion) const {
   const double lean = line.slowness_ratio - line.index * relative / 2;  // B
   if (!(lean > 0)) throw BadInput("span", span, "must be small against the radius");
   const double uncertainty = span_.error / span_.value + rounding + internal::response_rounding;
-  // Its two terms may cancel, whereas their errors add.
+  // The two terms of the creep may cancel, whereas their errors add.
   const double squared = 4 * line.index * line.index, of_wave = line.index * line.slowness_ratio;
   const Estimate creep{relative * (relative / 16 * (1 - squared) + of_wave),
                        3 * uncertainty * relative * (relative / 16 * (1 + squared) + of_wave)};
@@ -113,8 +113,8 @@ RollingLine RollingSphere::along(Direction from_motion) const {
           uncertainty};
 }
 
-/// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The phase has the error of
-/// the distances to the ends; the factor has those of the span and of B and Phi, which contain a difference.
+/// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The error of the phase comes
+/// from the distances to the ends; that of the factor comes from the span and from B and Phi, which contain a difference.
 Estimate RollingLine::traction(double x, Wave wave) const {
   internal::check_finite("x", x);
   const double half = span / 2, ahead = half - x, behind = half + x;

@@ -22,9 +22,9 @@ struct RollingLine {
 
   /// sigma33, < 0 if compressive, unit of stress, 0 outside the contact; x finite, BadInput otherwise.
   [[nodiscard]] Estimate normal_traction(double x) const;
-  /// tau along the line; likewise.
+  /// tau along the line; unit, domain and bad input as above.
   [[nodiscard]] Estimate shear_traction(double x) const;
-  /// r_C: the normal traction is compressive for |x| < r_C, as far as L is small against r0. (brock2012 50)
+  /// r_C: the normal traction is compressive for |x| < r_C if L is small compared with r0. (brock2012 50)
   [[nodiscard]] Estimate compressed_radius() const;
 
  private:
@@ -40,8 +40,8 @@ class RollingSphere {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive (brock2012 54)
-  /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
-  /// counted from the motion, of unit length.
+  /// L(psi)/L1 (brock2012 53a); across the motion it is 53b without the c_D under its root. The argument is psi
+  /// relative to the motion, of unit length.
   [[nodiscard]] Estimate span_ratio(Direction from_motion) const;
   /// The pressure at the centre, which is the same on every line; unit of stress.
   [[nodiscard]] Estimate peak_pressure() const;
@@ -75,8 +75,8 @@ class RollingSphere {
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span);
 
-/// The same for the force F3 > 0. BadInput where, within 1e-4 of the Rayleigh speed, the resultant of the oscillating
-/// tractions is tensile (`rolling_sphere_for_span` gives F3 < 0).
+/// The rolling sphere with the force F3 > 0; otherwise like rolling_sphere_for_span. BadInput also if the resultant of
+/// the oscillating tractions is tensile, within 1e-4 of the Rayleigh speed, where rolling_sphere_for_span gives F3 < 0.
 RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
                                        double force);
 

@@ -16,8 +16,8 @@ namespace nipref::fast {
 
 using data::BadInput;
 
-/// The properties of one line that do not depend on the load; -Omega, 1 + Omega and 1 + 2 Omega each without
-/// cancellation.
+/// The properties of one line that do not depend on the load. leading = -Omega, trailing = 1 + Omega and
+/// skew = 1 + 2 Omega are computed without cancellation.
 struct SlidingContact::Shape {
   double leading, trailing, skew;
   double modulus;  ///< h = sqrt(K^2 + Gamma^2)
@@ -27,7 +27,7 @@ struct SlidingContact::Shape {
   /// Q = (1+Omega)^(1+Omega) (-Omega)^(-Omega) (brock2012 33b)
   [[nodiscard]] double peak() const { return std::pow(trailing, trailing) * std::pow(leading, leading); }
 
-  /// Peak pressure over span. The papers' rule makes its product with the span the same in all directions.
+  /// The ratio of peak pressure to span. By the papers' rule its product with the span is the same in all directions.
   [[nodiscard]] double steepness() const { return curvature * peak() / modulus; }
 
   struct Moments {
@@ -107,8 +107,8 @@ void SlidingContact::integrate() {
     const double ratio = span_ratio(line), peak = line.steepness() / steepness_ * ratio;
     const double cube = peak * ratio * ratio * ratio, moment = cube * signed_square,
                  size = cube * uncancelled;
-    // The size is added to the moments, so that they are integrated to the rounding of their size. To the rounding of
-    // the moments themselves, which may vanish, the adaptive integration would not end.
+    // The size is added to the moments, so that they are integrated to the rounding error of the size. The adaptive
+    // integration would not end at the rounding error of the moments themselves, which may vanish.
     return std::array{peak * ratio * ratio * absolute, moment * from_motion.cosine + size,
                       moment * from_motion.sine + size, size};
   };

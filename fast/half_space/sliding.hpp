@@ -5,9 +5,9 @@
 
 namespace nipref::fast {
 
-/// The pressure -sigma33 on the line through the point of first touch in one direction, on
-/// -trailing_share L < x < leading_share L, L = span: proportional to (x+ - x)^(trailing_share)
-/// (x - x-)^(leading_share). (brock2012 26a, 28; brock2013 28, 29a)
+/// The pressure -sigma33 on the line through the point of first touch in one direction. It is proportional to
+/// (x+ - x)^(trailing_share) (x - x-)^(leading_share) for -trailing_share L < x < leading_share L, where L = span.
+/// (brock2012 26a, 28; brock2013 28, 29a)
 struct SlidingLine {
   double leading_share;   ///< -Omega = x+/L
   double trailing_share;  ///< 1 + Omega = -x-/L
@@ -21,34 +21,34 @@ struct SlidingLine {
   [[nodiscard]] Estimate trailing_end() const {  ///< x-, unit of length
     return {-trailing_share * span, uncertainty * span};
   }
-  /// Unit of stress, 0 outside the contact; x finite, unit of length, BadInput otherwise.
+  /// The pressure, unit of stress, 0 outside the contact. x must be finite, unit of length; otherwise BadInput.
   [[nodiscard]] Estimate pressure(double x) const;
 };
 
 /// The rule by which the spans of the lines are related.
 enum class SpanRule {
   stationary_force,  ///< peak pressures are equal (brock2012 33)
-  similar_contour    ///< as the body's own contours: like the root of its radius of curvature (brock2012 30)
+  similar_contour    ///< like the body's contours, as the root of its radius of curvature (brock2012 30)
 };
 
 /// A rigid smooth body that slides with friction, as constructed in the papers: on every line through the point of
-/// first touch K H[sigma33] + Gamma sigma33 = curvature x with Gamma = friction (S cos(psi - theta) - S' sin(psi -
-/// theta)), where K, S and S' are the compliance and the couplings of that line. The papers lack S', which acts where
-/// the motion is oblique to an axis in the surface, and the shear compliances, which friction adds to K where the
-/// surface is no plane of symmetry. The spans either make the force stationary, so that the peak pressures of all
-/// lines are equal, or follow the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2 corrected to
-/// 1/Q^3.) This construction does not solve the contact problem, which EllipticContact does without friction, with
-/// 4/pi times the force for the same span of a sphere at rest. The papers define no approach of the bodies.
+/// first touch K H[sigma33] + Gamma sigma33 = curvature x with Gamma = friction (S cos(psi - theta) - S'
+/// sin(psi - theta)), where K, S and S' are the compliance and the couplings of that line. The papers lack S', which
+/// acts if the motion is oblique to an axis in the surface, and the shear compliances, which friction adds to K if the
+/// surface is no plane of symmetry. The spans either make the force stationary, so that the peak pressures of all lines
+/// are equal, or follow the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2 corrected to 1/Q^3.)
+/// This construction does not solve the contact problem. Without friction, EllipticContact solves it; its force is 4/pi
+/// times that of the construction for the same span of a sphere at rest. The papers define no approach of the bodies.
 class SlidingContact {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive
   /// The peak pressure on the line along the motion, unit of stress; with stationary_force the same in all directions.
   [[nodiscard]] Estimate peak_pressure() const;
-  /// First moment of the pressure over the force, counted from the point of first touch along the motion:
-  /// <= 0 for a positive coupling. Unit of length; the error is relative to the span.
+  /// The first moment of the pressure divided by the force, from the point of first touch along the motion. It is <= 0
+  /// for a positive coupling. Unit of length; the error is relative to the span.
   [[nodiscard]] Estimate centre_along() const { return centre_along_; }
-  /// The same across the motion, 90 degrees counterclockwise from it.
+  /// The first moment divided by the force across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
   [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
   /// The peak pressure on the line in the direction psi, unit of stress.
@@ -66,7 +66,7 @@ class SlidingContact {
                  SpanRule rule);
   [[nodiscard]] Shape shape(Direction psi) const;
   [[nodiscard]] double span_ratio(const Shape& line) const;
-  /// The relative rounding error of span ratios: that of K and S, to which friction contributes.
+  /// The relative rounding error of span ratios, which is that of K and S; friction magnifies it.
   [[nodiscard]] double rounding() const;
   void integrate();
   void set_span(Estimate span);
@@ -85,14 +85,14 @@ class SlidingContact {
                                           SpanRule);
 };
 
-/// The contact with span L1 along the motion, > 0 and finite, unit of length. friction from 0 to 1000,
-/// motion of unit length; the response at every direction must have a finite coupling and a positive finite
-/// compliance (a subcritical speed). BadInput otherwise. The integral over the directions is exact to
-/// rounding if the response is analytic; otherwise the errors include what is missing.
+/// The contact with span L1 along the motion, > 0 and finite, unit of length. friction is from 0 to 1000, motion is of
+/// unit length, and the response in every direction must have a finite coupling and a positive finite compliance, as at
+/// a subcritical speed; otherwise BadInput. The integral over the directions is exact to rounding if the response is
+/// analytic; otherwise the error estimates include the truncation error.
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
                                 Direction motion, double span, SpanRule rule = SpanRule::stationary_force);
 
-/// The contact that carries the force F3 > 0, finite; otherwise the same.
+/// The contact that carries the force F3 > 0, finite; otherwise like sliding_for_span.
 SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
                                  Direction motion, double force, SpanRule rule = SpanRule::stationary_force);
 

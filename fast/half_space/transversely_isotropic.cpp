@@ -18,8 +18,8 @@ internal::TransverselyIsotropicLine checked_line(const data::TransverselyIsotrop
   return {solid, axis};
 }
 
-/// The same solid. With a normal axis c66 does not matter for the motion under pressure, and c11 takes its place: then waves
-/// polarised across the line are as fast as longitudinal ones and never radiate.
+/// The solid as a general anisotropic one. With a normal axis c66 does not affect the motion under pressure. It is
+/// replaced by c11: then waves polarised across the line are as fast as longitudinal ones and never radiate.
 internal::AnisotropicLine general_line(const data::TransverselyIsotropicSolid& solid,
                                        data::SymmetryAxis axis) {
   data::Stiffness general = data::Stiffness::of(solid, axis);
@@ -50,7 +50,7 @@ struct TransverselyIsotropicHalfSpace::Implementation {
   [[nodiscard]] LineResponse at(Direction psi) const {
     check_direction("psi", psi);
     const std::optional<LineResponse> answers = line.at(psi, motion);
-    // The critical speed found by the search may be too high by roundings.
+    // The critical speed found by the search may be too high by a few roundings.
     if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
     return *answers;
   }
@@ -79,7 +79,7 @@ PressureWave TransverselyIsotropicHalfSpace::inside(Direction psi) const {
 }
 
 double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
-  static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
+  static_cast<void>(implementation_->at(psi));  // throws for a psi or a line that is not allowed
   const auto& [line, general, motion, speed, critical] = *implementation_;
   const double condition = line.condition(psi, motion);
   if (!std::isfinite(condition))

@@ -9,16 +9,16 @@ namespace nipref::fast {
 // The surface of a transversely isotropic half-space under loads that move steadily.
 //
 //   solid         any with positive strain energy (its check())
-//   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
+//   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: axis 3 is the direction of
 //                 90 degrees in the surface
 //   motion, psi   directions of motion and line, unit vectors. Along the line the load moves at speed
 //                 |cos(psi - theta)|
 //   speed         in SpeedUnit, unit of sqrt(modulus/density)
-//   bad input     a solid that fails its check(), or whose matrix has eigenvalues more than 1e12 apart, nan,
-//                 infinite, directions that are no unit vectors, a speed that is negative or not subcritical on
+//   bad input     a solid that fails its check(), or whose matrix has a condition number above 1e12, nan,
+//                 infinite, directions that are not unit vectors, a speed that is negative or not subcritical on
 //                 every line: data::BadInput
 
-/// The unit of speeds as a sum of two words: rounded to one word it would cause an error of every speed.
+/// The unit of speeds as a sum of two words, since its rounding to one word would cause an error of every speed.
 struct SpeedUnit {
   double high = 1, low = 0;
 };
@@ -34,19 +34,19 @@ class TransverselyIsotropicHalfSpace {
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                                  Direction motion, double speed, SpeedUnit unit = {});
 
-  /// Compliance and couplings to the shear along and across the line; each to two units in the last place, up
-  /// to 1 - 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
+  /// Compliance and couplings to the shear along and across the line, each to two units in the last place, up to
+  /// 1 - 1e-12 of the critical speed. A call takes a quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
   /// couplings added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
-  /// Some 60 microseconds.
+  /// Takes about 60 microseconds.
   [[nodiscard]] PressureWave inside(Direction psi) const;
 
-  /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound
-  /// towards the critical speed; its error is at most 3e-13 max(1, itself) up to 1 - 1e-8 of that speed.
+  /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound towards
+  /// the critical speed. Its error is at most 3e-13 max(1, condition number) up to 1 - 1e-8 of the critical speed.
   [[nodiscard]] double condition(Direction psi) const;
 
-  /// In the unit of the speed, see below.
+  /// The smallest critical speed, in the unit of the speed; see critical_speed() below.
   [[nodiscard]] double critical_speed() const;
 
  private:
@@ -54,16 +54,15 @@ class TransverselyIsotropicHalfSpace {
   std::shared_ptr<const Implementation> implementation_;
 };
 
-/// The smallest speed at which some line is critical: the minimum over the lines of the speed of the Rayleigh wave
-/// along the line or, if there is none, of the slowest bulk wave in its field. The speed is right to a few units in
-/// the last place, psi to 1e-7. With a normal axis all lines are alike, and psi is that of motion. BadInput "solid"
-/// also where the search would take too long: if the fastest wave is more than 3000 times as fast as the critical
-/// speed.
+/// The smallest speed at which some line is critical: the minimum over the lines of the speed of the Rayleigh wave along
+/// the line or, if there is none, of the slowest bulk wave in its field. The speed is right to a few units in the last
+/// place, psi to 1e-7. With a normal axis all lines are alike, and psi is the angle of the motion. BadInput "solid" also
+/// if the fastest wave is more than 3000 times as fast as the critical speed, as the search would take too long.
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion);
 
-/// The speed along `motion` at which the line psi is critical: the root of M, or the branch point before it
-/// if it has none; a few units in the last place. Infinite for a line across the motion.
+/// The speed along `motion` at which the line psi is critical: the root of M or, if M has none, the branch point. It is
+/// right to a few units in the last place, and infinite for a line across the motion.
 double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                       Direction motion, Direction psi);
 
@@ -74,7 +73,7 @@ enum class BranchWave {
   quasi_transverse     ///< (46b), minus
 };
 
-/// Their speeds on the line of motion, to a unit in the last place. The printed P6 is wrong; correct is
+/// The speed of such a wave along the line of motion, to a unit in the last place. The printed P6 is wrong; correct is
 /// P6^2 = 4 d6 P + [(d6 - d1)(d6 - d2) - (d6 + d12)^2] sin^2(2 theta).
 double branch_speed(BranchWave wave, const data::TransverselyIsotropicSolid& solid, Direction motion);
 

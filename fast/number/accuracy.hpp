@@ -15,8 +15,7 @@ class Accuracy {
   /// Full double accuracy.
   constexpr Accuracy() = default;
 
-  /// rtol: dimensionless, 2^-51 <= rtol < 1. Anything else: BadInput that names rtol and the best reachable
-  /// value.
+  /// rtol: dimensionless, 2^-51 <= rtol < 1. Anything else: BadInput that names rtol and the best reachable value.
   explicit Accuracy(double rtol);
 
   /// The tolerance asked for.

@@ -5,8 +5,7 @@
 
 namespace nipref::fast::internal {
 
-/// An unevaluated sum high + low, where |low| is below a unit in the last place of high. Large exponents and phases
-/// need both.
+/// An unevaluated sum high + low, |low| below a unit in the last place of high, as large exponents and phases need it.
 struct Two {
   double high = 0;
   double low = 0;

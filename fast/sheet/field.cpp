@@ -118,9 +118,8 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   return apart / 4 + (held * inv_pi + in_quarter(true, alpha, s, SheetLoad::shear, poisson));
 }
 
-/// A function that is odd in alpha is proportional to it for tiny alpha. Such an alpha is multiplied by 2^64, so that
-/// no product with it underflows before it is divided by the square of a small distance; the result is multiplied by
-/// `scale`.
+/// A function that is odd in alpha is proportional to tiny alpha. A tiny alpha is multiplied by 2^64, so that no product
+/// with it underflows before the division by the square of a small distance; the result is multiplied by `scale`.
 struct Lifted {
   double alpha;
   double scale;

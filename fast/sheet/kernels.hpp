@@ -24,8 +24,7 @@
 
 namespace nipref::fast {
 
-/// int_0^inf 2 sinh^2 x cos(alpha x)/(x (sinh 2x + 2x)) dx. Even, -ln|alpha| - 0.3517 at 0. Thesis (4.9),
-/// (AI.9).
+/// int_0^inf 2 sinh^2 x cos(alpha x)/(x (sinh 2x + 2x)) dx. Even, -ln|alpha| - 0.3517 at 0. Thesis (4.9), (AI.9).
 double I1(double alpha, Accuracy accuracy = {});
 
 /// int_0^inf sin(alpha x)/x dx = (pi/2) sign(alpha), 0 at 0; correctly rounded. Thesis (AI.10).

@@ -143,8 +143,8 @@ double AnisotropicLine::limit(Direction psi) const {
 
 Two AnisotropicLine::limit_in_two_words(Direction psi) const { return limit_within(psi, 0x1p-100); }
 
-// Bisection, until a speed between that of the surface wave and the limiting speed is found; if there is no such
-// speed, up to the limiting speed. It starts in double and goes on in two words once the rounding of double matters.
+// Bisects until a speed between that of the surface wave and the limiting speed is found; if there is none, bisection
+// converges to the limiting speed. It starts in double and goes on in two words once the rounding of double matters.
 Two AnisotropicLine::limit_within(Direction psi, double share) const {
   const StrohBlocks blocks = this->blocks(psi);
   const Two length = sqrt(squared_length(psi));

@@ -26,7 +26,7 @@ ComplianceTable::Piece::Piece(const Compliance& compliance, double from, double 
   for (std::size_t j = 0; j < points; ++j) values[j] = compliance(Direction::of_angle(angle(j)));
 }
 
-/// The barycentric formula of the second kind.
+/// Uses the barycentric formula of the second kind.
 double ComplianceTable::Piece::at(double angle) const {
   static const auto nodes = [] {
     std::array<std::array<double, 2>, points> result;
@@ -47,7 +47,7 @@ double ComplianceTable::Piece::at(double angle) const {
   return above / below;
 }
 
-/// Whether it has the values of a piece within it, to about 1e-10.
+/// Whether this piece reproduces the values of a half of it to about 1e-10.
 bool ComplianceTable::Piece::agrees(const Piece& half) const {
   for (std::size_t j = 0; j < points; ++j)
     if (!(std::fabs(at(half.angle(j)) - half.values[j]) <= 1e-10 * half.values[j])) return false;

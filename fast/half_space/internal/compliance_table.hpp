@@ -7,11 +7,11 @@
 
 namespace nipref::fast::internal {
 
-/// A compliance in each direction, opposite ones alike.
+/// A compliance as a function of the direction; opposite directions have the same compliance.
 using Compliance = std::function<double(Direction)>;
 
-/// A compliance by interpolation between Chebyshev points of pieces, for searches that ask for many directions. Pieces are
-/// halved until they agree to about 1e-10 with the points of their halves, or 2^13 lines have been computed.
+/// A compliance by interpolation between the Chebyshev points of pieces, for searches that need many directions. A piece
+/// is halved until it agrees to about 1e-10 with the points of its halves, or until 2^13 lines have been computed.
 class ComplianceTable {
  public:
   explicit ComplianceTable(const Compliance& compliance);
@@ -24,12 +24,12 @@ class ComplianceTable {
     std::array<double, points> values;
 
     Piece(const Compliance& compliance, double from, double to);
-    [[nodiscard]] double angle(std::size_t j) const;  ///< of a value
+    [[nodiscard]] double angle(std::size_t j) const;  ///< angle of value j
     [[nodiscard]] double at(double angle) const;
     [[nodiscard]] bool agrees(const Piece& half) const;
   };
 
-  std::vector<Piece> pieces_;  ///< rising, from -pi/2 to pi/2
+  std::vector<Piece> pieces_;  ///< in ascending order, from -pi/2 to pi/2
 };
 
 }  // namespace nipref::fast::internal

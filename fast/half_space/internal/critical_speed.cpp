@@ -49,12 +49,11 @@ class CriticalSpeeds {
 /// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
 /// given step.
 ///
-/// Let a field of the half-space be proportional to exp(i k.x) along the surface. Its strain is linear in k, so that
-/// its energy at (1 - t) k1 + t k2 is the weighted mean of those at k1 and k2 less t (1 - t) times that of a plane
-/// wave with the wave vector k2 - k1. Let w be the frequency at which a line with the wave vector k is critical. Then
-/// a load of the velocity V is subcritical for all lines between k1 and k2 if sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 -
-/// (V.k2)^2) is at least the frequency of the fastest wave with the wave vector k2 - k1. Here k1 and k2 are unit
-/// vectors.
+/// Let a field of the half-space be proportional to exp(i k.x) along the surface. Its strain is linear in k. Hence its
+/// energy at (1 - t) k1 + t k2 is the weighted mean of the energies at k1 and k2 minus t (1 - t) times the energy of a
+/// plane wave with the wave vector k2 - k1. Let w be the frequency at which a line with the wave vector k is critical.
+/// Then a load of the velocity V is subcritical for all lines between the unit vectors k1 and k2 if
+/// sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 - (V.k2)^2) is at least the frequency of the fastest wave with wave vector k2 - k1.
 class Landscape {
  public:
   Landscape(const CriticalSpeeds& speeds, const AnisotropicLine& waves, Direction motion,
@@ -88,8 +87,8 @@ class Landscape {
   }
 
  private:
-  /// The limit of lines for all steps after the first: at most half of what the caller allows, so that only the first
-  /// step can end in a refusal.
+  /// Steps after the first stop refining when there are more lines than this, at most half of what the caller allows.
+  /// Only the first step can therefore end in a refusal.
   static constexpr std::size_t enough_lines = 400;
 
   struct Line {
@@ -117,7 +116,7 @@ class Landscape {
     return line.phase_speed * std::sqrt((1 - share) * (1 + share));
   }
 
-  /// Whether all lines between these are subcritical, in double.
+  /// Whether all lines between these two are subcritical, evaluated in double.
   [[nodiscard]] bool is_clear(const Line& left, const Line& right, double speed) const {
     if (!(left.speed > speed && right.speed > speed)) return false;
     const double half = (right.from_motion - left.from_motion) / 2;
@@ -125,7 +124,7 @@ class Landscape {
     return reserve(left, speed) + reserve(right, speed) >= 2 * std::sin(half) * wave_bound(across);
   }
 
-  /// Halves the intervals that are not clear; false if there are none.
+  /// Halves the intervals that are not clear; returns false if there are none.
   bool refine(double speed) {
     std::vector<Line> finer{lines_.front()};
     for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
@@ -162,8 +161,8 @@ double bottom_of(const CriticalSpeeds& speeds, const Landscape::Valley& valley) 
   return at(found.first);
 }
 
-/// One Newton step towards the minimum, with slope and curvature by differences in two words: in a narrow valley the
-/// rounding of double would leave the minimum too high.
+/// One Newton step towards the minimum, with slope and curvature from differences in two words, because in a narrow
+/// valley rounding errors of double would leave the minimum too high.
 double nearer_to_bottom(const CriticalSpeeds& speeds, double from_motion) {
   constexpr double step = 0x1p-28, farthest = 0x1p-18;
   const Two here = speeds.in_two_words(from_motion);

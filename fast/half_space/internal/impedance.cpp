@@ -12,8 +12,8 @@ namespace {
 double high_word(double x) { return x; }
 double high_word(Two x) { return x.high; }
 
-/// By Gauss-Jordan elimination with column pivoting. Returns the base-2 logarithm of |det|, or nothing if the determinant
-/// is 0 or not a number.
+/// Inverts a matrix by Gauss-Jordan elimination with column pivoting. Returns the base-2 logarithm of |det|, or nothing
+/// if the determinant is 0 or not a number.
 template <class Number, std::size_t size>
 std::optional<double> invert_in_place(Square<Number, size>& a) {
   std::array<std::size_t, size> swapped{};
@@ -44,8 +44,8 @@ std::optional<double> invert_in_place(Square<Number, size>& a) {
   return log2_determinant;
 }
 
-/// The matrix sign function, divided by i, of a real matrix without real eigenvalues; nothing if Newton's iteration
-/// does not converge.
+/// The matrix sign function, divided by i, of a real matrix without real eigenvalues. Returns nothing if Newton's
+/// iteration does not converge.
 template <class Number>
 std::optional<Square<Number, 6>> sign_of(Square<Number, 6> x) {
   constexpr int most = 80;
@@ -55,7 +55,7 @@ std::optional<Square<Number, 6>> sign_of(Square<Number, 6> x) {
     Square<Number, 6> inverse = x;
     const auto log2_determinant = invert_in_place(inverse);
     if (!log2_determinant) return std::nullopt;
-    // Scaling by powers of two brings the eigenvalues near 1 while they are far from it.
+    // Scaling by powers of two brings the moduli of the eigenvalues near 1 while they are far from 1.
     const double scale = std::exp2(-std::round(*log2_determinant / 6));
     double change = 0, size = 0;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -129,7 +129,7 @@ void add_entry(Impedance<Number>& m, std::size_t entry, double change) {
   if (i != k) part[k][i] = entry < real_entries ? part[i][k] : -part[i][k];
 }
 
-/// P^H T^-1 P - Q + X, P = M + i R^T: its independent entries, and T^-1 P.
+/// The residual P^H T^-1 P - Q + X, P = M + i R^T, by its independent entries, and the matrix T^-1 P.
 struct Residual {
   std::array<Two, entries> of_entry;
   Square<Two, 3> re, im;
@@ -153,8 +153,8 @@ struct Residual {
   }
 };
 
-/// The change D of M is the solution of Lyapunov's equation D C + (D C)^H = -residual, C = T^-1 P, whose eigenvalues -i p
-/// are on the right of the imaginary axis below the limiting speed.
+/// The matrix of Lyapunov's equation D C + (D C)^H = -residual for the change D of M, where C = T^-1 P. Below the
+/// limiting speed the eigenvalues -i p of C are to the right of the imaginary axis.
 Eigen::Matrix<double, entries, entries> lyapunov_matrix(const Residual& at) {
   Eigen::Matrix<double, entries, entries> result;
   for (std::size_t unknown = 0; unknown < entries; ++unknown) {
@@ -177,8 +177,8 @@ Eigen::Matrix<double, entries, entries> lyapunov_matrix(const Residual& at) {
   return result;
 }
 
-/// By Newton's method with the derivative at the start, until the next change would be less than rounding; nothing where
-/// changes do not fall fast.
+/// Refines M by Newton's method with the derivative at the start, until the next change would be below the rounding
+/// error. Returns nothing if the changes do not decrease fast.
 std::optional<Impedance<Two>> refined(const Impedance<double>& start, const StrohBlocks& blocks, Two X) {
   constexpr int most = 5;
   constexpr double rounding = 0x1p-104, slowest_fall = 0x1p-12;

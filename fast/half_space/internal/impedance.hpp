@@ -19,7 +19,7 @@ Square<Number, 3> matrix_of(const Entry& entry) {
   return result;
 }
 
-/// The inverse of a matrix that has one.
+/// The inverse of a regular matrix.
 Square<Two, 3> inverse(Square<Two, 3> matrix);
 
 /// A Hermitian matrix M = re + i im.
@@ -30,7 +30,7 @@ struct Impedance {
   struct Complex {
     Number re, im;
   };
-  /// Of adj(M), which is Hermitian.
+  /// An entry of adj(M), which is Hermitian.
   [[nodiscard]] Complex adjugate(std::size_t i, std::size_t k) const {
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
     // The minor without row k and column i.
@@ -54,15 +54,15 @@ struct StrohBlocks {
   Square<Two, 3> q, r, t_inverse;
 };
 
-/// The impedance of a line whose stress density is X; nothing unless the load is slower than the limiting speed.
+/// The impedance of a line whose stress density is X, or nothing unless the load is slower than the limiting speed.
 ///
 /// Stroh's matrix N has the eigenvalues p. The matrix with the same eigenvectors and the eigenvalue i where Im p > 0, -i
-/// otherwise, is the matrix sign function over i; Newton's iteration X -> (X - 1/X)/2 computes it for degenerate solids, too.
-/// Beyond the limiting speed some p are real and the iteration does not converge. The blocks S, H of this matrix are Barnett
-/// and Lothe's tensors, and M = H^-1 (1 + i S).
+/// otherwise, is the matrix sign function over i. Newton's iteration X -> (X - 1/X)/2 computes it, for degenerate solids,
+/// too. Beyond the limiting speed some p are real and the iteration does not converge. The blocks S, H of this matrix are
+/// Barnett and Lothe's tensors, and M = H^-1 (1 + i S).
 std::optional<Impedance<double>> impedance(const StrohBlocks& blocks, double X);
-/// In two words: from M in double by steps of Newton's method for the Riccati equation P^H T^-1 P = Q - X of M, P = M + i R^T
-/// (Fu and Mielke 2002); by the sign function in two words where these do not converge, close to the limiting speed.
+/// The impedance in two words: M in double is refined by Newton's method for the Riccati equation P^H T^-1 P = Q - X,
+/// P = M + i R^T (Fu and Mielke 2002). If it does not converge, close to the limiting speed, the sign function is used.
 std::optional<Impedance<Two>> impedance(const StrohBlocks& blocks, Two X);
 
 }  // namespace nipref::fast::internal

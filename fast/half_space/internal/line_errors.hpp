@@ -9,8 +9,8 @@ namespace nipref::fast::internal {
 /// The relative error of compliances and couplings.
 inline constexpr double response_rounding = 0x1.8p-51;
 
-/// f of the distances to both ends of a line, whose errors are at most `distance_error`. f increases with both, so that
-/// its values at the ends of these ranges bound the error; it is 0 outside the contact.
+/// f of the distances to both ends of a line. The errors of the distances are at most `distance_error`. As f increases
+/// with both distances, its values at the ends of their ranges bound the error. f is 0 outside the contact.
 template <class Function>
 Estimate between_ends(double ahead, double behind, double distance_error, const Function& f) {
   const auto changed = [&](double change) {

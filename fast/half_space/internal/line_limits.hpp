@@ -23,7 +23,7 @@ struct Motion {
       : direction(along), squared_ratio(square(speed) / squared_length(along)) {}
 
   Direction direction;
-  Two squared_ratio;  ///< (speed over length of the direction)^2
+  Two squared_ratio;  ///< (speed/length of the direction)^2
 };
 
 /// density c_X^2 of the speed c_X along the line psi, times the square of the length of psi.

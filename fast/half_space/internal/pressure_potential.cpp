@@ -8,7 +8,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// L, for any z. At z = +-1, where it is infinite, its value a rounding away.
+/// L(z) for any z. At z = +-1, where L is infinite, the result is L at a distance of one rounding.
 Complex logarithm(Complex z) {
   const double x = std::fabs(z.real()), y = z.imag();
   const double squared_distance = std::max((x - 1) * (x - 1) + y * y, 0x1p-106);
@@ -22,7 +22,7 @@ Complex slope_of_log1p(Complex z) {
   return Complex(std::log1p(2 * z.real() + std::norm(z)) / 2, std::atan2(z.imag(), 1 + z.real())) / z;
 }
 
-/// By powers of 1/z: the divided difference of z^-(n + 1) is that of z^-1 times the sum of all products of n factors 1/z.
+/// Uses series in 1/z: the divided difference of z^-(n + 1) is that of z^-1 times the sum of all products of n factors 1/z.
 std::array<PressurePotential, 3> far_potentials(const std::array<Complex, 3>& z) {
   const std::array<Complex, 3> x{1.0 / z[0], 1.0 / z[1], 1.0 / z[2]};
   std::array<Complex, 3> products{1, 1, 1};
@@ -64,7 +64,7 @@ PressurePotential quotient(const PressurePotential& a, const PressurePotential& 
 
 PressurePotential on_pair(Complex a, Complex b) {
   if (is_far(a) && is_far(b)) return far_potentials({a, b, b})[1];
-  // Far from each other nothing cancels here; below large terms would.
+  // If a and b are far apart, nothing cancels in the quotient, while large terms would cancel in the formula below.
   if (std::abs(a - b) > 0.5) return quotient(at(a), at(b), a - b);
   const Complex factor = 2.0 / ((a + 1.0) * (b - 1.0)), log = factor * slope_of_log1p(factor * (a - b));
   return {(1.0 - a) * (1.0 + a) * log - (a + b) * logarithm(b) - 2.0, log};

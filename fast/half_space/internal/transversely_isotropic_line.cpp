@@ -4,8 +4,8 @@
 #include <nipref/fast/number/internal/bisection.hpp>
 #include <nipref/fast/number/internal/instruction_level.hpp>
 
-// The same code is compiled a second time for processors with a fused multiply-add, which makes a two-word product one
-// instruction.
+// The code is compiled a second time for processors with a fused multiply-add, with which a product of two words takes
+// fewer instructions.
 #ifdef NIPREF_X86_LEVELS
 #define NIPREF_FUSED [[gnu::target("arch=x86-64-v3")]]
 #else
@@ -149,8 +149,8 @@ std::optional<LineResponse> TransverselyIsotropicLine::at(Direction psi, const M
                       line.coupling_across / divisor * inverse_unit_};
 }
 
-// By a central difference in two words. With this step the rounding error is 1e-13 of the result and the truncation
-// error (step/gap)^2, where `gap` is the relative distance from the critical speed.
+// Uses a central difference in two words. With this step the rounding error is 1e-13 of the result, and the truncation
+// error is (step/gap)^2, where `gap` is the relative distance from the critical speed.
 double TransverselyIsotropicLine::condition(Direction psi, const Motion& motion) const {
   constexpr double step = 0x1p-50;
   const Two X = stress_density(density_, psi, motion);

@@ -8,13 +8,13 @@
 
 namespace nipref::fast::internal {
 
-// The response of a transversely isotropic half-space along one line, with moduli and reciprocal responses in one
-// unit. Two words are carried, so that cancellation near a branch point or near the Rayleigh speed does not show in
-// the double results. X is density c_X^2 for the speed c_X along the line, times the square of the length of psi,
-// since rounding makes the vector of a Direction only nearly one of unit length.
+// The response of a transversely isotropic half-space along one line, with moduli and reciprocal responses in one unit.
+// Numbers have two words, so that cancellation near a branch point or near the Rayleigh speed does not affect the
+// results in double. X is density c_X^2 for the speed c_X along the line, times the square of the length of psi, since
+// after rounding the length of a Direction is only nearly 1.
 
-/// The responses times `rayleigh`, which vanishes at the Rayleigh speed. The numbers have a meaning only where
-/// `rayleigh` is positive: then the load is slower along the line than every wave, bulk or Rayleigh.
+/// The responses times `rayleigh`, which vanishes at the Rayleigh speed. They are valid only if `rayleigh` is positive:
+/// then the load is slower along the line than all bulk and Rayleigh waves.
 struct LineFunctions {
   Two rayleigh;
   Two compliance;
@@ -54,12 +54,12 @@ class InPlaneAxisLine {
   Two coupling_;     ///< (d6 + d12)^2/(d1 d6)
 };
 
-/// A line of either kind, in the units of the solid.
+/// A line for either axis, in the units of the solid.
 class TransverselyIsotropicLine final : public LineLimits {
  public:
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
-  /// Nothing if the line is not subcritical.
+  /// Returns nothing if the line is not subcritical.
   [[nodiscard]] std::optional<LineResponse> at(Direction psi, const Motion& motion) const;
 
   /// d ln K/d ln speed on a subcritical line.
@@ -73,7 +73,7 @@ class TransverselyIsotropicLine final : public LineLimits {
   [[nodiscard]] bool is_subcritical(Direction psi, Two speed) const;
 
   double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
-  double density_;       ///< of the solid, over that unit
+  double density_;       ///< density of the solid over that unit
   std::variant<NormalAxisLine, InPlaneAxisLine> line_;
 };
 

@@ -42,8 +42,7 @@ OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accura
 /// The kernel at a point. Odd kernels are 0 under the load.
 double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) I(w) dw. For an odd kernel at rate 0, where this diverges, limit/rate is left
-/// out.
+/// int_start^inf e^(-rate (w - start)) I(w) dw. For an odd kernel at rate 0, where it diverges, limit/rate is left out.
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,

@@ -21,8 +21,8 @@ class ClearableCache {
   void leave();
 };
 
-/// The values of a function of `Key`, each computed at its first use. If a new value would be more than number `most`, all
-/// older values are dropped. Thread-safe: threads that need a value at the same time may each compute it, but all get one.
+/// The values of a function of `Key`, each computed at its first use. When there are `most` values, all are dropped before
+/// the next is kept. Thread-safe: threads that need a value at once may each compute it, but all get the same one.
 template <class Key, class Value>
 class Cache final : public ClearableCache {
  public:

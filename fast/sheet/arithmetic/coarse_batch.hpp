@@ -91,8 +91,7 @@ NIPREF_INLINE void evaluate_tail(CoarseBlock& block) {
   }
 }
 
-/// A component at n <= block_size arguments of either sign, n a multiple of lanes; value may be the arguments'
-/// own array.
+/// A component at n <= block_size arguments of either sign, n a multiple of lanes; value may be the arguments' own array.
 template <Component component, int tier>
 NIPREF_INLINE void coarse_block(const double* argument, int32_t n, CoarseBlock& block, double* value) {
   prepare<component, tier>(argument, n, block);

@@ -71,8 +71,7 @@ NIPREF_INLINE Nearest nearest(double x) {
 /// ln 2 in two words. The first word is a multiple of 2^-42, so that its products with exponents are exact.
 inline constexpr double ln2_high = 0x1.62e42fefa38p-1, ln2_low = 0x1.ef35793c7673p-45;
 
-/// The coefficients sign^k/(first + k step)!, k = 0 to count - 1, of the series of e^x, or of sine and cosine by powers
-/// of x^2.
+/// Coefficients sign^k/(first + k step)!, k = 0 to count - 1: the series of e^x, or of sine and cosine by powers of x^2.
 template <unsigned count>
 struct Taylor {
   double of[count];

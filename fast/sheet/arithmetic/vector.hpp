@@ -86,8 +86,7 @@ NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
 }
 
 /// Puts sorted[0], sorted[1], ... into the lanes that are not in the set; the others are unspecified. The load is a
-/// separate instruction: expanding directly from memory that was not written, with an empty mask, doubles the time of a
-/// batch.
+/// separate instruction: expansion from memory that was not written, with an empty mask, doubles the time of a batch.
 NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   Vector from = load<Vector>(sorted);
   asm("" : "+v"(from));
@@ -211,8 +210,7 @@ template <class Number>
 NIPREF_INLINE Decomposed<Number> decompose(Number x) {
   constexpr int scaling = 54;  // makes denormal numbers normal
   const auto bits = bits_of(x * 0x1p54);
-  // An integer below 2^52 in the fraction bits of 2^52 gives the double 2^52 + integer, a conversion that compilers
-  // vectorise.
+  // An integer below 2^52 in the fraction bits of 2^52 makes the double 2^52 + integer; compilers vectorise this.
   const Number biased = from_bits((bits >> 52) | 0x4330000000000000);
   return {biased - all<Number>(0x1p52 + 1023 + scaling),
           from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};

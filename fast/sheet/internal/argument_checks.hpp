@@ -1,7 +1,6 @@
 #pragma once
 
-// Domain checks of the sheet kernels. For good input they cost one comparison; the treatment of bad input is not
-// inlined.
+// Domain checks of the sheet kernels. For good input they cost one comparison; code for bad input is not inlined.
 
 #include <cmath>
 #include <limits>

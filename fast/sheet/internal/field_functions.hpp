@@ -17,7 +17,7 @@ struct ComplexValue {
 ///     K5           the integral of I5 that tends to w pi/4 at infinity
 ///     I5', I7'     derivatives
 ///
-/// Stresses contain real or imaginary parts of these, like the integral of z cosh z cosh sz cos(alpha z)/S (thesis 3.19, 3.20).
+/// Integrals in stresses, like that of z cosh z cosh sz cos(alpha z)/S (thesis 3.19, 3.20), are parts of these functions.
 struct FieldFunctions {
   std::array<ComplexValue, field_functions> of;
 
