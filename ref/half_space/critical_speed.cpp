@@ -79,7 +79,7 @@ constexpr double radian = std::numbers::pi / 180;
   throw data::BadInput("solid", "(as given)", "must have moduli nearer to each other to search its lines");
 }
 
-/// A line, its critical phase speed and speed, and the fraction of them at which it is proven to be subcritical.
+/// A line, its critical phase speed and load speed, and the fraction of both at which it is proven to be subcritical.
 struct Line {
   double psi, phase_speed, speed, proven;
 };

@@ -15,7 +15,7 @@ namespace nipref::ref {
 
 /// The limiting speed: the smallest speed v at which a root s of Stroh's sextic is real. There density v^2 cos^2(psi -
 /// theta) is the minimum over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Horizontally
-/// polarised waves count even if the normal response does not contain them; see sagittal_stiffness. Proven:
+/// polarised waves count even where the normal response does not contain them, see sagittal_stiffness. Proven:
 /// ref/half_space/README.md, Speeds of lines.
 Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                          const SurfaceDirection& psi, int digits);
@@ -47,8 +47,7 @@ struct CriticalSpeed {
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits);
 
 /// Throws BadInput "speed", with the critical speed in its message, unless lines of the direction psi are proven to be
-/// subcritical: the impedance exists and is positive definite. The proof fails within about 1e-30 of the critical
-/// speed.
+/// subcritical: the impedance exists and is positive definite. Speeds within about 1e-30 of the critical are refused.
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                        const SurfaceDirection& psi);
 

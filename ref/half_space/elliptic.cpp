@@ -42,9 +42,8 @@ class SquaredWidth {
   Float wide_, narrow_, cosine_, sine_;
 };
 
-/// The two residuals of the condition that m = int K n n/w^3 dpsi, by the trapezoidal rule, is proportional to the
-/// curvatures: ln(m11/m22) minus the logarithm of the curvatures' ratio, and m12 over the geometric mean of m11 and
-/// m22.
+/// The residuals of the condition that m = int K n n/w^3 dpsi, by the trapezoidal rule, is proportional to the
+/// curvatures: ln(m11/m22) minus the logarithm of the curvatures' ratio, and m12 over sqrt(m11 m22).
 struct Mismatch {
   Float ratio, turn;
 

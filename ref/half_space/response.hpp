@@ -36,8 +36,7 @@ struct LineResponse {
 };
 
 /// The response along lines of the direction `psi` to loads that move at `speed`, unit sqrt(modulus/density), in the
-/// direction `motion` at the angle theta. The phase speed along the lines is speed cos(psi - theta); signs do not
-/// matter.
+/// direction `motion` at the angle theta. The phase speed along the lines, speed cos(psi - theta), has either sign.
 ///
 /// All error bounds are proven (interval arithmetic, see impedance.hpp). The compliance has the relative accuracy of an
 /// Enclosure. The error bounds of the other components, some of which are exactly 0 for symmetric solids, are at most

@@ -189,8 +189,8 @@ struct SlidingContact::Implementation final : ScaledContact {
 
   using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
   /// The integral over the lines of (C/h) (L(psi)/L(0))^(power + 2) weight(moments of |x|^power) with the curvature C
-  /// of a line, which the caller multiplies by L(0)^(power + 2). The moments are those of LineMoment, for span 1; on a
-  /// line of span L the pressure is (C/h) L times the pressure there.
+  /// of a line, which the caller multiplies by L(0)^(power + 2). The moments are those of LineMoment, whose pressure is
+  /// multiplied by (C/h) L on a line of span L.
   [[nodiscard]] Levels pressure_integral(int power, const LineWeight& weight) const {
     const SlidingLine along = line_at(Exact(0.0));
     // Without friction the moment is the same on all lines.

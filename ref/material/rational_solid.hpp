@@ -49,10 +49,10 @@ ExactRatio exact_modulus(data::SpringModel model, const Exact& spring, const Exa
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
                                      int theta2_rate_factor);
 
-// The definitions are those of the functions of the same names in fast. `modulus` is shear or dilatation; t, omega, p
-// >= 0; digits 16 to 1000. Error bounds are proven: common factors are cancelled exactly; for functions of time see
-// inverse_transform(). BadInput "t" if the value is below e^-7e8, or above e^2300 (1000 digits) in an unstable
-// material.
+// Definitions: the functions of the same names in fast. `modulus` is shear or dilatation; t, omega, p >= 0; digits 16
+// to 1000. Error bounds are proven: common factors are cancelled exactly; for functions of time see
+// inverse_transform(). BadInput "t" if the value is below e^-7e8 or, in an unstable material, above e^2300 (1000 digits
+// before the point).
 
 Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);

@@ -42,8 +42,7 @@ Interval rational(const mpq_class& value, double nats) {
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
 
-/// The relative accuracy, in nats, of a number of the size 1/rate, or of a distance at rate 0, with the error
-/// e^{-nats}.
+/// The relative accuracy, in nats, of a number of the size 1/rate, or of a distance at rate 0, with error e^{-nats}.
 double nats_over_rate(const mpq_class& rate, double nats) {
   constexpr double of_longest_way = 8;
   if (rate == 0) return nats + of_longest_way;

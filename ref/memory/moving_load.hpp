@@ -16,7 +16,7 @@ struct PathError {
 /// Error bounds of a moving load.
 struct MovingLoadError {
   PathError load, fixed_point;
-  mpq_class memory;  ///< of the relative error of every amplitude and rate of the memory, below 1/2
+  mpq_class memory;  ///< of the relative errors of amplitudes and rates of the memory, below 1/2
 };
 
 /// The load's path relative to a point of the surface, in half thicknesses: the load is at the distance `alpha`

@@ -26,7 +26,7 @@ bool take_minus(std::string_view& text) {
   return negative;
 }
 
-/// The exponent, with its sign, that the whole text is; nothing if the text is malformed or the exponent too large.
+/// The whole text as a signed exponent; nothing if the text is malformed or the exponent too large.
 std::optional<long> exponent_of(std::string_view text) {
   const bool negative = take_minus(text);
   unsigned exponent = 0;

@@ -46,7 +46,7 @@ void check_nonzero_argument(const Exact& argument, const char* name);
 /// BadInput unless -1 < poisson <= 1/2.
 void check_poisson(const Exact& poisson);
 
-/// Im z_1, the slowest decay of a kernel, rounded up.
+/// Im z_1, the slowest decay rate of a kernel, rounded up.
 inline constexpr double slowest_decay = 2.1062;
 
 /// About -ln of the size of I6 and of vs. As |alpha| -> |eta|, their linear growth cancels; the rest decays with both.

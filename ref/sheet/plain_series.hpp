@@ -12,8 +12,7 @@ inline constexpr int most_residue_terms = 500;
 /// I6 is the sum of its two parts, of which I6_alpha_part includes I1.
 enum class PlainKernel { I1, I3, I4, I5, I6_alpha_part, I6_eta_part, I7 };
 
-/// The n-th term of a kernel over pi, at the argument x >= 0, is e^(-K x) (A sin m x + B cos m x) with the root m + i
-/// K.
+/// The n-th term of a kernel over pi is e^(-K x) (A sin m x + B cos m x) at x >= 0, with the root m + i K.
 struct ResidueCoefficients {
   Enclosure A, B;
 };

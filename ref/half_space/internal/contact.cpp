@@ -62,8 +62,7 @@ CrowdedDirections::Direction CrowdedDirections::at(long i, long count) const {
   const Float slope = is_near_centre ? Float(sqrt((1 + x2) * (1 + k2 * x2)) / (1 + s2 * x2))
                                      : Float(sqrt((1 + x2) * (k2 + x2)) / (s2 + x2));
   const Float tangent = is_near_centre ? Float(smallest_ * x) : Float(x / smallest_);
-  const Float from_end =
-      atan(tangent) * 180 / pi();  // degrees from the centre, or from the direction across it
+  const Float from_end = atan(tangent) * 180 / pi();  // degrees from the centre, or from the line across it
   Exact from_centre = is_near_centre ? to_exact(from_end) : Exact(mpq_class(90 - to_exact(from_end).value()));
   if (share < 0) from_centre = Exact(mpq_class(-from_centre.value()));
   const Exact degrees(mpq_class(centre_.value() + from_centre.value()));

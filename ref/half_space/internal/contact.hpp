@@ -33,7 +33,7 @@ class CrowdedDirections {
   [[nodiscard]] Float sc(const Float& u) const;  ///< sc(u, k) to rounding, 0 <= u <= K(k)/2
 
   Exact centre_;
-  Float smallest_, complement_;  ///< k'
+  Float smallest_, complement_;  ///< complement_ is k'
   Float quarter_, conjugate_;    ///< K(k), K(k')
 };
 
@@ -111,8 +111,7 @@ struct Levels {
 Levels half_turn_integral(int digits, const CrowdedDirections& directions,
                           const std::function<Float(const Exact& degrees)>& value);
 
-/// A contact by the rules of brock2012 and brock2013: force = factor span^3, with a factor that an integral over the
-/// lines gives.
+/// A contact by the rules of brock2012 and brock2013: force = factor span^3 with an integral over the lines as factor.
 class ScaledContact {
  public:
   ScaledContact(SurfaceAnswer surface, const HalfSpaceLoad& load, int digits, int cancelled);

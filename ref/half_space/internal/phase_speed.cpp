@@ -41,8 +41,7 @@ struct AcousticPencil {
 };
 using RoughPencil = AcousticPencil<double>;
 
-/// An interval about the s = tan(phi) at which the pencil's smallest eigenvalue is smallest, from a scan of half a
-/// turn.
+/// An interval about the s = tan(phi) at which the smallest eigenvalue is smallest, from a scan of half a turn.
 struct Valley {
   double left, right;
 
@@ -55,9 +54,8 @@ struct Valley {
       if (eigenvalue < lowest) lowest = eigenvalue, left = s_at(k - 1), right = s_at(k + 1);
     }
   }
-  /// The s of the minimum, to half of the bits, and the eigenvalue there, to all bits. If moduli differ so much that
-  /// the scan has seen only rounding errors, there need not be a minimum. The search ends after the steps of a golden
-  /// section.
+  /// The s of the minimum, to half of the bits, and the eigenvalue there, to all bits. If the scan has seen only
+  /// rounding errors, because moduli differ too much, there need not be a minimum; the search ends after `bits` steps.
   template <class Scalar>
   [[nodiscard]] std::pair<Scalar, Scalar> lowest_point(const AcousticPencil<Scalar>& pencil,
                                                        mpfr_prec_t bits) const {

@@ -114,8 +114,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   const mpfr_prec_t bits = working_precision(nats + 12, distance.approximate());
   const Interval A(distance, bits);
   const ComplexInterval m = rounded(rate, bits);
-  // The sum over t >= 0, and the conjugate of the sum over t <= 0, which is equal if m is real; t = 0 counts half in
-  // each.
+  // The sum over t >= 0, and the conjugate of the sum over t <= 0, which is equal if m is real. Each has half of t = 0.
   ComplexInterval right{Interval(bits), Interval(bits)}, left = right;
   ContourKey key{kernel, strip.angle, step, bits, 0};
   for (; key.block * nodes_in_block <= last; ++key.block) {
@@ -232,8 +231,7 @@ Waves make_waves(const WaveKey& key) {
   return waves;
 }
 
-/// The key of factors: kernel, side (1 ahead of the load, -1 behind it, 0: no memory), number of terms, precision,
-/// rate.
+/// The key of factors: kernel, side (1 ahead of the load, -1 behind it, 0: no memory), terms, precision and rate.
 using FadeKey = std::tuple<PlainKernel, long, int, mpfr_prec_t, mpq_class>;
 
 /// The factors of the waves over pi: C/(rate - i z) ahead of the load, C/(rate + i z) behind it, C without memory. With

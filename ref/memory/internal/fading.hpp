@@ -22,8 +22,7 @@ ComplexInterval rate_interval(const Exact& rate, double nats);
 /// Whether the rate is exactly 0.
 bool is_zero(const ComplexInterval& rate);
 
-/// The angle phi and half-width d of the strip. `pole` is the angle psi of the pole sinh(s + i psi), <= 0 below the
-/// axis.
+/// The angle phi and half-width d of the strip. `pole` is psi of the pole sinh(s + i psi); it is <= 0 below the axis.
 struct MemoryStrip {
   double angle, half_width;
 };

@@ -81,8 +81,7 @@ class Cache final : public ClearableCache {
     return slot;
   }
 
-  /// Adds the size of a new value, unless the cache has been cleared in the meantime, and drops old values to make
-  /// room.
+  /// Adds the size of a new value, unless the cache has been cleared in the meantime, and drops old values for it.
   void keep(const Key& key, const std::shared_ptr<Slot>& slot) {
     const std::lock_guard lock(mutex_);
     const auto kept = slots_.find(key);

@@ -97,8 +97,7 @@ Interval passed_poles_of_tanh(const Exact& exact_x, double step, long lines, mpf
   return sum;
 }
 
-/// With s = sum c_n f_n e^{i x z_n} over the roots, |f_n| <= 1: -2 pi Im s for an even symbol, 2 pi Re s for an odd
-/// one.
+/// -2 pi Im s for an even symbol, 2 pi Re s for an odd one, where s = sum c_n f_n e^{i x z_n} with factors |f_n| <= 1.
 template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
@@ -145,8 +144,7 @@ std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
 
 mpfr_prec_t term_precision(long n, double x, double nats) { return bits_at_root(n, x, x, nats); }
 
-// Measured: at every x the trapezoidal rule takes the time of about nats^2/10^4 terms, or of nats/25 if it passes
-// poles.
+// Measured: the trapezoidal rule takes the time of about nats^2/10^4 terms, or of nats/25 if it passes poles.
 bool residues_are_cheaper(double x, double nats) {
   return x >= 1 && static_cast<double>(terms_needed(x, nats)) <= std::min(1e-4 * nats, 0.04) * nats;
 }

@@ -49,8 +49,7 @@ void check_residue_terms(int terms);
 /// a bound of the sum: there are at most 500 terms, Im z_n > (n - 1/2) pi, and no coefficient exceeds 2.1.
 bool is_negligible(int n, const Interval& x, mpfr_prec_t precision, Interval& bound);
 
-/// The bits that the n-th term at x needs. The term is about e^{-x Im z_n}, and its relative error is that of z_n times
-/// x |z_n|.
+/// The bits that the n-th term at x needs: it is about e^{-x Im z_n}, with x |z_n| times the relative error of z_n.
 mpfr_prec_t term_precision(long n, double x, double nats);
 
 /// BadInput unless 1 <= n <= 10^9.
