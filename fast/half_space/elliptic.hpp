@@ -59,7 +59,7 @@ class EllipticContact {
   void set_errors(double e11, double e12, double e22);
   [[nodiscard]] EllipticLoad scaled(const Estimate& factor) const;
 
-  double major_length_, minor_length_;  ///< of the ellipse that has int K n n/w^3 dpsi = curvatures
+  double major_length_, minor_length_;  ///< semi-axes for which int K n n/w^3 dpsi = curvatures
   Direction major_;
   double sum_;                                                                  ///< int K/w dpsi
   double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;  ///< relative

@@ -146,11 +146,11 @@ struct Line {
 
 }  // namespace
 
-// With R = (pi p0 a b/2 w) (1 - t^2) the integral of the pressure over the line n.x = s, t = s/w, the displacement of the
-// surface is (1/2 pi) int (Re Y R + Im Y H[R]) dpsi over half a turn, Y the third column of the inverse impedance: the
-// responses to waves along n and -n are conjugate. R - i H[R] is -i p0 a b C(t)/(2 w), so that it is (p0 a b/4 pi)
-// int Im(Y C(t))/w dpsi. Inside, where a wave falls as e^{-Gkz}, C(t) becomes C(t + i G z/w). With m, the unit vector along
-// (a n1, b n2), dpsi/w = w dm/(a b).
+// R = (pi p0 a b/2 w) (1 - t^2) is the integral of the pressure over the line n.x = s, with t = s/w. As the responses to
+// waves along n and -n are conjugate, the displacement of the surface is (1/2 pi) int (Re Y R + Im Y H[R]) dpsi over half
+// a turn, where Y is the third column of the inverse impedance. With R - i H[R] = -i p0 a b C(t)/(2 w) this becomes
+// (p0 a b/4 pi) int Im(Y C(t))/w dpsi. Inside, a wave decays as e^{-Gkz}, and C(t) becomes C(t + i G z/w). If m is the unit
+// vector along (a n1, b n2), dpsi/w = w dm/(a b).
 std::array<Estimate, 3> EllipticContact::displacement(const EllipticLoad& load,
                                                       const PressureWaves& half_space, Direction psi,
                                                       double x, double depth) const {

@@ -26,8 +26,8 @@ PressureWave isotropic_pressure_wave(const data::IsotropicSolid& solid, double s
 LineResponse isotropic_response_beyond(const data::IsotropicSolid& solid, double speed,
                                        Direction from_motion);
 
-/// (1/pi) ln sqrt((q + 1)/(q - 1)) of such lines, q = |S|/sqrt(K X wS/R) > 1: the tractions of a rolling sphere there
-/// end like (x+ - x)^(+-i index) (x - x-)^(-+i index), with no root. (brock2012 56)
+/// The index (1/pi) ln sqrt((q + 1)/(q - 1)) of a line between these speeds, q = |S|/sqrt(K X wS/R) > 1. The tractions of a
+/// rolling sphere end there like (x+ - x)^(+-i index) (x - x-)^(-+i index), without a root. (brock2012 56)
 double rolling_index_beyond(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
 /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound

@@ -8,8 +8,8 @@ namespace nipref::fast {
 /// The tractions on the line through the point of first touch in one direction, |x| < L/2:
 ///   sigma33 = -amplitude/cos(Phi) sqrt(L^2 - 4x^2) cos(P ln((L-2x)/(L+2x)) + Phi),
 ///   tau = shear_share amplitude/cos(Phi) sqrt(L^2 - 4x^2) sin(P ln((L-2x)/(L+2x)) + Phi),
-/// tan(Phi) = x/(2 r0 B), B = sqrt(wS/wD) - P L/(2 r0). They oscillate at the ends. (brock2012 49 with the
-/// sign of P, Phi and tau corrected)
+/// tan(Phi) = x/(2 r0 B), B = sqrt(wS/wD) - P L/(2 r0). The tractions oscillate at the ends. (brock2012 49 with the
+/// signs of P, Phi and tau corrected)
 struct RollingLine {
   double span;         ///< L, unit of length
   double index;        ///< P of (brock2012 43b)
@@ -46,7 +46,7 @@ class RollingSphere {
   /// The pressure at the centre, which is the same on every line; unit of stress.
   [[nodiscard]] Estimate peak_pressure() const;
   [[nodiscard]] RollingLine along(Direction from_motion) const;
-  // On the line in the direction psi from the motion.
+  // Results on the line in the direction psi from the motion.
   [[nodiscard]] Estimate span(Direction psi) const { return span_ratio(psi) * span_; }  ///< L(psi)
   [[nodiscard]] Estimate pressure(Direction psi, double x) const {
     return -1 * along(psi).normal_traction(x);

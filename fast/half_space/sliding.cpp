@@ -35,9 +35,8 @@ struct SlidingContact::Shape {
     double uncancelled;  ///< size of the terms whose difference is signed_square
   };
 
-  /// With f = (1-s)^trailing s^leading/Q and y = s - trailing, both over 0 < s < 1: int f |y| ds and
-  /// int f y |y| ds. Partial integration leaves one incomplete beta function, in
-  /// D = int_(y<0) f ds - int_(y>0) f ds.
+  /// The integrals int f |y| ds and int f y |y| ds over 0 < s < 1, f = (1-s)^trailing s^leading/Q, y = s - trailing.
+  /// Integration by parts leaves one incomplete beta function, in D = int_(y<0) f ds - int_(y>0) f ds.
   [[nodiscard]] Moments moments() const {
     using namespace boost::math::policies;
     constexpr policy<promote_double<false>> in_double;

@@ -32,13 +32,13 @@ enum class SpanRule {
 };
 
 /// A rigid smooth body that slides with friction, as constructed in the papers: on every line through the point of
-/// first touch K H[sigma33] + Gamma sigma33 = curvature x with Gamma = friction (S cos(psi - theta) - S'
-/// sin(psi - theta)), where K, S and S' are the compliance and the couplings of that line. The papers lack S', which
-/// acts if the motion is oblique to an axis in the surface, and the shear compliances, which friction adds to K if the
-/// surface is no plane of symmetry. The spans either make the force stationary, so that the peak pressures of all lines
-/// are equal, or follow the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2 corrected to 1/Q^3.)
-/// This construction does not solve the contact problem. Without friction, EllipticContact solves it; its force is 4/pi
-/// times that of the construction for the same span of a sphere at rest. The papers define no approach of the bodies.
+/// first touch K H[sigma33] + Gamma sigma33 = curvature x, Gamma = friction (S cos(psi - theta) - S' sin(psi - theta)),
+/// where K, S and S' are the compliance and the couplings of that line. The papers lack S', which acts if the motion is
+/// oblique to an axis in the surface, and the shear compliances, which friction adds to K if the surface is no plane of
+/// symmetry. The spans either make the force stationary, so that the peak pressures of all lines are equal, or follow
+/// the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2 corrected to 1/Q^3.) This construction does
+/// not solve the contact problem. Without friction, EllipticContact solves it; its force is 4/pi times the force of the
+/// construction for the same span of a sphere at rest. The papers define no approach of the bodies.
 class SlidingContact {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
@@ -53,7 +53,7 @@ class SlidingContact {
   [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
   /// The peak pressure on the line in the direction psi, unit of stress.
   [[nodiscard]] Estimate peak_pressure(Direction psi) const;
-  // On the line in the direction psi.
+  // Results on the line in the direction psi.
   [[nodiscard]] Estimate span(Direction psi) const { return span_ratio(psi) * span_; }  ///< L(psi)
   [[nodiscard]] Estimate leading_end(Direction psi) const { return along(psi).leading_end(); }
   [[nodiscard]] Estimate pressure(Direction psi, double x) const { return along(psi).pressure(x); }

@@ -9,7 +9,7 @@ namespace nipref::fast {
 /// as the argument goes to 0. The default promises 2 units in the last place of the scale.
 class Accuracy {
  public:
-  /// The best that can be asked for: 2 units in the last place, 2^-51.
+  /// The smallest tolerance that is allowed: 2 units in the last place, 2^-51.
   static constexpr double best_rtol = 0x1p-51;
 
   /// Full double accuracy.
@@ -18,7 +18,7 @@ class Accuracy {
   /// rtol: dimensionless, 2^-51 <= rtol < 1. Anything else: BadInput that names rtol and the best reachable value.
   explicit Accuracy(double rtol);
 
-  /// The tolerance asked for.
+  /// The requested tolerance.
   [[nodiscard]] constexpr double rtol() const { return rtol_; }
 
   /// Index of the work for this tolerance in internal::tier_works (tiers.hpp); 0 is the cheapest.

@@ -93,7 +93,7 @@ class Landscape {
 
   struct Line {
     double from_motion;
-    double phase_speed, speed;  ///< at which it is critical: along the line, and along the motion
+    double phase_speed, speed;  ///< the critical speeds along the line and along the motion
   };
 
   [[noreturn]] static void refuse_moduli() {

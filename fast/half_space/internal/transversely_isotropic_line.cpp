@@ -80,10 +80,10 @@ double InPlaneAxisLine::bound(Direction psi) const {
 // With Pi = B+ B- and Sigma = B+ + B-, which are real where B+- are conjugate:
 //   Pi^2 = B1^2 B2^2 - e cos^2,  Sigma^2 = 2 Pi + B1^2 + h,  B2^2 = cos^2 + A2/d6,
 //   e = (d6 + d12)^2 sin^2/(d1 d6),  h = B2^2 - e,  q = -Q_B = Pi + h.
-// The determinant M of the paper and the numerators all hold the factor A6, because
+// The determinant M of the paper and the numerators all have the factor A6, because
 //   B5 Pi Sigma - q cos^2 = A6 G,
 //   (B5 Pi Sigma)^2 - (q cos^2)^2 = A6 [Pi^2 Sigma^2/d5 + cos^2 ((2 Pi + h) B2^2 + Pi^2)/d1].
-// What remains of the third row of the inverse impedance is
+// Without this factor, the third row of the inverse impedance is
 //   M/A6 = 2 d5 B5 Pi Sigma + T5 J1 - d6 sin^2 J2,  (Pi Sigma, cos J1, -sin J2)/(M/A6),
 //   J1 = q - 2 d5 G + (d6 + d12) sin^2/d1,  J2 = Pi + B1^2 - (d6 + d12) T5/(d1 d6).
 NIPREF_TWICE LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {

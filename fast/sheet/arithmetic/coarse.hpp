@@ -9,7 +9,7 @@ namespace nipref::fast::internal::NIPREF_ISA {
 /// For odd f the rest is 0 and the cubic is multiplied by x.
 template <class Number>
 struct CoarsePoint {
-  decltype(bits_of(Number{})) offset;  ///< of the row in the table
+  decltype(bits_of(Number{})) offset;  ///< offset of the row in the table
   Number t, rest;
 };
 

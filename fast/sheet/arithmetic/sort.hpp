@@ -10,7 +10,7 @@ inline constexpr int block_size = 512;
 /// Room for the points of one regime, and for one more vector that sorting may write beyond them.
 inline constexpr int regime_capacity = block_size + lanes;
 
-/// Where each regime's range begins.
+/// The index at which the range of each regime begins.
 inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_capacity};
 
 /// Absolute values of the arguments of a block, sorted by regime, each regime in a range of its own. The last vector

@@ -93,7 +93,7 @@ NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   return _mm512_maskz_expand_pd(static_cast<__mmask8>(~set), from);
 }
 
-/// The same for the lanes wanted, keeping the others.
+/// Puts sorted[0], sorted[1], ... into the lanes that are wanted, and keeps the others.
 NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
   Vector from = load<Vector>(sorted);
   asm("" : "+v"(from));
@@ -168,7 +168,7 @@ NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   return permute(load<Vector>(sorted), load_order(orders.of[other_lanes(set)].back));
 }
 
-/// The same for the lanes wanted, keeping the others.
+/// Puts sorted[0], sorted[1], ... into the lanes that are wanted, and keeps the others.
 NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
   const __m256i order = load_order(orders.of[wanted].back);
   return _mm256_blendv_pd(others, permute(load<Vector>(sorted), order), _mm256_castsi256_pd(order));

@@ -65,7 +65,7 @@ void fill_residues(internal::FieldTable& table) {
     const Complex& z = roots()[r];
     const Complex iz(-z.imag(), z.real()), cosh_z = cosh(z);
     const Complex I4 = -pi() / (cosh_z * cosh_z * cosh_z), I5 = pi() / cosh_z;
-    // In the order of FieldFunction.
+    // The order is that of FieldFunction.
     const std::array<Complex, internal::field_functions> amplitudes{
         I4, Complex(I5 / iz), I5, Complex(iz * I4), Complex(iz * I5), Complex(iz * iz * I4)};
     for (std::size_t f = 0; f < amplitudes.size(); ++f) {

@@ -10,7 +10,7 @@
 
 namespace nipref::fast::internal {
 
-/// Where a kernel is defined.
+/// The arguments for which a kernel is defined.
 enum class Domain { finite, finite_nonzero };
 
 inline constexpr int batch_components = 5;   ///< I1, I3, I4, I5, I7

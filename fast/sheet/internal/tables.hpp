@@ -11,7 +11,7 @@ namespace nipref::fast::internal {
 enum class Component { I1, I3, I4, I5, I7, eta_part_of_I6, alpha_part_of_I6 };
 inline constexpr int component_count = 7;
 
-/// Behaviour at x = 0, which decides what is tabulated near there.
+/// The behaviour at x = 0, on which the tables near 0 depend.
 enum class Shape { logarithmic, odd, even };
 
 constexpr Shape shape(Component component) {
@@ -72,11 +72,9 @@ struct ComponentTable {
 
   // Logarithmic components, x = 2^k (1 + mantissa) < near_end:
   //   f = log_high[cell] + log_low[cell] - k ln 2 - ln(1 + r) + odd * x + x^2 even[tier](x^2).
-  double log_high[log_cells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
-                               ///< 2^-42
+  double log_high[log_cells];  ///< (f + ln x at x -> 0) - ln(centre of the cell), a multiple of 2^-42
   double log_low[log_cells];
-  alignas(64) double short_log_high[short_log_cells];  ///< the same with 1/short_log_reciprocal for the
-                                                       ///< centre
+  alignas(64) double short_log_high[short_log_cells];  ///< log_high for centres 1/short_log_reciprocal
   alignas(64) double short_log_low[short_log_cells];
   double odd;
   double even[tier_count][even_degree];
@@ -96,7 +94,7 @@ struct ComponentTable {
 /// The numbers that all components share.
 struct CommonTable {
   double log_reciprocal[log_cells];                          ///< 1/centre of the cell, centre in [1, 2)
-  alignas(64) double short_log_reciprocal[short_log_cells];  ///< the same for wide cells, exact as it stands
+  alignas(64) double short_log_reciprocal[short_log_cells];  ///< 1/centre of the wide cell, which it defines
   double decay_high;  ///< 32 Im z_1/ln 2: cells of the exponential for unit x
   double decay_low;
   double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x
