@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-/// Paths of what the tests need, which only the build knows.
+/// Paths that the tests need and that only the build knows.
 
 std::string source_directory();
 std::string seeds_directory();

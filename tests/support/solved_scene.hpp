@@ -26,7 +26,7 @@ inline nipref::data::ElasticNipProblem quarter_inch_problem(nipref::data::Fricti
           .profile = nipref::data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}}};
 }
 
-/// The scene of this text, solved.
+/// Solves the scene of this text.
 inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::string& text) {
   return nipref::verify::solve(nipref::data::parse_scene(text, "a text"));
 }

@@ -45,8 +45,8 @@ void set_corrected(Replay& replay, std::initializer_list<const char*> columns,
   }
 }
 
-/// Takes the continuous contact under the table's load, accurate to 1e-6, as corrected value. Its solid is the one that
-/// the thesis defines, with one relaxation time in shear and dilatation. The second value has the thesis's theta2.
+/// Takes the continuous contact under the table's load, accurate to 1e-6, as the corrected value. Its solid is
+/// defined as in the thesis, with one relaxation time in shear and dilatation. The second value has the thesis's theta2.
 void correct_viscoelastic(Replay& replay, const ViscoelasticTable& how) {
   const auto correct_row = [&](std::size_t row) -> CorrectedRow {
     const auto defined = viscoelastic_nip_of_the_tables(replay.table, row, true);

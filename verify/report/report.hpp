@@ -37,8 +37,8 @@ struct ReportComparison {
 bool is_report(const std::string& json);
 
 /// Compares two such texts. These are changes: a largest error that differs by a tenth, if both errors are of the same
-/// number of points; a promised ratio of times that differs by a quarter, if each is from one run (times themselves are
-/// not compared); a count of verdicts; a promise that is now kept or broken; a row that is new or gone.
+/// number of points; a promised ratio of two times of one run that differs by a quarter (times themselves are not
+/// compared); a count of verdicts; a promise that is now kept or broken; a row that is new or gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
 /// The comparison as the page and the text show it. The text shows at most this number of items.

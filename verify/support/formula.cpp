@@ -104,7 +104,7 @@ class Reader {
   }
 
   std::string product() {
-    std::string before, factors;  // `before` ends with the last integral or sum sign; no numerator has it
+    std::string before, factors;  // `before`: all up to the last integral or sum sign, outside numerators
     while (at_ < tokens_.size() && !is_between(next()) && !is_closing(next())) {
       if (next() == " / ") {
         take();

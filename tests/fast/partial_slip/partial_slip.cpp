@@ -287,7 +287,7 @@ TEST_CASE("no traction is larger than the peak, and the two humps of a shear are
 }
 
 TEST_CASE("a peak that is nearer to a boundary than all samples is seen") {
-  // The shear rises up to 1e-9 of the slip zone away from the boundary.
+  // The shear still rises over the first 1e-9 of the slip zone.
   constexpr double length = 2.8751e-4, mu = 0.5013;
   const auto peak = [&](double accuracy) {
     const double traction = 0.167 * mu * fast::load_guess(length / 2);

@@ -5,10 +5,10 @@
 
 // Proves the constants of ref/sheet/internal/symbols.hpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
-// symbol_sizes.hpp has the symbols times e^{r z}, except normal, [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z, u =
-// e^{-3z/2}. The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80}, and all factors but the leading constants are 1
-// to 30 digits or decrease with x. So |G| e^{r x} stays below its supremum on the mesh (which those constants
-// approach), and the integrals gain less than e^{-39}.
+// symbol_sizes.hpp has the symbols times e^{r z}, except normal: [2/(1+u) - 2 e^{-z/2} (1 + 2z - e2)/Q]/z with
+// u = e^{-3z/2}. The mesh ends at x = 40. Beyond it |1 - Q| <= 170 e^{-80}, and all factors but the leading constants
+// are 1 to 30 digits or decrease with x. So |G| e^{r x} stays below its supremum on the mesh, which those constants
+// approach, and the integrals gain less than e^{-39}.
 
 using namespace nipref::ref;
 

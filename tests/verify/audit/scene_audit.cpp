@@ -59,7 +59,7 @@ TEST_CASE("the audit says nothing against estimates that cover everything") {
 
 TEST_CASE("an understated estimate is seen, and as missed without saying so, of every kind of contact") {
   for (const std::uint64_t index : {elastic, gripped, operators, sphere}) {
-    // Every solution has other errors, and understates them.
+    // Every solution has errors of its own, and understates them.
     int calls = 0;
     const auto found = audited(index, with([&calls](const data::SceneResult&, fast::Estimate& number) {
                                  number.value *= 1 + 0.03 * (++calls % 7);

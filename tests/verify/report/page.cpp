@@ -288,7 +288,7 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   CHECK_FALSE(report.kept(false));  // the limit is missed
   report.limits.clear();
   CHECK(report.kept(false));
-  CHECK_FALSE(report.kept(true));  // a ratio of times is
+  CHECK_FALSE(report.kept(true));  // a ratio of times is missed
   report.quantities[0].allowance_used = 1.5;
   CHECK_FALSE(report.kept(false));
   CHECK(contains(text_of_report(report), "2 of 3 quantities pass; closest to its promise: I1 with 150 %"));

@@ -98,7 +98,7 @@ TEST_CASE("the surface has the die's shape in the contact, with the sphere's als
     CHECK(under_die.profile("normal_displacement")[i].value ==
           approx(under_die["approach"].value - x * x / 2, 1e-12));
   }
-  // At rest the half-space's share is that of its compliance (1 - nu)/mu in the sum, here 0.25 in 0.25 + 0.35.
+  // At rest the half-space's share is that of its compliance (1 - nu)/mu in the sum, here 0.25 of 0.25 + 0.35.
   const auto under_sphere =
       at("[sphere]\nradius = 1.0\nshear = 2.0\npoisson = 0.3\ndensity = 1.0\n", places, sliding("0.0"));
   for (std::size_t i = 0; i < 3; ++i) {

@@ -34,8 +34,8 @@ struct FigureContacts {
 };
 
 /// Evaluates the formulas of a scope. They have these terms besides those of StatementFormulas:
-///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha; [plain
-///     Un] and [plain Vn]: the sums of its solid under a moving load, keys t, T, t0 in half-thicknesses, memory;
+///   - [plain NAME x=X]: the thesis's sum of 500 residues for I1, I3, or the part of I6 that depends on alpha;
+///     [plain Un], [plain Vn]: the sums for its solid under a moving load, keys t, T, t0 in half-thicknesses, memory;
 ///   - [nip NAME at=Y]: a result of the thesis's nip with the numbers B, load, memory, grips and accuracy;
 ///   - [scene ID METHOD NAME at=Y KEY=VALUE ...]: a result of a scene, or with ID "shown" of the scene that is shown,
 ///     by this method, with these values of its keys;
@@ -52,8 +52,7 @@ class FigureFormulas {
   const SolvedContact<fast::Estimate>& nip();
   /// The table of the loop over tables; without such a loop all tables of the row.
   [[nodiscard]] std::span<const Replay> tables() const;
-  /// From this call on formulas know the parameters of the cell's table, `key` of its row and `coordinate` of its
-  /// column.
+  /// From this call on formulas know the parameters of the cell's table, the row's `key`, the column's `coordinate`.
   void enter(const Replay& replay, const ReplayedCell& cell);
 
   const FigureScope& scope;

@@ -68,7 +68,7 @@ class ElasticRow final : public NipRow {
     return replay_row(inputs, [&](const auto& at) { return solved(elements.leading, at); });
   }
 
-  /// The printed shear may be that of the table's usual element although another one has the largest.
+  /// The printed shear may be that of the table's usual element although another element has the largest shear.
   void explain(ReplayedCell& missed) const override {
     const int element = line_load_table(table_.id).shear_element;
     if (missed.column != "q_max" || element == 0) return;

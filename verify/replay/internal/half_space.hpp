@@ -21,8 +21,8 @@ struct HalfSpaceTable {
 };
 std::span<const HalfSpaceTable> half_space_tables();
 
-/// Replays a table of the papers by the formulas from which it was computed; assess_half_space gives the verdicts.
-/// `corrected` is the result of the correct formulas with the papers' own contour rule; `costs` compares the two.
+/// Replays a table of the papers by the formulas from which it was computed, with the verdicts of assess_half_space.
+/// `corrected` is the result of the correct formulas with the papers' own contour rule; `costs` are the deviations from it.
 Replay replay_half_space(data::Table table, const HalfSpaceTable& how);
 
 /// One possible origin of a cell's number.

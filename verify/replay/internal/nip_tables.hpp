@@ -155,8 +155,8 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
                                             const data::ViscoelasticNip& nip,
                                             data::ViscoelasticLineLoads method);
 
-/// The name of the creep ratio, among a row's values, that a machine gives on which e^(-180.2) underflows. The whole
-/// bracket of a sign term's memory (AII.20) underflows with it. The smallest number of the IBM 360 is 16^-65.
+/// The name, among a row's values, of the creep ratio of a machine on which e^(-180.2) underflows. The whole bracket of
+/// a sign term's memory (AII.20) is lost with this factor. The smallest number of the IBM 360 is 16^-65.
 inline constexpr std::string_view underflown_creep = "creep with underflow";
 
 /// The row as line loads give it for the middle of the input's interval and for its ends.

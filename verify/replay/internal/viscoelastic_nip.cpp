@@ -52,7 +52,7 @@ class ViscoelasticRow final : public NipRow {
     return replay_viscoelastic_row(nip_, method, length);
   }
 
-  /// Tests the losses of the thesis's machine.
+  /// Explains the cell by a loss of digits on the thesis's machine, if one meets it.
   void explain(ReplayedCell& missed) const override {
     const auto meets = [&](const ReplayedRow& row, std::string_view column) {
       return assess(printed(missed.column), row.range(std::string(column))) != Verdict::unexplained;
