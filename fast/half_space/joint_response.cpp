@@ -128,7 +128,7 @@ Estimate JointResponse::compliance(double degrees) const {
 
 Estimate JointResponse::coupling(double degrees) const {
   const LineResponse line = (*this)(Direction::of_degrees(degrees));
-  // The couplings of two bodies subtract, and their difference may be far smaller than they are.
+  // The couplings of two bodies are subtracted, and their difference may be far smaller than the couplings.
   return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
 }
 

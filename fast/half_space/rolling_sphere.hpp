@@ -69,9 +69,9 @@ class RollingSphere {
   friend RollingSphere rolling_sphere_for_force(const data::IsotropicSolid&, double, double, double);
 };
 
-/// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, unit of sqrt(shear/density), with the contact
-/// 0 < span L1 along the motion, in the unit of length of the radius. All must be finite, else BadInput. The paper's
-/// linearisation requires a span that is small against the radius, of which `along` checks only that B > 0.
+/// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, unit of sqrt(shear/density), with the span L1 > 0 along the
+/// motion, in the unit of the radius. All must be finite, else BadInput. The paper's linearisation requires a span that
+/// is small compared with the radius; `along` checks only that B > 0.
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span);
 
@@ -81,9 +81,9 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
                                        double force);
 
 /// s = exp(-pi/(2P)). On a line of span L the normal traction of a rolling sphere may be tensile over the outermost
-/// L/2 - r_C = s L/(1 + s) at either end. One or two units in the last place for every P, as its logarithm has two
-/// words; 0 where s is below the smallest double, as at P = 0. Arguments and bad input as for isotropic_response().
-/// (brock2012 50)
+/// L/2 - r_C = s L/(1 + s) at either end. The error is one or two units in the last place for every P, as ln s has two
+/// words. s is 0 if it is below the smallest double, as at P = 0. Arguments and bad input are as for
+/// isotropic_response(). (brock2012 50)
 double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
 /// Psi_R, in radians: between the speeds of Rayleigh waves and of shear waves, the paper's tractions are tensile on

@@ -66,7 +66,7 @@ CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data
 double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                       Direction motion, Direction psi);
 
-/// Bulk waves along a line through the surface of which the axis is part. (brock2013 46)
+/// Bulk waves along a line in a surface that contains the axis. (brock2013 46)
 enum class BranchWave {
   transverse,          ///< (46a), polarised across the axis and the line: root of B5, and of B6
   quasi_longitudinal,  ///< (46b), plus

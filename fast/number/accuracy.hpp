@@ -2,7 +2,7 @@
 
 namespace nipref::fast {
 
-/// How much error a caller accepts: a relative tolerance, from which the library picks the work.
+/// The error that a caller accepts: a relative tolerance, by which the library chooses its work.
 ///
 /// `Accuracy(rtol)` promises |error| <= rtol * scale, where scale = max(|value|, envelope). The envelope is the size
 /// of the value away from its zeros: its leading residue without the cosine. For the odd kernels the scale is |value|

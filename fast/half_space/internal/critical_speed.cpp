@@ -46,8 +46,8 @@ class CriticalSpeeds {
   Direction motion_;
 };
 
-/// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
-/// given step.
+/// A sequence of lines so close to each other that, up to a given relative step, no line between them has a critical
+/// speed below the lowest found.
 ///
 /// Let a field of the half-space be proportional to exp(i k.x) along the surface. Its strain is linear in k. Hence its
 /// energy at (1 - t) k1 + t k2 is the weighted mean of the energies at k1 and k2 minus t (1 - t) times the energy of a

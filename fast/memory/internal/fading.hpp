@@ -10,8 +10,8 @@
 
 namespace nipref::fast::internal {
 
-/// A position relative to the load, in half-thicknesses, > 0 ahead of it. `waves` is filled where it is at least
-/// `nearest` from the load.
+/// A position relative to the load, in half-thicknesses, > 0 ahead of the load. `waves` is filled if the distance from
+/// the load is at least `nearest`.
 struct SurfacePoint {
   Two at;
   Waves waves;

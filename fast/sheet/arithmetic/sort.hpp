@@ -75,7 +75,7 @@ NIPREF_INLINE void separate_tail(SortedPoints& points) {
   fill_up(far + points.count[1]);
 }
 
-/// |argument[0 .. n)| into regimes; n is a multiple of lanes.
+/// Sorts |argument[0 .. n)| by regime; n is a multiple of lanes.
 template <Component component>
 NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points) {
   if constexpr (shape_of<component> == Shape::logarithmic) {
@@ -108,7 +108,7 @@ NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points
   }
 }
 
-/// Puts values at the sorted points back into the order of the arguments; odd components take their signs.
+/// Puts values at the sorted points back into the order of the arguments; for odd components also their signs.
 template <Component component>
 NIPREF_INLINE void restore_order(const double* argument, int32_t n, const SortedPoints& points,
                                  const double* sorted, double* value) {
@@ -126,7 +126,7 @@ NIPREF_INLINE void restore_order(const double* argument, int32_t n, const Sorted
 
 #else
 
-/// |argument[0 .. n)| into regimes; n is a multiple of lanes.
+/// Sorts |argument[0 .. n)| by regime; n is a multiple of lanes.
 template <Component component>
 NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points) {
   int32_t near = first_of_regime[0];
@@ -151,7 +151,7 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
   }
 }
 
-/// Puts values at the sorted points back into the order of the arguments; odd components take their signs.
+/// Puts values at the sorted points back into the order of the arguments; for odd components also their signs.
 template <Component component>
 NIPREF_INLINE void restore_order(const double* argument, int32_t n, const SortedPoints& points,
                                  const double* sorted, double* value) {

@@ -80,7 +80,7 @@ NIPREF_INLINE Vector look_up(const double (&table)[16], const TableIndex& index)
                                 _mm512_load_pd(table + 8));
 }
 
-/// Writes the wanted lanes one after the other, then anything up to a whole vector.
+/// Writes the wanted lanes one after the other, and unspecified numbers behind them up to a whole vector.
 NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(wanted), x));
 }
@@ -158,7 +158,7 @@ NIPREF_INLINE __m256i load_order(const uint32_t (&order)[8]) {
   return loaded;
 }
 
-/// Writes the wanted lanes one after the other, then anything up to a whole vector.
+/// Writes the wanted lanes one after the other, and unspecified numbers behind them up to a whole vector.
 NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   store(to, permute(x, load_order(orders.of[wanted].front)));
 }
