@@ -23,13 +23,13 @@ PartialSlipLineLoads line_loads_for_load(const data::PartialSlipNip& nip, int el
   internal::check_range("elements_per_side", elements_per_side, 1, 1000);
   const PartialSlipTask task = task_for_load(nip, load);
   const ContactUnits units = units_of(nip);
-  // A load at the centre of an element moves another in the mean as one spread over the other moves that centre.
+  // A load at an element's centre moves the mean of another element as a load spread over the other moves that centre.
   ElementContact contact =
       element_contact(task, 2 * static_cast<int>(std::ceil(element_reach * elements_per_side)));
   if (!contact.settled)
     throw data::BadInput("elements_per_side", elements_per_side,
                          "must be another number: these meet no conditions of stick and slip");
-  // The mean of e^2 over an element is that of its middle and width^2/12.
+  // The mean of e^2 over an element is e^2 of its middle plus width^2/12.
   const double approach = contact.approach + contact.width * contact.width / 12;
   PartialSlipLineLoads result{{.roller_radius = nip.roller_radius,
                                .leading_elements = 0,

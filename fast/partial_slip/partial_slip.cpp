@@ -24,11 +24,11 @@ using Traction = ZoneContact::Traction;
 using Peak = ZoneContact::Peak;
 
 constexpr double longest_contact = 10;  // L/B
-/// The natural logarithm of how much smaller the second discretisation's error is.
+/// ln of the first discretisation's error over the second's.
 constexpr double nats_apart = 3;
-/// Coarser contacts may not resolve zones next to others that are much shorter.
+/// Coarser meshes may not resolve zones next to others that are much shorter.
 constexpr double least_nats = 17;
-/// Rounding rules from here on.
+/// Rounding dominates from here on.
 constexpr double most_nats = 36;
 
 Peak largest(const std::vector<Peak>& peaks) { return std::ranges::max(peaks, {}, &Peak::size); }
@@ -83,7 +83,7 @@ struct PartialSlipNip::Implementation : Solutions {
     return times(unit,
                  {value, std::fabs(value - std::invoke(number, first)) + (relative + rounding()) * scale});
   }
-  /// Of a number over its scale: it is a sum over the nodes, each of which rounds.
+  /// The rounding error of a number over its scale. The number is a sum over the nodes, and each term is rounded.
   [[nodiscard]] double rounding() const { return 0x1p-53 * static_cast<double>(second.unknowns()); }
   [[nodiscard]] double length() const { return second.length(); }
   [[nodiscard]] Estimate of_length(const auto& number) const {
@@ -95,13 +95,13 @@ struct PartialSlipNip::Implementation : Solutions {
   [[nodiscard]] Estimate of_strain(const auto& number) const {
     return estimate(number, units.creep, length());
   }
-  /// The same at Y, where it depends on the tractions about it and on the place.
+  /// A strain at Y, with the effect of the errors of the tractions about Y and of the place.
   [[nodiscard]] Estimate of_strain_at(double y, const auto& function) const {
     Estimate strain = of_strain(at(y, function));
     strain.error += units.creep * (error_by_tractions(place(y)) + by_place(place(y), function));
     return strain;
   }
-  /// What the error and the rounding of the place e do to a function of it: next to ends and boundaries functions are like roots.
+  /// The effect of the error and the rounding of e on a function, which is like a root next to ends and boundaries.
   [[nodiscard]] double by_place(double e, const auto& function) const {
     const double shift = (relative + rounding()) * length(), here = std::invoke(function, second, e);
     double most = 0;
@@ -110,7 +110,7 @@ struct PartialSlipNip::Implementation : Solutions {
     return most;
   }
   [[nodiscard]] double place(double y) const { return second.leading_length() - y / units.length; }
-  /// Its value at Y, of a function of e.
+  /// A function of e as a function of the contact, at Y.
   [[nodiscard]] auto at(double y, const auto& function) const {
     internal::check_finite("y", y);
     return [this, y, function](const ZoneContact& contact) {
@@ -123,7 +123,7 @@ struct PartialSlipNip::Implementation : Solutions {
       return {difference.pressure + wrong.pressure, difference.shear + wrong.shear};
     }
   };
-  /// At e: the largest at the samples next to it, as one may be 0 by chance.
+  /// The largest errors at the samples next to e, because the error at one sample may be 0 by chance.
   [[nodiscard]] LocalError error_near(double e) const {
     constexpr long beside = 8;
     if (!(e >= 0 && e <= length())) return {};
@@ -139,7 +139,7 @@ struct PartialSlipNip::Implementation : Solutions {
     }
     return largest;
   }
-  /// Of what depends on the tractions about e, an error per unit of both: where it sticks, on those that should slip.
+  /// The error of a number per unit of the tractions about e. Where the sheet sticks, only violated conditions count.
   [[nodiscard]] double error_by_tractions(double e) const {
     const LocalError error = error_near(e);
     const bool slips = e > 0 && e < length() && second.sign(e) != 0;
@@ -154,7 +154,7 @@ struct PartialSlipNip::Implementation : Solutions {
     return times(unit, {value, std::fabs(value - before) + error_near(e).traction().*part + moved +
                                    error_of_whole(part)});
   }
-  /// What is relatively wrong in the whole is so in the mean.
+  /// The relative error of the whole times the mean traction.
   [[nodiscard]] double error_of_whole(double Traction::*part) const {
     return second.load() / length() * (part == &Traction::shear ? task.friction : 1) * relative;
   }
@@ -167,9 +167,9 @@ struct PartialSlipNip::Implementation : Solutions {
                  {peak.size, std::fabs(peak.size - before.size) + error_near(peak.e).traction().*part +
                                  whole + rounding() * peak.size});
   }
-  /// Its error reaches to any place whose traction is as large but for twice its error, and whose slope may be 0. Nodes are a step
-  /// apart in s, so that what tractions between them are wrong by changes by at most pi/step times its size (Bernstein's
-  /// inequality); what the whole is wrong by changes as the tractions do.
+  /// The error covers every place where the traction is as large, to twice its error, and its slope may be 0. Nodes are
+  /// a step apart in s, so that the slope of the tractions' error between nodes is at most pi/step times the error
+  /// (Bernstein's inequality). The error of the whole changes as the tractions do.
   [[nodiscard]] Estimate peak_position(double Traction::*part) const {
     const std::vector<Peak> all = second.peaks(part);
     const Peak before = largest(first.peaks(part)), peak = largest(all);
@@ -242,7 +242,7 @@ Estimate PartialSlipNip::rolling_resistance() const {
 Estimate PartialSlipNip::dissipation() const {
   Estimate lost = nip_->estimate(&ZoneContact::dissipation, nip_->units.load * nip_->units.creep,
                                  nip_->task.friction * nip_->second.load() * nip_->length());
-  // What the rollers put in, which is the same, is computed otherwise.
+  // The work of the rollers is equal to the dissipation and is computed in another way.
   const double put_in = nip_->second.creep() * nip_->second.tangential_load() + 2 * nip_->second.moment();
   lost.error += nip_->units.load * nip_->units.creep * std::fabs(nip_->second.dissipation() - put_in);
   return lost;
@@ -272,7 +272,7 @@ std::vector<Estimate> PartialSlipNip::zone_boundaries() const {
     if (is_smooth(contact, k))
       error += nip_->units.length *
                (nip_->of_boundaries * longer_beside(contact, k) + std::max(rounded(k - 1), rounded(k)));
-    // Zones that are left out beside are as long as the shorter one.
+    // Zones that are left out beside a boundary are at most as long as the shorter zone beside it.
     if (k > 0 && k < end && (lacks_zones[k - 1] || lacks_zones[k]))
       error += nip_->units.length * shorter_beside(contact, k);
   }
@@ -335,7 +335,7 @@ namespace {
 
 PartialSlipNip partial_slip(const data::PartialSlipNip& nip, const ContactUnits& units,
                             const PartialSlipTask& task, double accuracy) {
-  // Zones are looked for with the better accuracy, and a better one still where the lesser one lacks them.
+  // Zones are sought with the accuracy of the second contact, and with a better one if zones are missing at that.
   std::optional<Solutions> solutions;
   double load = task.load ? *task.load : load_guess(*task.length / 2);
   const double least = std::max(std::log(8 / accuracy), least_nats);

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Index, Eigen::RowVectorXd;
 using std::numbers::pi;
 
-/// Displacements u and v at the middle of an element k of unit traction k elements away, the one that loads before the
-/// other: u of the pressure, v of the pressure, v of the shear; u of the shear is minus that of v of the pressure.
+/// Displacements at the middle of an element under unit tractions on the element k places before it: u under pressure,
+/// v under pressure, v under shear. u under shear is minus v under pressure.
 struct Influence {
   std::vector<double> normal, coupling, along;
 };
@@ -58,7 +58,7 @@ class ActiveSet {
   }
 
  private:
-  /// A displacement as a row over the unknowns.
+  /// u or v at the middle of element k as a row over the unknowns.
   RowVectorXd row(int k, bool normal) const {
     RowVectorXd result = RowVectorXd::Zero(unknowns_);
     for (std::size_t j = 0; j < elements_.size(); ++j) {
@@ -124,8 +124,8 @@ class ActiveSet {
     }
   }
 
-  /// Whether elements press, stick or slip against their conditions; then all of them, or the first, no longer do. One
-  /// that presses again slips as before.
+  /// Changes the state of all elements that violate their conditions, or of the first; returns whether there are any.
+  /// An element that presses again has its former sign.
   bool changed(bool all) {
     std::vector<ElementContact::Element> next = elements_;
     bool any = false;
@@ -154,8 +154,8 @@ class ActiveSet {
     return any;
   }
 
-  /// Where none sticks a traction says nothing about the creep: one that stuck, the farthest from slipping, goes on. One
-  /// that was alone hands over to the nearest that slips the other way.
+  /// If no element sticks, a traction does not determine the creep. So of the elements that stuck the one farthest from
+  /// slipping still sticks, or, if only one stuck, the nearest element that slips the other way.
   void keep_one_sticking(std::vector<ElementContact::Element>& next) const {
     const auto sticks = [](const auto& element) { return element.presses && element.sign == 0; };
     if (std::ranges::any_of(next, sticks)) return;

@@ -5,12 +5,12 @@
 
 namespace nipref::fast {
 
-/// A contact by equal elements with constant tractions, for line loads, held to the rollers at their middles: in steady rolling
-/// an element slips by how far its surface moves against the roller from the middle of the element before it to its own.
-/// The elements that press, stick or slip are found by an active set.
+/// A contact of equal elements with constant tractions, for line loads, held to the rollers at their middles. In steady
+/// rolling the slip of an element is the change of the displacement against the roller from the middle of the element
+/// before it to its own middle. An active-set method finds the elements that press, stick or slip.
 struct ElementContact {
   struct Element {
-    double e;  ///< of its middle, from the line through the rollers' centres, along the motion
+    double e;  ///< place of its middle, from the line through the rollers' centres along the motion
     bool presses;
     int sign;                ///< as a Zone's
     double pressure, shear;  ///< 0 if it does not press
@@ -20,11 +20,10 @@ struct ElementContact {
   bool settled;  ///< whether all conditions are met
 };
 
-/// How far elements reach, over half the length of a contact without friction.
+/// Half the total width of the elements, over half the length of the contact without friction.
 inline constexpr double element_reach = 1.3;
 
-/// `elements` of them over so many lengths of a contact of the task's load, which is given. In rare cases they do not settle; the
-/// last state is the result.
+/// The contact with so many elements, for a given load. In rare cases it does not settle; its last state is returned.
 ElementContact element_contact(const PartialSlipTask& task, int elements);
 
 }  // namespace nipref::fast

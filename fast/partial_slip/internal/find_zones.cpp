@@ -10,14 +10,14 @@ namespace nipref::fast {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// How large new zones are in what they are cut from, to begin with.
+/// The initial length of a new zone over the length from which it is cut.
 constexpr double usual_part = 0.2;
-/// Zones are looked for in contacts of so many nats first: with fewer, those next to much shorter ones are not found.
+/// Zones are first sought in contacts of so many nats. With fewer, zones next to much shorter ones are not found.
 constexpr double rough = 20;
-/// A contact that is this wrong lacks more than short zones.
+/// A contact with a larger wrongness() lacks more than short zones.
 constexpr double too_wrong = 1e-3;
 
-/// A zone is taken out; its neighbours, or the only one, take its length.
+/// Removes a zone; its neighbours, or its only neighbour, take its length.
 void remove(Zones& zones, std::size_t number) {
   const double length = zones[number].length;
   const bool has_left = number > 0, has_right = number + 1 < zones.size();
@@ -31,8 +31,8 @@ void remove(Zones& zones, std::size_t number) {
   zones.erase(zones.begin() + static_cast<long>(number));
 }
 
-/// The shortest zone of slip is taken out, with the zone that sticks at the trailing end if one is left there; where such
-/// zones belong they come back. False if no other slip is left.
+/// Removes the shortest zone of slip, and a zone of stick that this leaves at the trailing end. Later changes bring
+/// zones back that are needed. Returns false if no other zone of slip would be left.
 bool leave_out_shortest_slip(Zones& zones) {
   const auto length = [](const Zone& zone) { return zone.sign == 0 ? infinity : zone.length; };
   if (std::ranges::count(zones, 0, &Zone::sign) + 1 >= std::ssize(zones)) return false;
@@ -41,7 +41,7 @@ bool leave_out_shortest_slip(Zones& zones) {
   return true;
 }
 
-/// Between two opposite slips it sticks, in so large a part of the shorter one.
+/// Inserts a zone of stick between opposite zones of slip; its length is `part` times that of the shorter one.
 void separate_slips(Zones& zones, double part) {
   for (std::size_t k = 1; k < zones.size(); ++k) {
     if (zones[k].sign * zones[k - 1].sign >= 0) continue;
@@ -54,10 +54,10 @@ void separate_slips(Zones& zones, double part) {
 
 struct Part {
   double from, to;  ///< e
-  int sign;         ///< that its zone should have
+  int sign;         ///< sign that its zone should have
 };
 
-/// The parts where a contact is not what it should be, but for what its accuracy leaves.
+/// The parts where a contact violates its conditions by more than its accuracy explains.
 std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, double nats) {
   const double tolerance = left_by_accuracy(nats);
   const std::vector<ZoneContact::Sample>& samples = contact.samples();
@@ -77,14 +77,14 @@ std::vector<Part> wrong_parts(const ZoneContact& contact, double friction, doubl
     }
     goes_on = is_wrong;
   }
-  // Those much shorter than others may go with them.
+  // Parts that are much shorter than others may disappear with those.
   double longest = 0;
   for (const Part& part : parts) longest = std::max(longest, part.to - part.from);
   std::erase_if(parts, [&](const Part& part) { return part.to - part.from < 0.01 * longest; });
   return parts;
 }
 
-/// The zones with that part as a zone of its own.
+/// The zones with the part as a zone of its own.
 Zones with(const Zones& zones, const Part& part) {
   Zones result;
   double start = 0;
@@ -98,7 +98,7 @@ Zones with(const Zones& zones, const Part& part) {
   for (const Zone& zone : zones) {
     const double end = start + zone.length;
     const double from = std::clamp(part.from, start, end), to = std::clamp(part.to, start, end);
-    // A part that begins or ends with the zone has no midpoint there.
+    // There is no midpoint at the end of a zone itself, where a part may begin or end.
     const double margin = 0.05 * zone.length;
     const bool is_first = from - start < margin, is_last = end - to < margin;
     if (to > from) {
@@ -113,20 +113,20 @@ Zones with(const Zones& zones, const Part& part) {
   return result;
 }
 
-/// Whether the slip at the trailing end has the wrong sign up to the end: there it turns around.
+/// Whether the slip in the last zone has the wrong sign up to the trailing end, so that it has to turn around there.
 bool turns_at_end(const Zones& zones, const std::vector<Part>& parts) {
   return zones.back().sign != 0 && parts.back().sign == 0 &&
          parts.back().to > length_of(zones) - 1e-3 * zones.back().length;
 }
 
-/// The size of new zones over what they are cut from; where slip turns around at the trailing end, that is the wrong part or the
-/// whole zone.
+/// The length of new zones over the length from which they are cut. If slip turns around at the trailing end, they are
+/// cut from the wrong part or from the whole zone.
 struct NewZones {
   double part;
   bool in_wrong_part;
 };
 
-/// The zones with all those parts.
+/// The zones with all these parts as zones of their own.
 Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSlipTask& task,
                    const NewZones& size) {
   const double last = zones.back().length;
@@ -147,7 +147,7 @@ Zones with_missing(Zones zones, const std::vector<Part>& parts, const PartialSli
   return zones;
 }
 
-/// Newton's method begins with few unknowns, as its steps are quicker then; that may mislead it.
+/// Newton's method with few unknowns first, which make its steps fast but may mislead it.
 std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, const Zones& zones,
                                                 double nats) {
   constexpr double few = 10;
@@ -155,8 +155,8 @@ std::optional<ZoneContact> solved_in_two_stages(const PartialSlipTask& task, con
   return near ? ZoneContact::solved(task, *near, nats) : std::nullopt;
 }
 
-/// The least wrong contact with those parts as zones of their own. New zones begin in several sizes, because Newton's method may
-/// shrink them to nothing from a bad start. Nothing where none is found, or where the zones stay as they are.
+/// The contact of least wrongness() with these parts as zones of their own. Several lengths of new zones are tried,
+/// because Newton's method may shrink them to nothing. Nothing if none is found or the zones stay as they are.
 std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const ZoneContact& contact,
                                              const std::vector<Part>& parts) {
   constexpr NewZones sizes[] = {{usual_part, true},      {usual_part, false},    {usual_part / 4, true},
@@ -165,7 +165,7 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
   std::optional<ZoneContact> best;
   double least = infinity;
   for (const bool in_two_stages : {true, false}) {
-    // Few unknowns cannot tell zones that only a better accuracy shows.
+    // Few unknowns do not resolve zones that only a better accuracy shows.
     if (in_two_stages && contact.nats() > rough) continue;
     Zones zones;
     for (const NewZones& size : sizes) {
@@ -175,7 +175,7 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
       if (in_same_order(zones, contact.zones())) return std::nullopt;
       auto found = in_two_stages ? solved_in_two_stages(task, zones, contact.nats())
                                  : ZoneContact::solved(task, zones, contact.nats());
-      // Where two sizes lead to one contact the others do, too.
+      // If two sizes lead to the same contact, the others do, too.
       if (found && best && found->is_like(*best)) return best;
       const double of_found = found ? wrongness(*found, task.friction) : infinity;
       if (of_found < least) {
@@ -188,8 +188,8 @@ std::optional<ZoneContact> best_with_missing(const PartialSlipTask& task, const 
   return best;
 }
 
-/// Changes the zones until they meet all conditions, or as many as the accuracy can tell, or until zones that are missing are
-/// not found. What is left is wrongness().
+/// Changes the zones until they meet all conditions as far as the accuracy shows, or until missing zones are not found.
+/// wrongness() tells what is left of violations.
 std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<ZoneContact> contact,
                                   Zones zones, double nats) {
   while (!contact) {
@@ -207,7 +207,7 @@ std::optional<ZoneContact> mended(const PartialSlipTask& task, std::optional<Zon
   return contact;
 }
 
-/// With rough many nats, whether or not short zones are missing.
+/// The contact of `rough` nats, in which short zones may be missing.
 std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
   std::optional<ZoneContact> best;
   double least = infinity;
@@ -218,7 +218,7 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
       least = wrong;
       best = std::move(contact);
     }
-    // In the mean a contact with the right zones is wrong by no more than its accuracy.
+    // The wrongness of a contact with the right zones is at most its accuracy.
     return least < std::exp(-rough);
   };
   const auto is_found_from = [&](const Zones& zones) {
@@ -231,7 +231,7 @@ std::optional<ZoneContact> found_roughly(const PartialSlipTask& task) {
     const std::optional<Zones> zones = plain_zones(task, elements);
     if (zones && is_found_from(*zones)) return best;
   }
-  // Elements do not tell of much shorter zones next to the trailing end.
+  // Elements do not show zones next to the trailing end that are much shorter than they are.
   const Zones sticking{{length_guess(task), 0}};
   if (sticks_everywhere(task, sticking) && is_found_from(sticking)) return best;
   for (const int sign : {-1, 1}) {
@@ -251,7 +251,7 @@ std::optional<ZoneContact> find_zones(const PartialSlipTask& task, const ZoneCon
 std::optional<ZoneContact> find_zones(const PartialSlipTask& task, double nats) {
   auto best = found_roughly(task);
   if (!best) return std::nullopt;
-  // Shorter zones are told at a better accuracy, and are found more easily when few unknowns come at a time.
+  // A better accuracy shows shorter zones. They are found more easily if only few unknowns are added at a time.
   constexpr double stride = 5;
   for (double finer = rough + stride;
        finer < nats && wrongness(*best, task.friction) > left_by_accuracy(nats); finer += stride) {

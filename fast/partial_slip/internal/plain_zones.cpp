@@ -17,11 +17,11 @@ namespace {
 
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// The tractions of a contact of a given length at the nodes of the Gauss-Chebyshev rule for functions like the root of the distance
-/// from both ends, e = L sin^2(theta/2), theta = pi k/(n + 1), k = 1 to n. The equations hold midway between them in theta, where
-/// the rule is as accurate for Cauchy's kernel as for a smooth function. The equation of u' determines the pressures, p = p0 + P q
-/// for any shear q, and with them the strains are v' = v0 + V q. An element is what lies around a node, and has the sign of its
-/// slip, 0 where it sticks.
+/// The tractions of a contact of a given length at the nodes of the Gauss-Chebyshev rule for functions like the square
+/// root of the distance from both ends, e = L sin^2(theta/2), theta = pi k/(n + 1), k = 1 to n. The equations hold
+/// midway between the nodes in theta, where the rule is as accurate for Cauchy's kernel as for a smooth function. The
+/// equation of u' determines the pressures p = p0 + P q for any shear q, so that the strains are v' = v0 + V q. An
+/// element is the part about a node. Its sign is that of the shear if it slips, 0 if it sticks.
 class Elements {
  public:
   Elements(const PartialSlipTask& task, double length, int count)
@@ -57,7 +57,7 @@ class Elements {
     edges_(count) = length;
   }
 
-  /// Changes signs until none violates its condition, from these and from this creep, where none is given.
+  /// Changes signs until none violates its condition, from `signs` and, if no creep is given, from `creep`.
   void settle(const std::vector<int>& signs, double creep) {
     for (std::size_t i = 0; i < signs_.size(); ++i) signs_[i] = signs[i * signs.size() / signs_.size()];
     creep_ = task_.creep ? *task_.creep : creep;
@@ -66,16 +66,17 @@ class Elements {
   [[nodiscard]] bool is_settled() const { return is_settled_; }
   [[nodiscard]] const std::vector<int>& signs() const { return signs_; }
   [[nodiscard]] double creep() const { return creep_; }
-  /// Where an element begins and the one before it ends.
+  /// The place where an element begins and the one before it ends.
   [[nodiscard]] double edge(int element) const { return edges_(element); }
 
-  /// What sticks between opposite slips of two elements.
+  /// A zone of stick between opposite slips of two elements.
   struct Turn {
     double place, length;
   };
-  /// It is where the slip between them is 0, and about as long as little friction makes it. With q = -mu p in front of it, mu p behind
-  /// it and a slip that grows by s' without it, (1/pi) int q'/(e' - e) de' = s' where it sticks, and q' is bounded where that begins:
-  /// so q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from there, with l = 4 mu p/(pi s').
+  /// The zone is where the slip between the elements is 0, about as long as for little friction. With q = -mu p before
+  /// the zone, mu p behind it and the slope s' of the slip without it, (1/pi) int q'/(e' - e) de' = s' in the zone, and
+  /// q' is bounded where the zone begins. Therefore q' = 2 mu p/pi (x/(l - x))^(1/2)/l at the distance 0 < x < l from
+  /// there, with l = 4 mu p/(pi s').
   [[nodiscard]] Turn turn(int before, int behind) const {
     const double slope = (slip_(behind) - slip_(before)) / (edges_(behind) - edges_(before));
     return {edges_(behind) - slip_(behind) / slope,
@@ -83,7 +84,7 @@ class Elements {
   }
 
  private:
-  /// Changes signs until none violates its condition at this creep; false where this comes to no end.
+  /// Changes signs until none violates its condition at the present creep; returns false if this does not end.
   bool settles() {
     constexpr int most_changes = 20;
     for (int change = 0; change < most_changes; ++change) {
@@ -92,7 +93,7 @@ class Elements {
     }
     return false;
   }
-  /// The same at that creep or, where it comes to no end, at one that is nearer to this one.
+  /// settles() at `creep` or, if that does not end, at a creep nearer to the present one.
   bool settles_towards(double creep) {
     constexpr int most_halvings = 6;
     const std::vector<int> signs = signs_;
@@ -104,7 +105,7 @@ class Elements {
     }
     return false;
   }
-  /// The same at this creep, from these signs or from so much creep that all elements slip one way.
+  /// settles() at the present creep, from the present signs or from a creep at which all elements slip one way.
   bool settles_anyhow() {
     if (settles()) return true;
     constexpr int most_steps = 20;
@@ -117,11 +118,11 @@ class Elements {
     }
     return false;
   }
-  /// So much that all elements slip one way.
+  /// A creep at which all elements slip one way.
   [[nodiscard]] double most_creep() const { return 8 * (1 + task_.friction) * length_; }
 
-  /// The traction grows with the creep, from sliding one way to sliding the other, and linearly as long as the signs stay: Newton's
-  /// method in a bracket. Elements may have several states at one creep, and none with this traction: the nearest is the result.
+  /// Newton's method in a bracket for the creep of the given traction, which grows with the creep, linearly as long as
+  /// the signs stay. Elements may have several states at one creep and none with this traction; the nearest is taken.
   bool settles_for_traction() {
     if (!settles_anyhow()) return false;
     double most = most_creep(), least = -most;
@@ -130,7 +131,7 @@ class Elements {
     std::vector<int> signs;
     double creep = 0, least_missing = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_steps; ++step) {
-      // A load that is given is another one here: its traction is to be the same share.
+      // The load of the elements is not exactly a given load; the traction is to be the same share of it.
       const double of_load = task_.load ? *task_.traction / *task_.load : 0, load = weights_.dot(pressure_);
       const double missing = (task_.load ? of_load * load : *task_.traction) - weights_.dot(shear_);
       if (std::fabs(missing) < least_missing) {
@@ -151,9 +152,9 @@ class Elements {
     return true;
   }
 
-  /// With these signs.
+  /// Solves for the tractions with the present signs.
   void solve() {
-    MatrixXd matrix = strain_by_shear_, right(count_, 2);  // without creep, and by it
+    MatrixXd matrix = strain_by_shear_, right(count_, 2);  // without creep, and per creep
     right << -strain_without_, VectorXd::Ones(count_);
     for (int i = 0; i < count_; ++i) {
       const double ratio = task_.friction * signs_[static_cast<std::size_t>(i)];
@@ -171,7 +172,7 @@ class Elements {
     slip_ = (strain_without_ + strain_by_shear_ * shear_).array() - creep_;
   }
 
-  /// Changes the signs whose conditions are violated, the last one from slip to slip; false and no change where that is the only one.
+  /// Changes signs whose conditions are violated, the last from slip to slip; false, without a change, if no other is.
   bool change_signs() {
     const std::vector<int> before = signs_;
     for (int i = 0; i < count_; ++i) {
@@ -198,7 +199,7 @@ class Elements {
   VectorXd pressure_, shear_, slip_, shear_by_creep_;
 };
 
-/// Few elements settle from any signs, and more from those of half as many.
+/// Settled elements. Few elements settle from any signs, more elements from the signs of half as many.
 Elements settled(const PartialSlipTask& task, double length, int count) {
   constexpr int few = 30;
   Elements elements(task, length, count);
@@ -211,7 +212,7 @@ Elements settled(const PartialSlipTask& task, double length, int count) {
   return elements;
 }
 
-/// Puts what sticks between opposite slips, one element or none, where they turn. Each zone begins with an element of `first`.
+/// Moves zones of stick, of one element or none, to where slip turns around. `first`: the first element of each zone.
 void stick_where_slips_turn(Zones& zones, const std::vector<int>& first, const Elements& elements) {
   double start = 0;
   for (std::size_t k = 1; k + 1 < zones.size(); start += zones[k - 1].length, ++k) {
@@ -235,7 +236,7 @@ double length_guess(const PartialSlipTask& task) {
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
   const Elements elements = settled(task, length_guess(task), count);
   if (!elements.is_settled()) return std::nullopt;
-  // The last element slips whatever happens: behind another slip that tells nothing, nor where all else sticks without traction.
+  // The last element always slips: this shows nothing if the one before slips, or all others stick without traction.
   std::vector<int> signs = elements.signs();
   const auto sticking = static_cast<int>(std::ranges::count(signs, 0));
   if (signs[signs.size() - 2] != 0 || (sticking == count - 1 && task.traction == 0.0))
@@ -253,7 +254,7 @@ std::optional<Zones> plain_zones(const PartialSlipTask& task, int count) {
     zones.back().length += elements.edge(i + 1) - elements.edge(i);
   }
   stick_where_slips_turn(zones, first, elements);
-  // With a given traction something sticks, if less than an element.
+  // With a given traction a part of the contact sticks, if less than an element.
   if (task.traction && zones.size() == 1 && zones.front().sign != 0) {
     zones.insert(zones.begin(), {elements.edge(1) / 2, 0});
     zones.back().length -= elements.edge(1) / 2;

@@ -5,13 +5,13 @@
 
 namespace nipref::fast {
 
-/// A guess at the zones of a contact of about this length from so many elements, at the nodes of a Gauss-Chebyshev rule: they are narrow
-/// at the ends, where zones may be short. An element that sticks strains like the roller at its leading edge. The last one slips
-/// whatever happens, as what sticks up to the trailing end is a difference of large numbers. Signs change until no condition is
-/// violated; nothing in the rare cases where this comes to no end. elements >= 4.
+/// A guess of the zones of a contact of the length length_guess(), from `elements` >= 4 elements about the nodes of a
+/// Gauss-Chebyshev rule: they are narrow at the ends, where zones may be short. If an element sticks, the strain at its
+/// leading edge is the creep. The last element always slips, because sticking up to the trailing end is a difference of
+/// large numbers. Signs change until no condition is violated. Nothing in the rare cases where this does not end.
 std::optional<Zones> plain_zones(const PartialSlipTask& task, int elements);
 
-/// That length: the task's, or without friction that of its load.
+/// The length of the task, or the length without friction of its load.
 double length_guess(const PartialSlipTask& task);
 
 }  // namespace nipref::fast

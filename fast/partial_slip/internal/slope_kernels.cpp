@@ -17,8 +17,8 @@ struct Rests {
   Eigen::Array3d value, slope;
 };
 
-/// The rests and their derivatives by 20 terms of Chebyshev series on |alpha - a whole number| < 1/2, which fall by
-/// (4 + sqrt 17)^-k: next to 0 nothing cancels.
+/// The rests and their derivatives for |alpha - middle| < 1/2 by Chebyshev series of 20 terms, which fall like
+/// (4 + sqrt 17)^-k. Nothing cancels in them next to 0.
 class RestSeries {
  public:
   explicit RestSeries(int middle) : middle_(middle) {
@@ -52,20 +52,20 @@ class RestSeries {
   Eigen::Array<double, 3, terms> coefficients_ = Eigen::Array<double, 3, terms>::Zero();
 };
 
-/// U and S are odd, V is even; their derivatives are the other way around.
+/// U and S are odd, V is even; their derivatives have the opposite parity.
 const Eigen::Array3d value_parity(-1, 1, -1);
 
-/// alpha >= 0.
+/// The rests at alpha >= 0.
 Rests rests(double alpha) {
   static Cache<int, RestSeries> kept([](const int& middle) { return RestSeries(middle); });
   return kept.at(static_cast<int>(std::lround(alpha)))->at(alpha);
 }
 
-/// Of the rests as functions on the whole contact, for rounding: their singularities 2 i beside it are on the ellipse of
-/// convergence whose half axes add up to 4/length + sqrt((4/length)^2 + 1) half lengths.
+/// The points that interpolate the rests on the whole contact to rounding. The singularities 2 i beside the contact are
+/// on the ellipse of convergence whose half axes add up to 4/length + sqrt((4/length)^2 + 1) half-lengths.
 int points_for(double length) { return 2 + static_cast<int>(std::ceil(37 / std::asinh(4 / length))); }
 
-/// U, V and S from a source to a target, in their places in the matrix of both.
+/// Sets U, V and S between a source and a target in the matrix [U, -V; V, S].
 void set(MatrixXd& kernels, Index target, Index source, const Eigen::Array3d& of) {
   const Index points = kernels.cols() / 2;
   kernels(target, source) = of(0);

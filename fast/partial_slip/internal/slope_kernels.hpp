@@ -7,10 +7,10 @@
 
 namespace nipref::fast {
 
-/// The slopes of the sheet's displacements over N under line loads, U = (I1/pi)', V = (I3/pi)' and S = (I6(alpha, 0)/pi)', are
-/// -1/(pi alpha) in U and S and rests that are analytic for |Im alpha| < 2. These are the rests between points of a contact, alpha =
-/// a - b for points e = a of targets and e = b of sources, interpolated between Chebyshev points to rounding: U = A K B^T, K the
-/// rests between these.
+/// The slopes of the sheet's displacements over N under line loads are U = (I1/pi)', V = (I3/pi)' and S = (I6(alpha,
+/// 0)/pi)'. They are the sum of -1/(pi alpha), in U and S, and rests that are analytic for |Im alpha| < 2. This class
+/// has the rests at alpha = a - b between targets e = a and sources e = b of a contact, interpolated to rounding
+/// between Chebyshev points: U = A K B^T, K the rests between Chebyshev points.
 class SlopeKernels {
  public:
   /// All points are between 0 and `length`.
@@ -23,11 +23,11 @@ class SlopeKernels {
   [[nodiscard]] Rows values(const auto& pressures, const auto& shears) const {
     return at_targets(at_points(pressures, shears));
   }
-  /// Their derivatives by the target's place.
+  /// The derivatives of u' and v' with respect to the target's place.
   [[nodiscard]] Rows slopes(const auto& pressures, const auto& shears) const {
     return at_targets(under(points_->slopes, pressures, shears));
   }
-  /// The values at the Chebyshev points, and the matrix that makes of these the values at some of the targets.
+  /// The values at the Chebyshev points, and the matrix that maps these to the values at some of the targets.
   [[nodiscard]] Rows at_points(const auto& pressures, const auto& shears) const {
     return under(points_->values, pressures, shears);
   }
@@ -48,9 +48,9 @@ class SlopeKernels {
     return {sums.topRows(count), sums.bottomRows(count)};
   }
 
-  /// Between the Chebyshev points of a contact a little longer: U and -V over V and S, and their derivatives.
+  /// The rests [U, -V; V, S] between the Chebyshev points of a slightly longer contact, and their derivatives.
   struct Points {
-    explicit Points(int eighths);  ///< of an octave of lengths
+    explicit Points(int eighths);  ///< the length is 2^(eighths/8)
     double length;
     Eigen::MatrixXd values, slopes;
   };

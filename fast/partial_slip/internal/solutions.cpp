@@ -9,7 +9,7 @@
 namespace nipref::fast {
 namespace {
 
-/// The largest of smooth boundaries, over the longer zone beside.
+/// The largest difference of smooth boundaries, over the longer zone beside.
 double boundary_difference(const ZoneContact& coarser, const ZoneContact& contact) {
   double largest = 0;
   for (std::size_t k = 1; k < contact.zones().size(); ++k) {
@@ -19,10 +19,10 @@ double boundary_difference(const ZoneContact& coarser, const ZoneContact& contac
   return largest;
 }
 
-/// The relative error of other results that the boundaries' errors x bring and no difference of those results need show. A
-/// result is f(x) = f + f' x + f'' x^2/2, and its difference shows the first order, as x is at most the boundaries' own
-/// difference. But to the second order it is the same for x and -x. Results change over lengths of the shorter zone beside a
-/// boundary and by its share of the contact: f'' x^2 is x^2 over that zone's length and the contact's.
+/// The relative error of other results that the boundaries' errors x cause but differences of these results may not
+/// show. A result is f(x) = f + f' x + f'' x^2/2. Its difference shows the first order, because x is at most the
+/// difference of the boundaries. But the second order is equal for x and -x. Results change over the length of the
+/// shorter zone beside a boundary, by its share of the contact: f'' x^2 is x^2 over the product of these two lengths.
 double second_order(const ZoneContact& coarser, const ZoneContact& contact) {
   double largest = 0;
   for (std::size_t k = 1; k < contact.zones().size(); ++k) {
@@ -47,8 +47,8 @@ double relative_difference(const ZoneContact& coarser, const ZoneContact& contac
   return largest;
 }
 
-/// Whether other zones belong where a sample is: more is wrong there than the accuracy leaves, or slip goes along the shear up to an
-/// end of the contact, where no boundary that is a little displaced can make it.
+/// Whether other zones belong at each sample: its excess is larger than the accuracy explains, or slip goes along the
+/// shear up to an end of the contact, which a small displacement of a boundary cannot explain.
 std::vector<bool> left_out(const ZoneContact& contact, const std::vector<double>& excess, double nats) {
   const double tolerance = left_by_accuracy(nats);
   std::vector<bool> result;
@@ -62,9 +62,10 @@ std::vector<bool> left_out(const ZoneContact& contact, const std::vector<double>
   return result;
 }
 
-/// By how much tractions may be wrong at the samples. Where zones are left out the contact may be any other: its pressure as large
-/// as the mean, its shear friction in the other direction. At a distance d from a part of length l the strains by what is wrong
-/// there, by Cauchy's kernel, are l/d of those in it, and so are the tractions, which are wrong by that of themselves.
+/// The possible errors of the tractions at the samples. Where zones are left out the contact may be any other: the
+/// error of the pressure may be the mean pressure, and the shear may be friction in the other direction. At a distance
+/// d from such a part of length l the strains caused by its error are l/d of those in it, by Cauchy's kernel. This is
+/// also the relative error of the tractions there.
 std::vector<ZoneContact::Traction> wrong_by(const ZoneContact& contact, const std::vector<double>& excess,
                                             const std::vector<bool>& is_left_out, double friction) {
   const auto& samples = contact.samples();
@@ -127,8 +128,8 @@ std::optional<Solutions> with_differences(const PartialSlipTask& task, ZoneConta
                          std::max(of_tractions[i].shear, std::fabs(sample.shear - before.shear))};
     }
   }
-  // By chance both may agree with the second about a boundary. A rougher contact tells the error of the first, too, as those of
-  // boundaries fall like e^(-2 smooth_reach).
+  // By chance both may have a boundary of the second. A rougher contact shows the error of the first, too, because the
+  // errors of boundaries fall like e^(-2 smooth_reach).
   constexpr double rougher_by = 3;
   if (const auto rougher = solved(nats - rougher_by)) {
     const double fall = std::exp(-2 * ZoneMesh::smooth_reach(rougher_by));

@@ -10,8 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// sum_k (-1)^k a_k, k >= 0, of moments a_k of a positive measure on [0, 1] is about sum_k (-1)^k factor_k a_k with 22 of
-/// them, to (3 + sqrt 8)^-22 = 1e-17. (Cohen, Rodriguez Villegas, Zagier 2000, algorithm 1)
+/// For moments a_k of a positive measure on [0, 1], sum_k (-1)^k a_k, k >= 0, is sum_k (-1)^k factor_k a_k over 22
+/// terms to (3 + sqrt 8)^-22 = 1e-17. (Cohen, Rodriguez Villegas, Zagier 2000, algorithm 1)
 const std::array<double, 22>& factors_of_alternating_sum() {
   static const auto all = [] {
     std::array<double, 22> factors{};

@@ -16,7 +16,7 @@ namespace {
 using Eigen::ArrayXd, Eigen::Index;
 using std::numbers::pi;
 
-/// Of |s|: weights beyond are e^-36 of a panel.
+/// |s| beyond which weights are less than e^-36 of a panel.
 constexpr double far = 36;
 
 }  // namespace
@@ -34,7 +34,7 @@ ZoneContact::ZoneContact(ZoneEquations solved) : equations_(std::move(solved)), 
 }
 
 double ZoneContact::ratio_after(const ZoneMesh::Point& point) const {
-  // In the middle of a panel samples are up to a sixth of it apart, farther than a zone of slip is long.
+  // In the middle of a panel samples are up to a sixth of it apart; a zone of slip may be shorter than that.
   constexpr int between = 8;
   double largest = 0;
   for (int i = 1; i < (mesh().sign(point) == 0 ? between : 1); ++i) {
@@ -125,7 +125,7 @@ double ZoneContact::strain_under(double distance, const Traction& load) {
 template <class Add>
 void ZoneContact::for_nodes_beyond(int panel, double e, const Add& add) const {
   for (std::size_t j = 0; j < mesh().nodes().size(); ++j) {
-    // The nodes next to the trailing end round to it; their weights are nothing.
+    // The nodes next to the trailing end are rounded to it; their weights are negligible.
     const double distance = e - mesh().place(mesh().nodes()[j]);
     const auto node = static_cast<Index>(j);
     if (mesh().nodes()[j].panel != panel && distance != 0)
@@ -143,7 +143,7 @@ double ZoneContact::strain(double e) const {
   const ZoneMesh::Point point = mesh().point_at(e);
   if (mesh().sign(point) == 0) return creep();
   for_nodes_beyond(point.panel, e, add);
-  // Nodes on both sides of the place, so that it lies midway between two.
+  // The nodes are placed such that the place lies midway between two of them.
   for (const int side : {-1, 1}) {
     for (int j = 0; j * mesh().step() < 2 * far; ++j) {
       const ZoneMesh::Point node{point.panel, point.s + side * (j + 0.5) * mesh().step()};
@@ -178,7 +178,7 @@ ZoneContact::Displacement ZoneContact::displacement(double e) const {
     return {normal, displacement_by_nodes(start, -1).along + creep() * (e - start)};
   }
   Displacement sum = displacement_by_nodes(e, panel);
-  // The logarithm at the place asks for nodes that crowd there from both sides.
+  // The logarithm at the place needs nodes that become dense there from both sides.
   for (const double end : {mesh().place({panel, -2 * far}), mesh().place({panel, 2 * far})}) {
     const double length = std::fabs(end - e);
     for (double s = -far; length > 0 && s < far; s += mesh().step()) {
@@ -192,7 +192,7 @@ ZoneContact::Displacement ZoneContact::displacement(double e) const {
 }
 
 double ZoneContact::dissipation() const {
-  // The first and the last sample of a panel stand for what would follow: sum_k e^(-k h).
+  // The first and the last sample of a panel also stand for those that would follow: sum_k e^(-k h).
   const double rest = 1 / (1 - std::exp(-mesh().step()));
   const auto goes_on = [&](std::size_t i, std::size_t next) {
     return next < samples_.size() && samples_[next].point.panel == samples_[i].point.panel;
@@ -207,18 +207,18 @@ double ZoneContact::dissipation() const {
 }
 
 std::vector<ZoneContact::Peak> ZoneContact::peaks(double Traction::*part) const {
-  // In s, as a peak may be very near to a boundary.
+  // Peaks are sought in s, because a peak may be very near to a boundary.
   std::vector<Peak> found;
   for (auto sample = samples_.begin(); sample != samples_.end();) {
     const int panel = sample->point.panel;
-    // Next to a boundary a traction may be like A t - B t^(3/2), largest at any s: nearer than the samples, too.
+    // Next to a boundary a traction may be like A t - B t^(3/2), with a maximum at any s, also beyond the samples.
     std::vector<double> places, beyond;
     for (double s = -ZoneMesh::farthest; s < sample->point.s; ++s) places.push_back(s);
     for (; sample != samples_.end() && sample->point.panel == panel; ++sample)
       places.push_back(sample->point.s);
     for (double s = ZoneMesh::farthest; s > places.back(); --s) beyond.push_back(s);
     places.insert(places.end(), beyond.rbegin(), beyond.rend());
-    // A cusp at a boundary may be like a small power of t: the farthest places stand for the boundary itself.
+    // A cusp at a boundary may be like a small power of t; therefore the farthest places stand for the boundary itself.
     const auto size_at = [&](double s) {
       if (std::fabs(s) >= ZoneMesh::farthest) s = std::copysign(std::numeric_limits<double>::infinity(), s);
       return std::fabs(traction_at({panel, s}).*part);

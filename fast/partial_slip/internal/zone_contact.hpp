@@ -12,14 +12,13 @@ class ZoneContact {
  public:
   using Traction = ZoneMesh::Traction;
 
-  /// Nothing where Newton's method finds no zones of such an order.
+  /// The solution from these zones or from a solution near it; nothing if Newton's method finds no zones in this order.
   static std::optional<ZoneContact> solved(const PartialSlipTask& task, const Zones& zones, double nats);
-  /// The same from another solution, to which it is near.
   static std::optional<ZoneContact> solved(const PartialSlipTask& task, const ZoneContact& near, double nats);
 
-  /// Whether the zones are those of another discretisation: in the same order, and none is longer by half but for what the coarser
-  /// leaves. The discretised equations have solutions too in which a zone that sticks between opposite slips shrinks as the
-  /// mesh does.
+  /// Whether the zones are those of another discretisation: they have the same order, and no length differs by more
+  /// than half or the accuracy of the coarser one. The discretised equations also have solutions in which a zone of
+  /// stick between opposite slips shrinks with the mesh.
   [[nodiscard]] bool is_like(const ZoneContact& other) const;
 
   [[nodiscard]] const Zones& zones() const { return equations_.zones(); }
@@ -28,7 +27,7 @@ class ZoneContact {
   [[nodiscard]] double creep() const { return equations_.creep(); }
   [[nodiscard]] double load() const { return forces_.normal.sum(); }
   [[nodiscard]] double tangential_load() const { return forces_.tangential.sum(); }
-  /// D, by which the rollers press in the surface at the line through their centres.
+  /// D, the displacement that the rollers impose on the surface at the line through their centres.
   [[nodiscard]] double approach() const {
     return displacement(0).normal + leading_length() * leading_length();
   }
@@ -39,10 +38,10 @@ class ZoneContact {
   /// -int q (v' - creep) de
   [[nodiscard]] double dissipation() const;
 
-  /// 0 outside.
+  /// 0 outside the contact.
   [[nodiscard]] Traction traction(double e) const;
   [[nodiscard]] Traction traction_at(const ZoneMesh::Point& point) const;
-  /// Of the zone that e in the contact lies in, and where it begins.
+  /// The sign of the zone that contains e, a place in the contact, and the place where this zone begins.
   [[nodiscard]] int sign(double e) const;
   [[nodiscard]] double start_of_zone(double e) const;
   /// The strain v' of the surface, in the contact and outside.
@@ -54,11 +53,11 @@ class ZoneContact {
       along += other.along;
     }
   };
-  /// u and v along e, against what is the same for all e. In the contact u is the rollers' parabola, and where the sheet
-  /// sticks the strain is the creep; elsewhere tractions between the nodes enter.
+  /// u, and v along e up to a constant. In the contact u is the rollers' parabola. Where the sheet sticks, the strain
+  /// of v is the creep; elsewhere v needs the tractions between the nodes.
   [[nodiscard]] Displacement displacement(double e) const;
-  /// The place that corresponds to e of `other`, which has the same zones, nearly as long: the ends of both correspond, and the
-  /// boundaries where they begin to slip, at which tractions are like roots, and between these e is linear.
+  /// The place that corresponds to e of `other`, which has the same zones, nearly as long. The map of e is piecewise
+  /// linear between the ends and the boundaries where stick turns into slip, at which tractions are like roots.
   [[nodiscard]] double corresponding_place(const ZoneContact& other, double e) const;
 
   /// Tractions and slip v' - creep at the midpoints, in their order.
@@ -66,7 +65,7 @@ class ZoneContact {
     ZoneMesh::Point point;
     int zone, sign;
     double e, weight, pressure, shear, slip;
-    double ratio;  ///< |q/p|, where it sticks the largest from here to the next sample
+    double ratio;  ///< |q/p|; where the sheet sticks, the largest from here to the next sample
   };
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
 
@@ -74,11 +73,11 @@ class ZoneContact {
     double size, e;
     ZoneMesh::Point point;
   };
-  /// The local maxima of a traction's size, of which some may be cusps at boundaries of zones.
+  /// The local maxima of a traction's magnitude; some may be cusps at boundaries of zones.
   [[nodiscard]] std::vector<Peak> peaks(double Traction::*part) const;
-  /// Its e as the zero of the slope beside it, if there is one.
+  /// e of a peak, as the zero of the slope beside it if there is one.
   [[nodiscard]] double place_of(const Peak& peak, double Traction::*part) const;
-  /// The derivative of a traction's size by the panel's s at 0 < e < length.
+  /// The derivative of a traction's magnitude with respect to the panel's s, at 0 < e < length.
   [[nodiscard]] double slope(double e, double Traction::*part) const {
     return slope(mesh().point_at(e), part);
   }
@@ -92,9 +91,9 @@ class ZoneContact {
   /// The largest |q/p| between a sample that sticks and the next one, 0 for others.
   [[nodiscard]] double ratio_after(const ZoneMesh::Point& point) const;
   [[nodiscard]] Displacement displacement_under(double distance, const Traction& load) const;
-  /// The nodes of all panels but one.
+  /// The displacement under the nodes of all panels but one.
   [[nodiscard]] Displacement displacement_by_nodes(double e, int but_of_panel) const;
-  /// But for the local term.
+  /// The strain under a load, without the local term.
   [[nodiscard]] static double strain_under(double distance, const Traction& load);
   /// Calls add(distance, weight times traction) for the nodes of all panels but one.
   template <class Add>

@@ -97,7 +97,7 @@ Eigen::MatrixXd ZoneEquations::extents(const auto& points) const {
 
 ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
   const auto& [cauchy, rest] = kernels;
-  // A length moves midpoints and nodes, and changes the weights of its nodes.
+  // The length of a zone moves midpoints and nodes, and changes the weights of the zone's nodes.
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal, tangential = forces.tangential;
   const Eigen::MatrixXd own = extents(mesh_.midpoints()), moves = extents(mesh_.nodes());
@@ -116,8 +116,9 @@ ZoneEquations::Rows ZoneEquations::by_lengths(const Kernels& kernels) const {
   return rows;
 }
 
-/// Between points in one zone nothing changes, because the kernel falls as the weights grow. From a zone to points outside it the
-/// weights grow with its length, and the distance d by the part of each zone that lies between; d(-1/(pi d))/dd = 1/(pi d^2).
+/// Between points in one zone nothing changes, because the kernel falls as the weights grow. For points outside the
+/// zone of the nodes, the weights grow with the length of this zone, and the distance d grows by the part of each zone
+/// that lies between; d(-1/(pi d))/dd = 1/(pi d^2).
 void ZoneEquations::add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
                                   Eigen::MatrixXd& by_lengths) const {
   const auto zones = static_cast<Index>(zones_.size());
@@ -170,7 +171,7 @@ Eigen::VectorXd ZoneEquations::residual(const Kernels& kernels) const {
 }
 
 Eigen::VectorXd ZoneEquations::rounding_of_lengths() const {
-  constexpr double operations = 12, largest_rest = 0.25;  // of SlopeKernels: that of S far away
+  constexpr double operations = 12, largest_rest = 0.25;  // rest of SlopeKernels: of S far away
   const Forces forces = this->forces();
   const Eigen::VectorXd normal = forces.normal.abs(), tangential = forces.tangential.abs();
   const auto tractions = unknowns_.head(mesh_.unknowns());
@@ -251,12 +252,12 @@ bool ZoneEquations::iterate() {
 }
 
 bool ZoneEquations::converges(Elimination& derivatives) {
-  // Further than this the zones' order does not last; Newton's steps are cut to it.
+  // Longer steps may not keep the zones' order; Newton's steps are cut to this length.
   constexpr double longest_step = 0.7, least_part = 1.0 / 64;
-  // After a shorter step the same derivatives do.
+  // After a shorter step the derivatives are not computed again.
   constexpr double short_step = 1e-3;
   constexpr int most_steps = 30;
-  // e^-39, over the contact: no accuracy in double sees shorter ones.
+  // Over the contact length, e^-39: no accuracy in double resolves shorter zones.
   constexpr double shortest_zone = 1e-17;
   const double longest = 2 * length();
   const auto size_of = [&](const Eigen::VectorXd& change) {
@@ -274,9 +275,9 @@ bool ZoneEquations::converges(Elimination& derivatives) {
     const Eigen::VectorXd change = derivatives.solve(remains);
     const double size = size_of(change);
     if (!std::isfinite(size)) return false;
-    // Steps shrink until rounding rules.
+    // Steps shrink until rounding dominates.
     if (last_step < short_step && size > last_step / 2) return true;
-    // The part of the step after which the same derivatives ask for a shorter one (Deuflhard 2004, 3.3).
+    // A part of the step is taken after which the same derivatives give a shorter step (Deuflhard 2004, 3.3).
     const Eigen::VectorXd unknowns = unknowns_;
     const Zones zones = zones_;
     for (double part = std::min(1.0, longest_step / size);; part /= 2) {

@@ -13,22 +13,22 @@ namespace nipref::fast {
 ///     int U(e-s) p ds - int V(e-s) q ds + beta q(e) = 2 (L1 - e)        in the contact,
 ///     int V(e-s) p ds + int S(e-s) q ds - beta p(e) = creep             where it sticks,
 ///     q = sign mu p                                                     where it slips,
-/// with two of load, length, traction and creep, for zones in a given order: linear in p, q, L1 and the creep, solved
-/// with the zones' lengths by Newton's method. Whether it sticks and slips where it should is not looked at.
+/// with given load or length and given traction or creep, for zones in a given order. They are linear in p, q, L1 and
+/// the creep. Newton's method solves them with the zones' lengths. The conditions of stick and slip are not checked.
 class ZoneEquations {
   using Index = Eigen::Index;
 
  public:
   ZoneEquations(const PartialSlipTask& task, const Zones& zones, double nats);
 
-  /// From these zones, and from unknowns that are nearly right; false where Newton's method finds no zones of such an order.
+  /// Solves from the zones or from nearly right unknowns; false if Newton's method finds no zones in this order.
   bool solve();
   bool solve_from(const Eigen::VectorXd& unknowns);
 
   [[nodiscard]] const PartialSlipTask& task() const { return task_; }
   [[nodiscard]] const Zones& zones() const { return zones_; }
   [[nodiscard]] const ZoneMesh& mesh() const { return mesh_; }
-  /// Those of the mesh, L1 and the creep.
+  /// The unknowns of the mesh, L1 and the creep.
   [[nodiscard]] const Eigen::VectorXd& unknowns() const { return unknowns_; }
   [[nodiscard]] double leading_length() const { return unknowns_(mesh_.unknowns()); }
   [[nodiscard]] double creep() const { return unknowns_(mesh_.unknowns() + 1); }
@@ -43,9 +43,9 @@ class ZoneEquations {
     Eigen::ArrayXd normal, along;
   };
   [[nodiscard]] Misfits misfits() const { return misfits(kernels()); }
-  /// How far rounding moves the logarithms of the zones' lengths: |J^-1|, J the derivatives of the equations by all unknowns and
-  /// these, times the sizes of the equations' terms, times 2^-53 for each operation that makes a term: four for a weight, two
-  /// for a traction, five for a kernel, and their product. J is the one of Newton's last steps.
+  /// The rounding errors of the logarithms of the zones' lengths: |J^-1| times the sizes of the equations' terms, times
+  /// 2^-53 for each operation in a term: four for a weight, two for a traction, five for a kernel, and their product.
+  /// J, the derivatives with respect to all unknowns and these logarithms, is that of Newton's last steps.
   [[nodiscard]] Eigen::VectorXd rounding_of_lengths() const;
   [[nodiscard]] Eigen::ArrayXd places(const auto& points) const {
     return Eigen::ArrayXd::NullaryExpr(static_cast<Index>(points.size()), [&](Index i) {
@@ -54,7 +54,7 @@ class ZoneEquations {
   }
 
  private:
-  /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, and the rests of the kernels.
+  /// Cauchy's kernels -1/(pi alpha) from the nodes, columns, to the midpoints, rows; and the rests of the kernels.
   struct Kernels {
     Eigen::MatrixXd cauchy;
     SlopeKernels rest;
@@ -62,29 +62,29 @@ class ZoneEquations {
   [[nodiscard]] Kernels kernels() const;
   [[nodiscard]] Misfits misfits(const Kernels& kernels) const;
   using Rows = SlopeKernels::Rows;
-  /// The derivatives of the misfits by the logarithms of the zones' lengths; to them are added those of the Cauchy kernels' sums
-  /// over given forces at the nodes.
+  /// The derivatives of the misfits with respect to the logarithms of the zones' lengths. add_of_cauchy adds those of
+  /// the sums of Cauchy's kernels over given forces at the nodes.
   [[nodiscard]] Rows by_lengths(const Kernels& kernels) const;
   void add_of_cauchy(const Eigen::MatrixXd& cauchy, const Eigen::VectorXd& forces,
                      Eigen::MatrixXd& by_lengths) const;
-  /// What remains of the equations, and its derivatives by all unknowns and the logarithms of the zones' lengths.
+  /// The residual of the equations. jacobian() has its derivatives with respect to all unknowns and these logarithms.
   [[nodiscard]] Eigen::VectorXd residual(const Kernels& kernels) const;
-  [[nodiscard]] Index equations() const;  ///< how many
+  [[nodiscard]] Index equations() const;  ///< number of equations
   [[nodiscard]] bool is_square() const;
-  /// Numbers of all equations in their order: of those at midpoints that are matched, of load or length, of creep or traction.
+  /// A number for each equation in order: at matched midpoints, of load or length, of creep or traction.
   [[nodiscard]] Eigen::VectorXd of_equations(const Misfits& at_midpoints, double of_load,
                                              double of_creep) const;
   [[nodiscard]] Eigen::MatrixXd jacobian(const Kernels& kernels) const;
   [[nodiscard]] Eigen::VectorXd weights() const;  ///< of the nodes
-  /// A number for each point, row, and each zone, column.
+  /// The matrix of a number for each point, row, and each zone, column.
   [[nodiscard]] Eigen::MatrixXd of_points(const auto& points, const auto& number) const {
     return Eigen::MatrixXd::NullaryExpr(
         static_cast<Index>(points.size()), static_cast<Index>(zones_.size()),
         [&](Index i, Index zone) { return number(points[static_cast<std::size_t>(i)], zone); });
   }
-  /// How far each zone goes to the points' e: the derivatives of e by the logarithm of its length.
+  /// The length of each zone up to the points: the derivatives of their e with respect to the logarithm of its length.
   [[nodiscard]] Eigen::MatrixXd extents(const auto& points) const;
-  /// The first of the points, and how many, that lie in a zone.
+  /// The points in a zone: the number of the first one, and their count.
   struct Range {
     Index first, count;
   };
@@ -94,7 +94,7 @@ class ZoneEquations {
     return {range.begin() - points.begin(), std::ssize(range)};
   }
   bool iterate();
-  /// Whether Newton's method finds a solution; `derivatives` becomes the one of its last steps.
+  /// Whether Newton's method finds a solution; `derivatives` becomes the factorised J of its last steps.
   bool converges(Elimination& derivatives);
   void step(const Eigen::VectorXd& change, double part);
 
@@ -102,7 +102,7 @@ class ZoneEquations {
   Zones zones_;
   ZoneMesh mesh_;
   std::vector<Index> normal_, along_;  ///< the midpoints at which the equations of u' and of v' hold
-  Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at them
+  Eigen::SparseMatrix<double> shear_here_, pressure_here_;  ///< of unit unknowns at these midpoints
   Eigen::VectorXd unknowns_;
   Eigen::MatrixXd lengths_by_equations_;  ///< rows of J^-1 as columns, a column for each zone
 };

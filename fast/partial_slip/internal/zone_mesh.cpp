@@ -9,11 +9,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// Half-thicknesses. The kernels less their Cauchy parts are analytic for |Im alpha| < 2, which s sees from the middle of a panel
-/// at |Im s| = 2 atan(4/length): at pi/2, where the rule of this step has the error e^(-nats), for a length of 4.
+/// Half-thicknesses. The kernels less their Cauchy parts are analytic for |Im alpha| < 2, or |Im s| < 2 atan(4/length)
+/// from the middle of a panel. For a length of 4 this is pi/2, with which the rule of this step has the error e^-nats.
 constexpr double longest_panel = 4;
 
-/// Steps from 0 to 1, flat at both: with x^2 it begins.
+/// A step from 0 to 1, flat at both, that begins like x^2.
 double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
 }  // namespace
@@ -77,12 +77,12 @@ ZoneMesh::PanelEnd ZoneMesh::end(std::size_t panel, bool is_right, const Partial
   };
   const Panel& own = panels_[panel];
   const bool at_end = is_right ? panel + 1 == panels_.size() : panel == 0;
-  // The powers leave out t^2 at most, e^(-1.2 nats), and with p ~ t^(1/2) the forces beyond the last node are e^(-1.65 nats).
+  // The powers leave out t^2 or less, e^(-1.2 nats). With p ~ t^(1/2) forces beyond the last node are e^(-1.65 nats).
   PanelEnd result{tail(1, 2, 3), tail(1, 2, 3), 0.6 * nats, 1.1 * nats, -1, -1, false};
   if (at_end) {
     const double power = 0.5 + (is_right ? 1 : -1) * shift(own.sign);
     result.pressure = result.shear = tail(power, power + 1, power + 2);
-    // The zone of slip at the end, which is left out where it is shorter than the accuracy, shall be seen.
+    // Such nodes show a missing zone of slip at the end, which is left out if shorter than the accuracy.
     if (own.sign == 0 && task.beta > 0) result.reach = nats;
     return result;
   }
@@ -143,7 +143,7 @@ ZoneMesh::Rows ZoneMesh::rows(std::size_t count, const auto& point) const {
 
 Eigen::VectorXd ZoneMesh::unknowns_of(const std::function<Traction(const Point&)>& traction) const {
   Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(unknowns_);
-  // What the unknowns that are known already leave of a traction.
+  // The part of a traction that the unknowns set before leave.
   const auto set = [&](int unknown, const Point& point, double whole, double Share::*part) {
     for (const Share& share : shares(point)) whole -= share.*part * unknowns(share.unknown);
     unknowns(unknown) = whole;

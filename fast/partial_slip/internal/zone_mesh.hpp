@@ -11,28 +11,28 @@
 
 namespace nipref::fast {
 
-/// The unknowns of a contact's tractions, and where they are matched.
+/// The unknowns of a contact's tractions, and the points where the equations hold.
 ///
-/// A panel, a zone or an equal part of a long one, is mapped to the real line by e = left + length/(1 + e^-s), which
-/// takes the powers of the distance from its ends to exponentials. Unknown are the pressure p, and where the sheet sticks
-/// the shear q, at the nodes s = j h; integrals over e are sums over the nodes, and the equations hold midway between
-/// them: there the trapezoidal rule's error for a Cauchy integral is as small as for a smooth function, e^(-2 pi d/h) with d
-/// = pi the width of the strip in which tractions are analytic in s. Between the nodes p and q are interpolated by the sinc
-/// function, which is accurate to e^(-pi d/h): that sets h.
+/// A panel is a zone or an equal part of a long one. It is mapped to the real line by e = left + length/(1 + e^-s),
+/// which turns powers of the distance from its ends into exponentials. The unknowns are the pressure p and, where the
+/// sheet sticks, the shear q at the nodes s = j h. Integrals over e are sums over the nodes. The equations hold midway
+/// between the nodes, where the trapezoidal rule's error for a Cauchy integral is as small as for a smooth function,
+/// e^(-2 pi d/h) with d = pi the width of the strip in which tractions are analytic in s. Between the nodes p and q are
+/// interpolated by the sinc function, with the error e^(-pi d/h), which determines h.
 ///
-/// At the ends of a panel (t: distance from it, a = atan(beta mu sign)/pi with the sign of the slip zone), but for factors
-/// that are analytic in t:
+/// At the ends of a panel, with t the distance from it and a = atan(beta mu sign)/pi, sign that of the slip zone, the
+/// tractions are, up to factors that are analytic in t:
 ///     p = t^(1/2 - a) at the contact's leading end, t^(1/2 + a) at its trailing end; t^(1/2) where it sticks,
 ///     p = p(0) + t + |t|^(1/2 - a), q - sign mu p = t^(1/2 - a)   where it sticks and then slips,
-///     p = p(0) + t + |t|^(3/2 + a), q - sign mu p = t^(3/2 + a)   where it slips and then sticks, for
-/// t^(1/2 + a) would be slip along the shear. (They solve the equations with the Cauchy kernels alone, by int_0^inf
-/// s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions go on as the first three
-/// of these powers.
-/// Boundary values p(0) are unknowns, with the hat function of both panels; where it sticks, q is counted from mu p times a
-/// smooth step between the signs of both neighbours. A boundary where slip turns into stick has an equation more.
+///     p = p(0) + t + |t|^(3/2 + a), q - sign mu p = t^(3/2 + a)   where it slips and then sticks,
+/// where t^(1/2 + a) would be slip along the shear. (These powers solve the equations with the Cauchy kernels alone, by
+/// int_0^inf s^b/(t - s) ds = pi cot(pi b) t^b.) Before the first node and beyond the last one the tractions are
+/// continued by the first three of these powers. The boundary values p(0) are unknowns, with the hat function of both
+/// panels. Where the sheet sticks, q is counted from mu p times a smooth step between the signs of both neighbours. A
+/// boundary where slip turns into stick has one equation more.
 class ZoneMesh {
  public:
-  /// Of |s|: e^-72 of a panel from its end.
+  /// The largest |s|, at e^-72 of a panel from its end.
   static constexpr double farthest = 72;
 
   /// s may be infinite: at the panel's end itself.
@@ -59,21 +59,22 @@ class ZoneMesh {
   struct Rows {
     Eigen::SparseMatrix<double> pressure, shear;
   };
-  /// What holds midway between two nodes: the equations of u' and of v'. Beyond the last nodes there are midpoints at which
-  /// none holds; there the conditions of stick and slip are looked at.
+  /// A point midway between two nodes, with the equations that hold there: those of u' and v'. No equation holds at the
+  /// midpoints beyond the last nodes; the conditions of stick and slip are checked there, too.
   struct Midpoint : Point {
     bool matches_normal, matches_along;
   };
 
-  /// nats: -ln of the accuracy that it is made for.
+  /// `nats`: -ln of the accuracy for which the mesh is made.
   ZoneMesh(const Zones& zones, const PartialSlipTask& task, double nats);
 
-  /// Where the powers begin next to a boundary where slip turns into stick: -ln of t over the panel's length. What they leave
-  /// out, smaller by t^2, shifts the boundary by e^(-0.6 nats) of the zone's length. Nearer to it t^(3/2 + a), which tells
-  /// where it is, is lost in errors of e^-nats: with 0.4 in place of 0.3 boundaries came out up to 60 times worse.
+  /// The place from which powers continue the tractions next to a boundary where slip turns into stick: -ln of t over
+  /// the panel's length. The terms that the powers leave out are smaller by t^2 and shift the boundary by e^(-0.6 nats)
+  /// of the zone's length. Nearer to the boundary, t^(3/2 + a), which determines its place, is lost in errors of
+  /// e^-nats: with 0.4 in place of 0.3 the errors of boundaries are up to 60 times larger.
   static constexpr double smooth_share = 0.3;
   [[nodiscard]] static double smooth_reach(double nats) { return smooth_share * nats; }
-  /// The accuracy, less than nats, whose mesh has one node fewer up to there: at smooth_reach(nats)/step, step = pi^2/nats.
+  /// The smaller `nats` whose mesh has one node fewer up to there, of smooth_reach(nats)/step nodes, step = pi^2/nats.
   [[nodiscard]] static double with_a_node_less(double nats) {
     return std::sqrt(nats * nats - std::numbers::pi * std::numbers::pi / smooth_share);
   }
@@ -94,14 +95,14 @@ class ZoneMesh {
   [[nodiscard]] double weight(const Point& point) const;
   /// e_a - e_b without cancellation.
   [[nodiscard]] double distance(const Point& a, const Point& b) const;
-  /// That of all midpoints, rows, from all nodes, columns.
+  /// The distances of all midpoints, rows, from all nodes, columns.
   [[nodiscard]] Eigen::MatrixXd distances() const;
   /// The length of the part of a zone that lies before the point.
   [[nodiscard]] double extent(int zone, const Point& point) const;
   /// The distance of the point from the right or the left end of its zone, without cancellation.
   [[nodiscard]] double from_end(const Point& point, bool right) const;
   [[nodiscard]] double place(const Point& point) const;
-  /// 0 < e < the contact's length; from the nearer end of the panel that it lies in.
+  /// The point at e, 0 < e < the contact's length.
   [[nodiscard]] Point point_at(double e) const;
   [[nodiscard]] Shares shares(const Point& point) const;
   /// The unknowns that give these tractions.
@@ -110,9 +111,9 @@ class ZoneMesh {
  private:
   struct PanelEnd {
     Tail pressure, shear;
-    double reach, depth;     ///< |s| of the last node with an unknown, and of the last one
+    double reach, depth;     ///< |s| of the last node with an unknown, and of the last node
     int value, shear_value;  ///< unknowns of the boundary's values, -1 where they are 0
-    bool extra;
+    bool extra;              ///< whether the boundary has one equation more
   };
   struct Panel {
     int zone, sign, part, parts;
@@ -132,7 +133,7 @@ class ZoneMesh {
   void number();
   void add_points(const Panel& panel, int index);
   void add_hats(const Panel& panel, const Point& point, Shares& shares) const;
-  /// What the last nodes' hats stand for: all that would follow, sum_k e^(-k h).
+  /// The factor of a hat: that of the last nodes also stands for all that would follow, sum_k e^(-k h).
   [[nodiscard]] double rest(const Panel& panel, const Point& point) const;
   [[nodiscard]] Rows rows(std::size_t count, const auto& point) const;
   void add_nodes(const Panel& panel, double steps, Shares& shares) const;

@@ -10,8 +10,8 @@
 
 namespace nipref::fast {
 
-/// A part of the contact where the sheet sticks or slips one way. Zones are counted in the order in which the sheet
-/// passes them, and e >= 0 is the distance from the leading end.
+/// A part of the contact where the sheet sticks or slips one way. Zones are in the order in which the sheet passes
+/// them, and e >= 0 is the distance from the leading end.
 struct Zone {
   double length;  ///< half-thicknesses
   int sign;       ///< of the shear along the motion where it slips, 0 where it sticks
@@ -39,13 +39,13 @@ struct PartialSlipTask {
   std::shared_ptr<Work> work = std::make_shared<Work>();  ///< grows with each system that is solved for it
 };
 
-/// Whether it sticks from end to end. Then there is no traction, by symmetry, which is an equation less. All other contacts slip
-/// at the trailing end: sticking there asks for one number more than there is.
+/// Whether the sheet sticks from end to end. Then the traction is 0 by symmetry, and its equation is dropped. All other
+/// contacts slip at the trailing end, because stick there would need one more unknown.
 inline bool sticks_everywhere(const PartialSlipTask& task, const Zones& zones) {
   return zones.size() == 1 && zones.front().sign == 0 && task.traction == 0.0;
 }
 
-/// A hundredth of the last zone, which sticks, slips at the end.
+/// Lets a hundredth of the last zone, which sticks, slip at the trailing end.
 inline void slip_at_end(Zones& zones, int sign) {
   const double length = 0.01 * zones.back().length;
   zones.back().length -= length;
